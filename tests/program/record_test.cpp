@@ -16,12 +16,17 @@ std::vector<std::filesystem::path> folders_in(const std::filesystem::path& folde
     return found;
 }
 
-TEST(RecordedSession, holds_every_line_that_was_said_in_order) {
-    const TemporaryFolder folder;
+// A session in our house with a simulated device that is recorded below the folder.
+ProgramCall recorded_in(const std::filesystem::path& folder) {
     ProgramCall call;
     call.program = HANDRAIL_PROGRAM;
-    call.arguments = {TEST_WORLDS "/house.map", "--no-window", "--device", "sim-t", "--record-in",
-                      folder.path().string()};
+    call.arguments = {TEST_WORLDS "/house.map", "--no-window", "--device", "sim-t", "--record-in", folder.string()};
+    return call;
+}
+
+TEST(RecordedSession, holds_every_line_that_was_said_in_order) {
+    const TemporaryFolder folder;
+    ProgramCall call = recorded_in(folder.path());
     call.input = "forward 3\nwhere\nexits\nescape\nverbosity\n";
     const ProgramRun run = run_program(call);
     EXPECT_EQ(run.exit_status, 0) << run.err;
@@ -61,14 +66,8 @@ class RecordedUnderLoad : public testing::TestWithParam<int> {};
 
 TEST_P(RecordedUnderLoad, is_computed_again_to_the_same_lines_in_the_same_order) {
     const TemporaryFolder folder;
-    ProgramCall call;
-    call.program = HANDRAIL_PROGRAM;
-    call.arguments = {GetParam() == 1 ? TEST_WORLDS "/school.map" : TEST_WORLDS "/house.map",
-                      "--no-window",
-                      "--device",
-                      "sim-t",
-                      "--record-in",
-                      folder.path().string()};
+    ProgramCall call = recorded_in(folder.path());
+    if (GetParam() == 1) call.arguments[0] = TEST_WORLDS "/school.map";
     if (GetParam() == kTwoHands) call.arguments.insert(call.arguments.end(), {"--device", "sim-f"});
     const TemporaryFolder library;
     if (GetParam() == kPulledOut) {
@@ -98,10 +97,7 @@ INSTANTIATE_TEST_SUITE_P(Sessions, RecordedUnderLoad, testing::Range(0, 5));
 
 TEST(RecordedSession, becomes_a_scenario_that_holds) {
     const TemporaryFolder folder;
-    ProgramCall call;
-    call.program = HANDRAIL_PROGRAM;
-    call.arguments = {TEST_WORLDS "/house.map", "--no-window", "--device", "sim-t", "--record-in",
-                      folder.path().string()};
+    ProgramCall call = recorded_in(folder.path());
     call.input = "where\nforward 2\nright\nheading\nexits\nescape\n";
     EXPECT_EQ(run_program(call).exit_status, 0);
     const std::string recording = folders_in(folder.path()).at(0).string();
@@ -118,10 +114,7 @@ TEST(RecordedSession, becomes_a_scenario_that_holds) {
 
 TEST(ReplayCommand, checks_hears_and_tells_what_differs) {
     const TemporaryFolder folder;
-    ProgramCall call;
-    call.program = HANDRAIL_PROGRAM;
-    call.arguments = {TEST_WORLDS "/house.map", "--no-window", "--device", "sim-t", "--record-in",
-                      folder.path().string()};
+    ProgramCall call = recorded_in(folder.path());
     call.input = "where\nforward 2\n";
     EXPECT_EQ(run_program(call).exit_status, 0);
     const std::filesystem::path recording = folders_in(folder.path()).at(0);
@@ -154,10 +147,7 @@ TEST(ReplayCommand, checks_hears_and_tells_what_differs) {
 
 TEST(ReportCommand, makes_a_page_and_tables_of_a_recording_and_replaces_nothing_unasked) {
     const TemporaryFolder folder;
-    ProgramCall call;
-    call.program = HANDRAIL_PROGRAM;
-    call.arguments = {TEST_WORLDS "/house.map", "--no-window", "--device", "sim-t", "--record-in",
-                      folder.path().string()};
+    ProgramCall call = recorded_in(folder.path());
     call.input = "where\nroutes\nkitchen\nleft 4\nforward 6\nexits\n";
     EXPECT_EQ(run_program(call).exit_status, 0);
     const std::string recording = folders_in(folder.path()).at(0).string();

@@ -5,6 +5,7 @@
 
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/render/touch.h"
+#include "tests/property/stiff_ball.h"
 #include "tests/support/block_mesh.h"
 #include "tests/support/scale.h"
 #include "worlds/geometry/clip.h"
@@ -12,14 +13,6 @@
 
 namespace handrail {
 namespace closed_mesh_touch_test {
-
-TouchTuning tuning_of(double radius_m) {
-    TouchTuning tuning;
-    tuning.radius_m = radius_m;
-    tuning.rated_stiffness_n_per_m = 1000.0;
-    tuning.default_stiffness_fraction = 1.0;
-    return tuning;
-}
 
 struct Mesh {
     test::BlockMesh mesh;
@@ -52,7 +45,7 @@ TEST(ClosedMeshes, are_never_entered_by_a_hand_that_presses_on_them) {
         Aabb box;
         for (const Vec3& p : world.mesh.points_m) box.include(p);
         box = grown(box, 0.1);
-        const TouchTuning tuning = tuning_of(0.005);
+        const TouchTuning tuning = test::stiff_ball(0.005);
         TouchState state;
         Vec3 ball = box.min_m, hand = ball, direction{1, 0, 0}, normal{0.0};
         int touching = 0, left = 0;
@@ -96,7 +89,7 @@ TEST(ClosedMeshes, let_a_hand_out_that_began_inside_and_not_back_in) {
         }
         const Vec3 away = box.max_m + Vec3(0.3);
         TouchState state;
-        const TouchTuning tuning = tuning_of(0.005);
+        const TouchTuning tuning = test::stiff_ball(0.005);
         const Vec3 way = (away - within) / 2000.0;
         Vec3 ball = within;
         for (int i = 0; i <= 2500; ++i)

@@ -3,10 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <memory>
 #include <random>
+#include <string>
+#include <vector>
 
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/render/touch.h"
+#include "tests/property/stiff_ball.h"
 #include "tests/support/real_worlds.h"
 #include "worlds/geometry/box_index.h"
 #include "worlds/readers/reader.h"
@@ -46,29 +50,33 @@ private:
     mutable std::vector<std::uint32_t> near_;
 };
 
-TouchTuning tuning_of(double radius_m) {
-    TouchTuning tuning;
-    tuning.radius_m = radius_m;
-    tuning.rated_stiffness_n_per_m = 1000.0;
-    tuning.default_stiffness_fraction = 1.0;
-    return tuning;
-}
-
 constexpr const char* kBuildings[] = {"duplex-apartment.ifc", "fzk-haus.ifc", "institute.ifczip", "apb-tu-dresden.osm"};
+
+struct Building {
+    std::string name;
+    std::shared_ptr<const Scene> scene;
+};
+
+// Those that are here.
+void read_buildings(std::vector<Building>& buildings) {
+    for (const char* name : kBuildings) {
+        const auto path = test::real_world(name);
+        if (!path) continue;
+        Result<Scene> scene = read_world(*path);
+        ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
+        buildings.push_back({name, std::make_shared<const Scene>(std::move(*scene))});
+    }
+}
 
 // A hand at 1 m/s that starts in one room after the other and mostly presses on what it has met.
 TEST(RealBuildings, a_hand_never_enters_a_solid) {
     const int ticks = std::getenv("HANDRAIL_LONG_WALKS") ? 200'000 : 20'000;
-    int buildings = 0;
-    for (const char* name : kBuildings) {
-        const auto path = test::real_world(name);
-        if (!path) continue;
-        ++buildings;
-        const Result<Scene> scene = read_world(*path);
-        ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
+    std::vector<Building> buildings;
+    ASSERT_NO_FATAL_FAILURE(read_buildings(buildings));
+    for (const auto& [name, scene] : buildings) {
         const auto haptic = compile_haptic(*scene, MaterialSource::KeysOnly);
         const Solids solids(*scene);
-        const TouchTuning tuning = tuning_of(0.005);
+        const TouchTuning tuning = test::stiff_ball(0.005);
         TouchState state;
         std::mt19937 random(20261124);
         const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
@@ -105,7 +113,7 @@ TEST(RealBuildings, a_hand_never_enters_a_solid) {
         }
         EXPECT_GT(touching, ticks / 10) << name;
     }
-    if (buildings == 0) GTEST_SKIP() << "no real building is here; set HANDRAIL_REAL_WORLDS";
+    if (buildings.empty()) GTEST_SKIP() << "no real building is here; set HANDRAIL_REAL_WORLDS";
 }
 
 // The way through a leaf: square to its largest upright face.
@@ -129,7 +137,7 @@ std::optional<Vec3> way_through(const Scene& scene, FeatureId leaf) {
 // At Room scale the ball is as wide as a fist of the building: 0.1 m.
 bool ball_passes(const HapticScene& haptic, const Vec3& from_m, const Vec3& to_m) {
     TouchState state;
-    const TouchTuning tuning = tuning_of(0.1);
+    const TouchTuning tuning = test::stiff_ball(0.1);
     Vec3 ball = from_m;
     const int steps = static_cast<int>(glm::length(to_m - from_m) / 2e-3);
     for (int i = 0; i <= steps + 200; ++i) {
@@ -150,13 +158,9 @@ bool body_passes(const Solids& solids, const Vec3& middle_m, const Vec3& way) {
 }
 
 TEST(RealBuildings, body_and_ball_pass_every_open_door_of_the_file) {
-    int buildings = 0;
-    for (const char* name : kBuildings) {
-        const auto path = test::real_world(name);
-        if (!path) continue;
-        ++buildings;
-        const Result<Scene> scene = read_world(*path);
-        ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
+    std::vector<Building> buildings;
+    ASSERT_NO_FATAL_FAILURE(read_buildings(buildings));
+    for (const auto& [name, scene] : buildings) {
         // All leaves out of the way; what a ball meets besides are walls.
         Scene open = *scene;
         std::erase_if(open.solids, [](const Solid& solid) { return solid.role == SolidRole::Mover; });
@@ -186,7 +190,7 @@ TEST(RealBuildings, body_and_ball_pass_every_open_door_of_the_file) {
         EXPECT_EQ(shut_to_ball, 0) << name << ":" << shut;
         EXPECT_EQ(shut_to_body, 0) << name << ":" << shut;
     }
-    if (buildings == 0) GTEST_SKIP() << "no real building is here; set HANDRAIL_REAL_WORLDS";
+    if (buildings.empty()) GTEST_SKIP() << "no real building is here; set HANDRAIL_REAL_WORLDS";
 }
 
 }  // namespace real_buildings_test

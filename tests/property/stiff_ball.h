@@ -1,0 +1,16 @@
+// How a hand feels in tests of what it never enters: as stiff as it is rated.
+#pragma once
+
+#include "haptic/render/touch.h"
+
+namespace handrail::test {
+
+inline TouchTuning stiff_ball(double radius_m) {
+    TouchTuning tuning;
+    tuning.radius_m = radius_m;
+    tuning.rated_stiffness_n_per_m = 1000.0;
+    tuning.default_stiffness_fraction = 1.0;
+    return tuning;
+}
+
+}  // namespace handrail::test
