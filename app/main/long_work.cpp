@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -26,7 +27,7 @@ struct LongWork::State {
     std::string words(double now_s) const {
         if (!reads)
             return phrase("program.so_far",
-                          {{"what", what}, {"seconds", static_cast<int>(patience->waited_s(now_s) + 0.5)}});
+                          {{"what", what}, {"seconds", std::lround(patience->waited_s(now_s))}});
         if (what.empty()) return phrase("program.loading", {{"percent", percent}});
         return phrase("program.loading_at", {{"percent", percent}, {"stage", what}});
     }
