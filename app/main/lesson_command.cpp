@@ -2,6 +2,7 @@
 #include <fmt/ostream.h>
 #include <unistd.h>
 
+#include "app/core/whereabouts/rooms_kept.h"
 #include "app/main/commands.h"
 #include "app/main/lesson_here.h"
 #include "app/main/world_files.h"
@@ -56,6 +57,7 @@ std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments
         out << protocol_of(*lesson, learner);
         return 0;
     }
+    const RoomsKept of_all_pupils;
     progress.at(phrase("progress.lesson"));
     auto world = read_taught_world(arguments.file);
     progress.done();

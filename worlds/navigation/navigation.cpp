@@ -37,10 +37,15 @@ WalkBody walk_body(const Scene& scene, double radius_m, double height_m, double 
 
 Result<std::shared_ptr<Navigation>> Navigation::make(const Scene& scene, const WalkBody& body,
                                                      const std::stop_token& stop) {
-    std::shared_ptr<Navigation> made(new Navigation);
     Result<WalkSpace> space = make_walk_space(scene, body, stop);
     if (!space) return tl::unexpected(space.error());
-    made->space_ = std::move(*space);
+    return make_over(scene, std::move(*space), stop);
+}
+
+Result<std::shared_ptr<Navigation>> Navigation::make_over(const Scene& scene, WalkSpace space,
+                                                          const std::stop_token& stop) {
+    std::shared_ptr<Navigation> made(new Navigation);
+    made->space_ = std::move(space);
     try {
         if (Result<NavMesh> mesh = NavMesh::make(made->space_, stop))
             made->mesh_ = std::make_unique<NavMesh>(std::move(*mesh));

@@ -2,6 +2,7 @@
 
 #include <new>
 
+#include "app/core/whereabouts/rooms_kept.h"
 #include "app/core/world/arrivals.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
@@ -41,8 +42,23 @@ void RoomsOfWorld::find(const std::stop_token& stop) {
     done_.notify_all();
 }
 
+// What was found of the same scene before, where somebody keeps it.
+void RoomsOfWorld::find_once() {
+    RoomsKept* const kept = RoomsKept::here();
+    if (const RoomsKept::Found* before = kept ? kept->of(scene_, body_) : nullptr)
+        if (auto made = Navigation::make_over(*scene_, before->space)) {
+            navigation_ = std::move(*made);
+            graph_ = before->graph;
+            out_of_reach_ = before->out_of_reach;
+            done_ = true;
+            return;
+        }
+    find({});
+    if (kept && navigation_) kept->keep({scene_, body_, spoken_language(), navigation_->space(), graph_, out_of_reach_});
+}
+
 bool RoomsOfWorld::ready() {
-    if (at_once_ && !done_) find({});
+    if (at_once_ && !done_) find_once();
     if (!known_ && !at_once_) known_ = Arrivals::there([this] { return done_.load(); }, [this] { done_.wait(false); });
     return at_once_ ? done_.load() : known_;
 }

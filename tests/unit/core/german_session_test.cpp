@@ -8,7 +8,7 @@ namespace handrail {
 namespace german_session_test {
 
 std::shared_ptr<const Scene> world(const char* file) {
-    return test::world_in(std::filesystem::path(HANDRAIL_SOURCE_DIR) / file);
+    return test::world_once(std::filesystem::path(HANDRAIL_SOURCE_DIR) / file);
 }
 
 struct Visitor : test::AppSession {

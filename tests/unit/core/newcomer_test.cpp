@@ -7,7 +7,7 @@
 #include "app/core/scenario/session_log.h"
 #include "tests/support/real_worlds.h"
 #include "tests/unit/core/app_session.h"
-#include "worlds/readers/reader.h"
+#include "tests/support/worlds_once.h"
 
 namespace handrail {
 namespace newcomer_test {
@@ -18,9 +18,7 @@ using test::Newcomer;
 std::shared_ptr<const Scene> real(const std::string& name) {
     const auto path = test::real_world(name);
     if (!path) return nullptr;
-    auto scene = read_world(*path);
-    EXPECT_TRUE(scene);
-    return std::make_shared<const Scene>(std::move(*scene));
+    return test::world_once(*path);
 }
 
 // "Corridor, 6 by 26 metres, south" of "Corridor, 6 by 26 metres, south, 35 steps".

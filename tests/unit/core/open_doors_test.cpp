@@ -2,15 +2,12 @@
 // it comes to stand on the way.
 #include <map>
 
+#include "tests/support/every.h"
 #include "tests/support/map_text.h"
-#include "tests/support/scale.h"
 #include "tests/unit/core/way_walker.h"
 
 namespace handrail {
 namespace open_doors_test {
-
-constexpr std::size_t kPairStride =
-    static_cast<std::size_t>(1.0 / test::kSanitizerScale + 0.5);  // instrumented builds walk every tenth pair
 
 struct HouseWalker : test::AppSession {
     HouseWalker() {
@@ -76,18 +73,18 @@ TEST(OpenDoors, stand_in_no_way_between_two_rooms_of_the_house) {
         walk("Hall", room);
         places.emplace(room, p.app.feet_m());
     }
-    std::size_t pair = 0;
+    std::uint32_t pair = 0;
     for (const auto& [from, place] : places)
         for (const auto& [to, other] : places)
-            if (from != to && pair++ % kPairStride == 0) walk(from, to);
+            if (from != to && pair++ % test::every(7, 29) == 0) walk(from, to);
 }
 
 TEST(OpenDoors, that_one_opens_on_the_way_are_gone_round_from_there_on) {
     HouseWalker first;
     const std::vector<std::string> doors = doors_of(*first.app.scene());
-    std::size_t number = 0;
+    std::uint32_t number = 0;
     for (const std::string& room : first.rooms) {
-        if (!test::tried(number++, 4)) continue;
+        if (number++ % test::every(3, 6) != 0) continue;
         SCOPED_TRACE(room);
         HouseWalker p;
         EXPECT_TRUE(p.go_to(room)) << "stands at " << p.app.feet_m().x << " " << p.app.feet_m().y << " "

@@ -3,7 +3,10 @@
 #include <chrono>
 #include <filesystem>
 
+#include "app/core/whereabouts/rooms_of_world.h"
+#include "app/core/world/walker.h"
 #include "tests/support/map_text.h"
+#include "tests/support/spoken_language.h"
 #include "tests/unit/core/app_session.h"
 
 namespace handrail {
@@ -237,6 +240,42 @@ TEST(RoomsInASession, are_drawn_on_the_plan_by_the_names_they_go_by_and_cost_not
     s.ask(Command::PlanView);
     s.run(0.1);
     EXPECT_FALSE(s.app.view({}, "").rooms);
+}
+
+TEST(RoomsKept, are_as_if_they_were_found_anew_and_the_sessions_own) {
+    const auto world = house(), same_again = std::make_shared<const Scene>(*world);
+    const BodySize size = body_size(*world, 0.25);
+    const WalkBody body = walk_body(*world, size.radius_m, size.height_m, size.step_up_m);
+    RoomsKept kept;
+    ASSERT_EQ(kept.of(world, body), nullptr);
+    RoomsOfWorld anew(world, body, true);
+    ASSERT_TRUE(anew.ready() && anew.found());
+    ASSERT_NE(kept.of(world, body), nullptr);
+    anew.graph().rooms[0].name = "Vestibule";  // as a person may call it
+    RoomsOfWorld before(world, body, true);
+    {
+        RoomsKept none(0);
+        RoomsOfWorld other(world, body, true);
+        ASSERT_TRUE(before.ready() && before.found() && other.ready() && other.found());
+        EXPECT_EQ(before.graph().rooms[0].name, other.graph().rooms[0].name);
+        EXPECT_EQ(before.graph().room_of_span, other.graph().room_of_span);
+        EXPECT_EQ(before.out_of_reach(), other.out_of_reach());
+        for (const Room& from : other.graph().rooms)
+            for (const Room& to : other.graph().rooms) {
+                const Route a = before.navigation().plan(from.middle_m, to.middle_m),
+                            b = other.navigation().plan(from.middle_m, to.middle_m);
+                EXPECT_EQ(a.points_m, b.points_m) << from.name << " to " << to.name;
+                EXPECT_EQ(a.reaches, b.reaches);
+            }
+    }
+    // Neither for another scene, nor for another body, nor in another language.
+    EXPECT_EQ(kept.of(same_again, body), nullptr);
+    EXPECT_EQ(kept.of(world, walk_body(*world, size.radius_m + 0.01, size.height_m, size.step_up_m)), nullptr);
+    const test::InLanguage german("de");
+    EXPECT_EQ(kept.of(world, body), nullptr);
+    RoomsOfWorld in_german(world, body, true);
+    ASSERT_TRUE(in_german.ready() && in_german.found());
+    EXPECT_EQ(in_german.graph().language, "de");
 }
 
 }  // namespace rooms_session_test

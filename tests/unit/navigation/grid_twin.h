@@ -11,7 +11,7 @@
 
 #include "app/core/world/body_world.h"
 #include "app/core/world/walker.h"
-#include "tests/support/scale.h"
+#include "tests/support/every.h"
 #include "worlds/navigation/route.h"
 
 namespace handrail::test {
@@ -47,9 +47,8 @@ private:
     std::map<std::tuple<long, long, long>, int> known_;
 };
 
-// Which places are taken as beginnings of compared routes: every one, and every tenth in instrumented builds; to each
-// place further on, and back.
-inline constexpr std::size_t kSourceStride = static_cast<std::size_t>(1.0 / kSanitizerScale + 0.5);
+// Every how manyth place is taken as the beginning of compared routes: to each place further on, and back.
+inline std::size_t source_stride() { return every(4, 10); }
 
 inline std::vector<Vec3> from_on(const std::vector<Vec3>& places, std::size_t first) {
     return {places.begin() + static_cast<std::ptrdiff_t>(first), places.end()};

@@ -137,7 +137,7 @@ TEST(Rooms, are_joined_by_routes_as_a_grid_search_finds_them_in_every_bundled_wo
         constexpr double kSide_m = 0.1;
         test::GridTwin twin(world.scene, body_size(world.scene, 0.25), kSide_m);
         for (const Vec3& middle : middles) EXPECT_TRUE(twin.flood_from(middle));
-        for (std::size_t source = 0; source < middles.size(); source += test::kSourceStride) {
+        for (std::size_t source = 0; source < middles.size(); source += test::source_stride()) {
             const Vec3 from = middles[source];
             const std::vector<Vec3> others = test::from_on(middles, source);
             const auto lengths = twin.lengths(from, others);

@@ -110,7 +110,7 @@ TEST(Routes, agree_with_a_grid_search_between_all_landmarks_of_every_bundled_wor
             twins.wide.flood_from(place);
         }
         int compared = 0;
-        for (std::size_t i = 0; i < places.size(); i += test::kSourceStride)
+        for (std::size_t i = 0; i < places.size(); i += test::source_stride())
             compared += agrees_with(twins, *navigation, places[i], test::from_on(places, i), true);
         EXPECT_GT(compared, 0);
     }

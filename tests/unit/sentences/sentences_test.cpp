@@ -142,9 +142,11 @@ TEST_P(Sentences, of_every_command_keep_the_rules_in_every_language) {
     if (test::kSanitizerScale < 1.0 && name != "house.map") GTEST_SKIP() << "words are the same under a sanitizer";
     for (const LanguageName& language : bundled_languages())
         for (const ActsBy who : {ActsBy::WindowKeys, ActsBy::Lines}) {
+            // Which keys and words are named does not depend on the world: in large ones once is enough.
+            if (!ours && name != "small_house.ifc" && who == ActsBy::Lines) continue;
             const test::InLanguage spoken(language.code);
             speak_to(who);
-            Talk talk(test::world_in(path), language.code);
+            Talk talk(test::world_once(path), language.code);
             talk.everything();
             speak_to(ActsBy::WindowKeys);
             for (const auto& [text, what] : talk.faulty())

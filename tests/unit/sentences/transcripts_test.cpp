@@ -100,7 +100,7 @@ std::string told(const std::vector<std::string>& said) {
 std::string play(const Script& script) {
     const test::InLanguage spoken(script.language);
     test::TextSession session(
-        test::world_in(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / script.world),
+        test::our_world(script.world),
         script.first_start);
     std::string text =
         std::string("## ") + script.title + "\n\n" + script.about + " World: `" + script.world + "`.\n\n";

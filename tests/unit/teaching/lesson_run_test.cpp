@@ -10,7 +10,7 @@
 #include "app/core/session/headless_session.h"
 #include "app/teaching/desk.h"
 #include "audio-cues/sinks/recording_sinks.h"
-#include "worlds/readers/reader.h"
+#include "tests/support/worlds_once.h"
 
 namespace handrail {
 namespace lesson_run_test {
@@ -18,7 +18,7 @@ namespace lesson_run_test {
 const std::filesystem::path kWorlds = std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds/maps";
 
 std::shared_ptr<const Scene> scene_of(const char* name) {
-    return std::make_shared<const Scene>(std::move(*read_world(kWorlds / name)));
+    return test::world_once(kWorlds / name);
 }
 const std::shared_ptr<TaughtWorld>& school() {
     static const std::shared_ptr<TaughtWorld> kWorld =

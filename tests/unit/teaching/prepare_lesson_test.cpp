@@ -7,7 +7,7 @@
 #include "app/teaching/taught_world.h"
 #include "audio-cues/sinks/recording_sinks.h"
 #include "tests/support/temporary_folder.h"
-#include "worlds/readers/reader.h"
+#include "tests/support/worlds_once.h"
 
 namespace handrail {
 namespace prepare_lesson_test {
@@ -52,7 +52,7 @@ private:
 };
 
 TEST(PreparingALesson, takes_under_60_keys_and_5_minutes_in_our_school_and_the_file_can_be_taught) {
-    const auto scene = std::make_shared<const Scene>(std::move(*read_world(kSchool)));
+    const auto scene = test::world_once(kSchool);
     Instructor instructor(scene);
     // A way is planned: to the lower corridor, and from there on to the library.
     instructor.key("Shift+4");
@@ -93,7 +93,7 @@ TEST(PreparingALesson, takes_under_60_keys_and_5_minutes_in_our_school_and_the_f
 }
 
 TEST(PreparingALesson, saves_nothing_that_has_no_landmark_or_no_route) {
-    const auto scene = std::make_shared<const Scene>(std::move(*read_world(kSchool)));
+    const auto scene = test::world_once(kSchool);
     Instructor instructor(scene);
     instructor.key("Alt+F9");
     instructor.key("End");
