@@ -13,37 +13,71 @@ import subprocess
 import sys
 import tempfile
 
+# In each page: axe judges it once it is there, and tells the page round it.
 RUN = """
 <script>%s</script>
 <script>
 addEventListener('load', async () => {
   const tags = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'];
-  const told = document.createElement('pre');
-  told.id = 'axe-told';
   const root = document.documentElement;
   const wider = root.scrollWidth - root.clientWidth;
   const result = await axe.run({exclude: ['script']}, {runOnly: tags});
   const brief = list => list.map(rule => ({id: rule.id, help: rule.help, count: rule.nodes.length, where: rule.nodes[0].target.join(' ')}));
-  told.textContent = JSON.stringify({wider, passed: result.passes.length, violations: brief(result.violations), open: brief(result.incomplete)});
-  document.body.append(told);
+  parent.postMessage({wider, passed: result.passes.length, violations: brief(result.violations), open: brief(result.incomplete)}, '*');
 });
 </script>
 """
 
+# Shows one page after the other, each in a frame of its own as wide as it is asked for, and writes down what they tell. A browser for each page would take
+# longer to start than all of them take to be judged.
+AROUND = """<!doctype html><html lang="en"><head><title>All pages</title></head><body><script>
+const pages = %s, told = pages.map(() => null);
+const next = at => {
+  if (at === pages.length) {
+    const all = document.createElement('pre');
+    all.id = 'axe-told';
+    all.textContent = JSON.stringify(told);
+    document.body.append(all);
+    return;
+  }
+  const frame = document.createElement('iframe');
+  frame.style = `border: 0; height: 900px; width: ${pages[at].width}px`;
+  frame.src = pages[at].file;
+  const done = event => {
+    if (event && event.source !== frame.contentWindow) return;
+    removeEventListener('message', done);
+    clearTimeout(late);
+    if (event) told[at] = event.data;
+    frame.remove();
+    next(at + 1);
+  };
+  const late = setTimeout(done, 30000);
+  addEventListener('message', done);
+  document.body.append(frame);
+};
+next(0);
+</script></body></html>
+"""
 
-def judged(page, axe, dark, width):
-    """What axe says of one page, as a dict; None where the browser gave nothing."""
-    text = re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', "", page.read_text(encoding="utf-8"))
+
+def judged(pages, axe, dark):
+    """What axe says of each (page, width), as dicts; None where the browser gave nothing."""
     with tempfile.TemporaryDirectory() as folder:
-        copy = pathlib.Path(folder) / "page.html"
-        copy.write_text(text.replace("</body>", RUN % axe + "</body>"), encoding="utf-8")
+        shown = []
+        for at, (page, width) in enumerate(pages):
+            text = re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', "", page.read_text(encoding="utf-8"))
+            copy = pathlib.Path(folder) / f"page{at}.html"
+            copy.write_text(text.replace("</body>", RUN % axe + "</body>"), encoding="utf-8")
+            shown.append({"file": copy.name, "width": width})
+        around = pathlib.Path(folder) / "around.html"
+        around.write_text(AROUND % json.dumps(shown), encoding="utf-8")
         done = subprocess.run(
             ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking",
-             f"--user-data-dir={folder}/profile", f"--blink-settings=preferredColorScheme={0 if dark else 1}", f"--window-size={width},900",
-             "--virtual-time-budget=30000", "--timeout=60000", "--dump-dom", copy.as_uri()],
-            capture_output=True, text=True, timeout=120, check=False)
+             f"--user-data-dir={folder}/profile", f"--blink-settings=preferredColorScheme={0 if dark else 1}", "--window-size=1280,900",
+             f"--virtual-time-budget={31000 * len(pages)}", "--timeout=400000", "--dump-dom", around.as_uri()],
+            capture_output=True, text=True, timeout=450, check=False)
     found = re.search(r'<pre id="axe-told">(.*?)</pre>', done.stdout, re.S)
-    return json.loads(html.unescape(found.group(1))) if found else None
+    return json.loads(html.unescape(found.group(1))) if found else [None] * len(pages)
 
 
 def main():
@@ -51,13 +85,11 @@ def main():
     bad = 0
     pages = sys.argv[2:]
     whole = pages.index("--narrow") if "--narrow" in pages else len(pages)
-    for at, page in enumerate(pages):
-        if at == whole:
-            continue
-        page = pathlib.Path(page)
-        broken = page.name.startswith("broken")
-        for dark, width in ((False, 1280), (True, 1280), (False, 320)) if at < whole else ((False, 320),):
-            told = judged(page, axe, dark, width)
+    wide, narrow = ([pathlib.Path(page) for page in some] for some in (pages[:whole], pages[whole + 1:]))
+    for dark, shown in ((True, [(page, 1280) for page in wide]),
+                        (False, [(page, 1280) for page in wide] + [(page, 320) for page in wide + narrow])):
+        for (page, width), told in zip(shown, judged(shown, axe, dark)):
+            broken = page.name.startswith("broken")
             what = f"{page.parent.name}/{page.name}, {'dark' if dark else 'light'}, {width} pixels"
             if told is None:
                 print(f"{what}: the browser gave no result")
