@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 #include "app/core/kept/side_file.h"
+#include "app/core/whereabouts/rooms_kept.h"
 #include "app/learners/exported.h"
 #include "app/learners/learners.h"
 #include "app/main/commands.h"
@@ -15,9 +17,35 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// The world of the session before, which most of a learner's sessions are in: read and its rooms found once.
+class WorldBefore {
+public:
+    Result<std::shared_ptr<const Scene>> read(const RecordedWorld& world) {
+        if (scene_ && is_same(world)) return scene_;
+        scene_.reset();
+        auto scene = read_recorded_scene(world);
+        if (!scene) return scene;
+        world_ = world;
+        return scene_ = *scene;
+    }
+
+private:
+    bool is_same(const RecordedWorld& other) const {
+        const auto what = [](const RecordedWorld& of) {
+            return std::tie(of.source.file, of.source.map_metres_per_unit, of.source.obj_metres_per_unit,
+                            of.source.unit_is_known, of.checksum, of.has_additions, of.additions);
+        };
+        return !other.checksum.empty() && what(world_) == what(other);
+    }
+
+    RoomsKept rooms_;
+    RecordedWorld world_;
+    std::shared_ptr<const Scene> scene_;
+};
+
 // One recording; where it is damaged or goes on in other worlds that is told.
-Result<SessionReport> report_of_folder(const fs::path& folder, const LongWork& progress, std::ostream& out,
-                                       std::ostream& err) {
+Result<SessionReport> report_of_folder(const fs::path& folder, WorldBefore& before, const LongWork& progress,
+                                       std::ostream& out, std::ostream& err) {
     progress.at(phrase("progress.recording"));
     const auto recording = read_recording(folder);
     progress.done();
@@ -27,7 +55,7 @@ Result<SessionReport> report_of_folder(const fs::path& folder, const LongWork& p
     if (!events.world) return fail(phrase("report.no_world"), folder.string());
     if (events.more_worlds) out << phrase("report.first_world") << '\n';
     progress.at(phrase("progress.measures"));
-    const auto scene = read_recorded_scene(*events.world);
+    const auto scene = before.read(*events.world);
     auto report = scene ? report_of(*recording, events, *scene) : tl::unexpected(scene.error());
     progress.done();
     return report;
@@ -74,7 +102,8 @@ private:
     int of_session() {
         const fs::path folder = arguments_.folder.value_or(newest_in(user_data_folder() / "recordings"));
         if (folder.empty()) return refuse({{}, 0, 0, phrase("replay.none")});
-        auto report = report_of_folder(folder, progress_, out_, err_);
+        WorldBefore none;
+        auto report = report_of_folder(folder, none, progress_, out_, err_);
         if (!report) return refuse(report.error());
         report->learner = arguments_.learner;
         const std::span<const SessionReport> one(&*report, 1);
@@ -94,8 +123,9 @@ private:
             if (file && !lies_in(*file, learner_folder_) && !learner->allows(Purpose::Share, today()))
                 return refuse({{}, 0, 0, phrase("learner.not_shared", {{"name", learner->name}})});
         std::vector<SessionReport> reports;
+        WorldBefore before;
         for (const fs::path& folder : folders_in(learners.recordings_of(learner->id))) {
-            auto report = report_of_folder(folder, progress_, out_, err_);
+            auto report = report_of_folder(folder, before, progress_, out_, err_);
             if (!report) {
                 err_ << report.error().sentence() << '\n';
                 continue;
