@@ -1,5 +1,5 @@
-// 8,000 random acts (2,400 under a sanitizer; HANDRAIL_ACTS says how many), in eight parts, each with worlds of its own.
-// HANDRAIL_SEED repeats a run.
+// 8,000 random acts (2,400 under a sanitizer; HANDRAIL_ACTS says how many), in eight parts, each with worlds of its
+// own. HANDRAIL_SEED repeats a run.
 #include "tests/monkey/monkey.h"
 
 #include <gtest/gtest.h>
@@ -24,9 +24,7 @@ int acts_of_part() {
     return (all ? std::atoi(all) : kSanitizerScale < 1.0 ? 2400 : 8000) / kParts;
 }
 
-std::shared_ptr<const Scene> world(const fs::path& file) {
-    return world_once(file);
-}
+std::shared_ptr<const Scene> world(const fs::path& file) { return world_once(file); }
 
 std::vector<std::shared_ptr<const Scene>> worlds_of(int part) {
     const fs::path root = HANDRAIL_SOURCE_DIR, maps = root / "worlds/maps", small = root / "tests/scenarios/worlds";

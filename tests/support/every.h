@@ -8,8 +8,8 @@
 
 namespace handrail::test {
 
-// Every how manyth: `usual` in each run of the tests, `sanitized` under a sanitizer, which is asked for faults of memory
-// and not for shares; with HANDRAIL_ALL_ROUTES set each (docs/developer/tests.md).
+// Every how manyth: `usual` in each run of the tests, `sanitized` under a sanitizer, which is asked for faults of
+// memory and not for shares; with HANDRAIL_ALL_ROUTES set each.
 inline std::uint32_t every(std::uint32_t usual, std::uint32_t sanitized) {
     if (std::getenv("HANDRAIL_ALL_ROUTES")) return 1;
     return kSanitizerScale < 1.0 ? sanitized : usual;

@@ -1,5 +1,5 @@
-// Worlds that no test writes, read once in a process, and their rooms found once for all sessions of it (RoomsKept): most
-// of what a test of the session would else wait for. Whatever a session knows of rooms beyond that is its own copy.
+// Worlds that no test writes, read once in a process, and their rooms found once for all sessions of it (RoomsKept):
+// most of what a test of the session would else wait for. What a session knows of rooms beyond that is its own copy.
 #pragma once
 
 #include <gtest/gtest.h>

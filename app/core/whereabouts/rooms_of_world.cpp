@@ -54,7 +54,8 @@ void RoomsOfWorld::find_once() {
             return;
         }
     find({});
-    if (kept && navigation_) kept->keep({scene_, body_, spoken_language(), navigation_->space(), graph_, out_of_reach_});
+    if (kept && navigation_)
+        kept->keep({scene_, body_, spoken_language(), navigation_->space(), graph_, out_of_reach_});
 }
 
 bool RoomsOfWorld::ready() {

@@ -17,7 +17,7 @@ namespace handrail {
 
 class RoomsOfWorld {
 public:
-    // at_once: found when ready() is first asked, which then takes as long as it takes, or was found before (RoomsKept).
+    // at_once: found when ready() is first asked, which then takes as long as it takes, or before (RoomsKept).
     RoomsOfWorld(std::shared_ptr<const Scene> scene, const WalkBody& body, bool at_once);
     ~RoomsOfWorld() = default;  // gives up what is not done yet
     RoomsOfWorld(const RoomsOfWorld&) = delete;

@@ -89,7 +89,7 @@ struct AppSession {
     std::vector<std::string> said;
     std::vector<SoundKind> sounds;
     std::vector<CueRequest> world_sounds;  // as the planner was told of them, the newest last
-    std::vector<FeatureId> bumped;  // into
+    std::vector<FeatureId> bumped;         // into
 };
 
 }  // namespace handrail::test

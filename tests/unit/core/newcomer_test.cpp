@@ -6,8 +6,8 @@
 
 #include "app/core/scenario/session_log.h"
 #include "tests/support/real_worlds.h"
-#include "tests/unit/core/app_session.h"
 #include "tests/support/worlds_once.h"
+#include "tests/unit/core/app_session.h"
 
 namespace handrail {
 namespace newcomer_test {

@@ -123,8 +123,7 @@ TEST(OnePlace, of_a_room_is_as_far_in_the_list_of_ways_as_its_way_is_long_and_te
     for (const char* world : {"house.map", "school.map"}) {
         if (test::kSanitizerScale < 1.0 && world == std::string_view("school.map")) continue;
         // Of the school's many, fewer in each run.
-        const int every_way =
-            world == std::string_view("school.map") ? 5 * static_cast<int>(test::every(3, 3)) : 5;
+        const int every_way = world == std::string_view("school.map") ? 5 * static_cast<int>(test::every(3, 3)) : 5;
         int rooms = 0, ways = 0, other_storeys = 0;
         in_every_room(world, [&](AppSession& s) {
             if (++rooms % 6 != 0) return;

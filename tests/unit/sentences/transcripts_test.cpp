@@ -99,9 +99,7 @@ std::string told(const std::vector<std::string>& said) {
 
 std::string play(const Script& script) {
     const test::InLanguage spoken(script.language);
-    test::TextSession session(
-        test::our_world(script.world),
-        script.first_start);
+    test::TextSession session(test::our_world(script.world), script.first_start);
     std::string text =
         std::string("## ") + script.title + "\n\n" + script.about + " World: `" + script.world + "`.\n\n";
     text += told(session.greeting());

@@ -17,9 +17,7 @@ namespace lesson_run_test {
 
 const std::filesystem::path kWorlds = std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds/maps";
 
-std::shared_ptr<const Scene> scene_of(const char* name) {
-    return test::world_once(kWorlds / name);
-}
+std::shared_ptr<const Scene> scene_of(const char* name) { return test::world_once(kWorlds / name); }
 const std::shared_ptr<TaughtWorld>& school() {
     static const std::shared_ptr<TaughtWorld> kWorld =
         *TaughtWorld::find(*read_lesson(kWorlds / "school.lesson.toml", {}), scene_of("school.map"));

@@ -10,9 +10,9 @@
 #include <random>
 #include <regex>
 
+#include "tests/support/every.h"
 #include "tests/support/random_families.h"
 #include "tests/support/real_worlds.h"
-#include "tests/support/every.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/core/app_session.h"
 #include "worlds/base/language.h"
