@@ -68,7 +68,7 @@ public:
                 .touch_beside = true,
                 .records_in = arguments.common.data_folder(),
                 .languages_in = user_languages_folder(),
-                .bodies_by = &clock_,
+                .bodies = {.clock = &clock_, .recording = recording_.bodies(), .played = {}},
                 .arrivals = recording_.arrivals()}) {
         recording_.listen_to(app_);
     }

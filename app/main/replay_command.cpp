@@ -169,7 +169,8 @@ Result<void> write_tables(const Recording& recording, const fs::path& folder) {
     for (const Result<void>& written : {write_table(folder / "hand.csv", hand_header(), recording.hands[0]),
                                         write_table(folder / "left.csv", hand_header(), recording.hands[1]),
                                         write_table(folder / "frames.csv", frame_header(), recording.frames),
-                                        write_table(folder / "cues.csv", cue_header(), recording.cues)})
+                                        write_table(folder / "cues.csv", cue_header(), recording.cues),
+                                        write_table(folder / "engine.csv", engine_header(), recording.bodies)})
         if (!written) return written;
     return {};
 }

@@ -51,7 +51,10 @@ std::vector<SessionEvent> SessionRecording::ticked(Session& app, double now_s, c
                                                    const ToolState& left_tool) {
     std::vector<SessionEvent> events = app.take_events();
     if (!recorder_) return events;
-    recorder_->frame({now_s, tool.ticks, left_tool.ticks, app.scene() ? app.feet_m() : Vec3(0.0), app.heading_rad()});
+    const Bodies::EngineRead& read = app.free_bodies().read_of_engine();
+    recorder_->frame({now_s, tool.ticks, left_tool.ticks, app.scene() ? app.feet_m() : Vec3(0.0), app.heading_rad(),
+                      read.engine, read.frame, read.events});
+    for (const std::uint64_t order : std::exchange(recorder_->bodies().refused, {})) note("order_refused", order);
     for (const SessionEvent& event : events) recorder_->event(event, app.scene().get());
     return events;
 }

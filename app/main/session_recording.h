@@ -27,6 +27,7 @@ public:
     // For who is recorded; null: nobody is.
     Arrivals* arrivals() { return arrivals_ ? &*arrivals_ : nullptr; }
     HandRing* hand(std::size_t which) { return recorder_ ? &recorder_->hand(which) : nullptr; }
+    EngineRecording* bodies() { return recorder_ ? &recorder_->bodies() : nullptr; }
     void listen_to(Session& app);
     // Before the ears start.
     SoundOutputs noted(SoundOutputs outputs);

@@ -77,9 +77,10 @@ public:
         : recording_(recording),
           read_(read),
           arrivals_(numbers_that_came(recording)),
+          bodies_(recording, [this](std::size_t which) { return (which == 0 ? right_ : left_).step(); }),
           app_(recording.head.settings, HandFacts{}, options()),
-          right_(recording.hands[0], 0),
-          left_(recording.hands[1], 1),
+          right_(recording.hands[0], 0, bodies_),
+          left_(recording.hands[1], 1, bodies_),
           ears_(recording.head.settings, recording.head.begun_s) {
         for (const RecordedLine& line : recording.lines) {
             if (line.is != "sink_news") continue;
@@ -89,7 +90,10 @@ public:
         }
     }
 
-    ~Player() { speak_to(spoken_to_); }
+    ~Player() {
+        bodies_.close();
+        speak_to(spoken_to_);
+    }
     Player(const Player&) = delete;
     Player& operator=(const Player&) = delete;
 
@@ -101,12 +105,15 @@ public:
         }
         if (!stopped_)
             while (frames_ < recording_.frames.size() && frame()) hear();
+        if (bodies_.failed() && !stopped_) stop();
         flush();
         hear();
         if (recording_.ended && !stopped_) ears_.finish();
         again_.said = ears_.said();
         again_.cut = again_.cut || !recording_.ended;
         again_.until_s = until_s_;
+        again_.ticks = right_.ticks() + left_.ticks();
+        again_.other_forces = right_.other_forces() + left_.other_forces();
         return std::move(again_);
     }
 
@@ -114,6 +121,10 @@ private:
     SessionOptions options() {
         SessionOptions options;
         options.records_in = aside_.path();
+        if (bodies_.recorded())
+            options.bodies.played = [this](std::shared_ptr<const DynamicsScene> scene, double begin_s) {
+                return bodies_.make(std::move(scene), begin_s);
+            };
         if (recording_.head.virtual_time) return options;
         options.rooms_beside = options.touch_beside = true;
         options.arrivals = &arrivals_;
@@ -134,13 +145,8 @@ private:
         const Json json = Json::parse(line.json, nullptr, false);
         const auto before = field<std::uint64_t>(json, "frame", 0);
         while (frames_ < before) {
-            if (frame()) {
-                hear();
-                continue;
-            }
-            if (recording_.ended) again_.remarks.push_back(phrase("replay.rows_missing"));
-            stopped_ = true;
-            return false;
+            if (!frame()) return stop();
+            hear();
         }
         if (line.is == "set_up" || line.is == "left_off") {
             if (line.is == "set_up") again_.remarks.push_back(phrase("replay.set_up"));
@@ -156,8 +162,16 @@ private:
         if (line.is == "handed_over") hand_over();
         if (is_input(line.is))
             if (auto taken = take_input(line); !taken) return tl::unexpected(taken.error());
+        if (bodies_.failed()) return stop();
         hear();
         return true;
+    }
+
+    // What is missing is told where it ought to be there. False.
+    bool stop() {
+        if (recording_.ended) again_.remarks.push_back(phrase("replay.rows_missing"));
+        stopped_ = true;
+        return false;
     }
 
     Result<void> take_input(const RecordedLine& line) {
@@ -166,7 +180,7 @@ private:
         if (auto* entered = std::get_if<WorldEntered>(&input->input)) {
             auto world = read_(input->world);
             if (!world) return tl::unexpected(world.error());
-            if (world->moves_freely) again_.remarks.push_back(phrase("replay.free_bodies"));
+            if (world->moves_freely && !bodies_.recorded()) again_.remarks.push_back(phrase("replay.free_bodies"));
             entered->world = std::move(*world);
             if (input->world.has_additions) entered->additions = aside_.additions_of(input->world);
         }
@@ -184,7 +198,9 @@ private:
         const FrameRow& row = recording_.frames[frames_];
         if (!right_.run_to(row.tick) || !left_.run_to(row.left_tick)) return false;
         ++frames_;
+        bodies_.session_reads(row);
         app_.tick(row.now_s, right_.tool(), left_.tool());
+        if (bodies_.failed()) return false;
         until_s_ = row.now_s - recording_.head.begun_s;
         to_hand_over_ = true;
         return true;
@@ -227,6 +243,7 @@ private:
     const std::function<Result<EnteringWorld>(const RecordedWorld&)>& read_;
     Aside aside_;
     Arrivals arrivals_;
+    PlayedBodies bodies_;
     Session app_;
     PlayedHand right_, left_;
     PlayedEars ears_;

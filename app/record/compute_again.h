@@ -24,6 +24,8 @@ struct ComputedAgain {
     std::vector<SaidLine> said;
     double until_s = 0.0;  // so far it could be computed, since the recording began
     bool cut = false;  // what was said later is not to be compared: the recording or what can be computed ends there
+    // Ticks of the hands, and those of them whose force came out otherwise than it is written, to a millinewton.
+    std::size_t ticks = 0, other_forces = 0;
     // Why that is not all of it, or why lines may differ: whole sentences.
     std::vector<std::string> remarks;
 };

@@ -1,8 +1,15 @@
 #include "app/record/played_hand.h"
 
+#include <cmath>
+
 #include "haptic/servo/servo_switches.h"
 
 namespace handrail {
+namespace {
+
+constexpr double kAsWritten_n = 0.501e-3;  // forces are written as whole millinewtons
+
+}  // namespace
 
 void PlayedServo::take(const Session& app, std::size_t which) {
     if (!app.scene()) return;
@@ -28,27 +35,41 @@ bool PlayedServo::can(const ServoReads& reads) const {
            reads.bodies <= bodies_.given() && reads.guidance <= guidances_.given();
 }
 
-void PlayedServo::tick(const HandRow& row) {
+ForceCommand PlayedServo::tick(const HandRow& row) {
     const ServoReads& reads = row.reads;
     const Scenes& scenes = scenes_.at(reads.scene);
     ServoTuning tuning = with_switches(tunings_.at(reads.tuning), reads.stops, reads.focused);
     if (reads.stopping) tuning.forces_on = false;
-    servo_tick(*state_, scenes.scene.get(), tuning, poses_.at(reads.pose), row.sample, row.time_s,
-               &bodies_.at(reads.bodies), scenes.desk.get(), &guidances_.at(reads.guidance), scenes.engine.get());
+    engine_ = scenes.engine.get();
+    return servo_tick(*state_, scenes.scene.get(), tuning, poses_.at(reads.pose), row.sample, row.time_s,
+                      &bodies_.at(reads.bodies), scenes.desk.get(), &guidances_.at(reads.guidance), engine_);
 }
 
 void PlayedHand::change(const HandFacts& facts) {
     driven_ = facts.present;
+    tool_ = {};
+    told_.clear();
     if (driven_) servos_.push_back(std::make_unique<PlayedServo>(facts.spec));
 }
 
 bool PlayedHand::step() {
-    if (next_ >= rows_.size()) return false;
+    if (stepping_ || next_ >= rows_.size()) return false;
     const HandRow& row = rows_[next_];
     if (row.servo == 0 || row.servo > servos_.size() || !servos_[row.servo - 1]->can(row.reads)) return false;
+    stepping_ = true;
+    const bool there = bodies_.before_tick(which_, row);
+    stepping_ = false;
+    if (!there) return false;
     ++next_;
     PlayedServo& servo = *servos_[row.servo - 1];
-    servo.tick(row);
+    const Vec3 force_n = servo.tick(row).force_n;
+    for (int axis = 0; axis < 3; ++axis)
+        if (std::abs(force_n[axis] - row.force_n[axis]) > kAsWritten_n) {
+            ++other_forces_;
+            break;
+        }
+    bodies_.after_tick(which_, row, servo.engine());
+    if (row.servo == servos_.size()) told_.push_back(servo.state().tool());
     for (const ContactEvent& event : servo.state().events()) {
         events_.push_back(event);
         events_.back().hand = static_cast<std::uint8_t>(which_);
@@ -57,8 +78,13 @@ bool PlayedHand::step() {
 }
 
 bool PlayedHand::run_to(std::uint64_t tick) {
-    while (tool().ticks < tick)
+    if (!driven_) return tick == 0;
+    while (servos_.back()->state().tool().ticks < tick)
         if (!step()) return false;
+    while (!told_.empty() && told_.front().ticks <= tick) {
+        tool_ = told_.front();
+        told_.pop_front();
+    }
     return true;
 }
 

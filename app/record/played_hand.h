@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/core/session/session.h"
+#include "app/record/played_bodies.h"
 #include "haptic/servo/hand_recording.h"
 #include "haptic/servo/servo_tick.h"
 
@@ -44,7 +45,10 @@ public:
     void take(const Session& app, std::size_t which);
     // All that the tick read has been given.
     bool can(const ServoReads& reads) const;
-    void tick(const HandRow& row);
+    // Gives the force.
+    ForceCommand tick(const HandRow& row);
+    // Its side of what is free to move, of the last tick; null: none.
+    HandEngine* engine() const { return engine_; }
     const ServoState& state() const { return *state_; }
 
 private:
@@ -59,36 +63,46 @@ private:
     NumberedValues<BodyFrame> bodies_;
     NumberedValues<GuidancePath> guidances_;
     Scenes given_;  // last
+    HandEngine* engine_ = nullptr;
     std::uint64_t given_bodies_ = 0;
     std::uint32_t given_guidance_ = 0;
 };
 
 class PlayedHand {
 public:
-    // Rows outlive it.
-    PlayedHand(const std::vector<HandRow>& rows, std::size_t which) : rows_(rows), which_(which) {}
+    // Rows and bodies outlive it.
+    PlayedHand(const std::vector<HandRow>& rows, std::size_t which, PlayedBodies& bodies)
+        : rows_(rows), which_(which), bodies_(bodies) {}
 
     // The session was given this hand.
     void change(const HandFacts& facts);
     void take(const Session& app) {
         if (driven_) servos_.back()->take(app, which_);
     }
-    // Until the newest servo has done that many ticks; false where the rows do not go so far.
+    // Until the newest servo has done that many ticks; false where the rows do not go so far. Others may have needed
+    // more of them already.
     bool run_to(std::uint64_t tick);
     // Until so many events wait; false where that is not yet known.
     bool run_to_events(std::size_t count);
-    // What the newest servo told last.
-    ToolState tool() const { return driven_ ? servos_.back()->state().tool() : ToolState{}; }
+    // What the newest servo told with the tick that was run to.
+    const ToolState& tool() const { return tool_; }
     std::vector<ContactEvent> take_events(std::size_t count);
+    // One more tick; false where it has not all that it read.
+    bool step();
+    // Ticks until now, and those of them whose force is not the one that was recorded.
+    std::size_t ticks() const { return next_; }
+    std::size_t other_forces() const { return other_forces_; }
 
 private:
-    bool step();
-
     const std::vector<HandRow>& rows_;
     const std::size_t which_;
-    std::size_t next_ = 0;
+    PlayedBodies& bodies_;
+    std::size_t next_ = 0, other_forces_ = 0;
+    bool stepping_ = false;
     std::vector<std::unique_ptr<PlayedServo>> servos_;
     bool driven_ = false;  // there is a hand now
+    ToolState tool_;
+    std::deque<ToolState> told_;  // by the newest servo since
     std::deque<ContactEvent> events_;
 };
 

@@ -122,6 +122,7 @@ struct Recorder::State {
     State(fs::path in, RecordingHead with)
         : folder(std::move(in)),
           head(std::move(with)),
+          bodies{{}, Table<EngineNumbers>(folder / "engine.csv.gz", engine_header())},
           events(folder / "events.jsonl"),
           hands{Table<HandNumbers>(folder / "hand.csv.gz", hand_header()),
                 Table<HandNumbers>(folder / "left.csv.gz", hand_header())},
@@ -131,6 +132,11 @@ struct Recorder::State {
     const fs::path folder;
     const RecordingHead head;
     std::array<HandRing, 2> rings;
+    struct {
+        EngineRecording recording;
+        Table<EngineNumbers> table;  // the writing thread's, and what follows
+        std::uint64_t told_lost = 0;
+    } bodies;
     std::atomic<bool> over{false};  // nothing is taken any more
 
     // App thread.
@@ -202,6 +208,10 @@ int Recorder::State::write_round(bool last) {
         if (std::exchange(told_lost[which], lost) != lost)
             text += line_of({{"is", "lost_rows"}, {"hand", which}, {"rows", lost}}) + "\n";
     }
+    bodies.recording.rows.consume_all([this](const EngineRow& row) { bodies.table.add(numbers_of(row)); });
+    const std::uint64_t lost_bodies = bodies.recording.lost.load(std::memory_order_relaxed);
+    if (std::exchange(bodies.told_lost, lost_bodies) != lost_bodies)
+        text += line_of({{"is", "lost_rows"}, {"engine", true}, {"rows", lost_bodies}}) + "\n";
     if (const int error = events.append(text)) return error;
     if (!last && seconds_since(pieces_at) < kPieces_s) return 0;
     pieces_at = std::chrono::steady_clock::now();
@@ -209,12 +219,14 @@ int Recorder::State::write_round(bool last) {
         if (const int error = hand.write()) return error;
     if (const int error = frame_table.write()) return error;
     if (const int error = cue_table.write()) return error;
+    if (const int error = bodies.table.write()) return error;
     if (!last && seconds_since(synced_at) < kSync_s) return 0;
     synced_at = std::chrono::steady_clock::now();
     events.sync();
     for (auto& hand : hands) hand.sync();
     frame_table.sync();
     cue_table.sync();
+    bodies.table.sync();
     return 0;
 }
 
@@ -262,6 +274,7 @@ Recorder::~Recorder() {
 
 const fs::path& Recorder::folder() const { return state_->folder; }
 HandRing& Recorder::hand(std::size_t which) { return state_->rings.at(which); }
+EngineRecording& Recorder::bodies() { return state_->bodies.recording; }
 
 void Recorder::input(const SessionInput& input, double now_s) {
     if (state_->over) return;

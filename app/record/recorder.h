@@ -20,7 +20,8 @@ namespace handrail {
 
 // What stands in the first line.
 struct RecordingHead {
-    static constexpr int kForm = 1;
+    // 2: with what the engine of free bodies reads and is read of.
+    static constexpr int kForm = 2;
 
     int form = kForm;
     std::string program;  // version
@@ -64,6 +65,8 @@ public:
 
     // For the servo of the only or right hand (0) and of the left one (1).
     HandRing& hand(std::size_t which);
+    // For the engine of what is free to move.
+    EngineRecording& bodies();
 
     // App thread. The recording has ended before its time, in words; told once.
     std::optional<std::string> take_problem();

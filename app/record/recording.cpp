@@ -115,6 +115,7 @@ Result<Recording> read_recording(const fs::path& folder) {
     read_table<kHandColumns>(folder / "left.csv.gz", hand_header(), recording->hands[1], recording->problems);
     read_table<kFrameColumns>(folder / "frames.csv.gz", frame_header(), recording->frames, recording->problems);
     read_table<kCueColumns>(folder / "cues.csv.gz", cue_header(), recording->cues, recording->problems);
+    read_table<kEngineColumns>(folder / "engine.csv.gz", engine_header(), recording->bodies, recording->problems);
     return recording;
 }
 

@@ -28,8 +28,9 @@ struct Recording {
     std::vector<HandRow> hands[2];
     std::vector<FrameRow> frames;
     std::vector<CueRow> cues;
-    bool ended = false;           // it holds its last line
-    std::vector<Error> problems;  // one a file that is cut off or damaged: where, and why
+    std::vector<EngineRow> bodies;  // of the engine of what is free to move
+    bool ended = false;             // it holds its last line
+    std::vector<Error> problems;    // one a file that is cut off or damaged: where, and why
 };
 
 // Fails with a sentence where the folder is none of a recording or its head cannot be understood. Everything behind

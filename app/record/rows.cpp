@@ -14,13 +14,17 @@ namespace {
 
 constexpr std::string_view kHandHeader =
     "t_us,x_um,y_um,z_um,fx_mn,fy_mn,fz_mn,contact,buttons,state,gx_urad,gy_urad,gz_urad,servo,scene,tuning,pose,"
-    "bodies,guidance,stops,switches";
-constexpr std::string_view kFrameHeader = "t_us,tick,left_tick,x_mm,y_mm,z_mm,heading_cdeg";
+    "bodies,guidance,stops,switches,engine,engine_frame,refused";
+constexpr std::string_view kFrameHeader =
+    "t_us,tick,left_tick,x_mm,y_mm,z_mm,heading_cdeg,engine,engine_frame,engine_events";
 constexpr std::string_view kCueHeader = "t_us,contacts,left_contacts,posts,speaking";
+constexpr std::string_view kEngineHeader =
+    "t_us,engine,step,skipped,orders,driven,right_us,left_us,right_pushes,left_pushes,events,published";
 
 constexpr double kMillionths = 1e6;
 constexpr double kThousandths = 1e3;
-constexpr double kLargest = 9e15;  // whole numbers up to here are doubles
+constexpr std::int64_t kAway = -1;  // the hand is not there
+constexpr double kLargest = 9e15;   // whole numbers up to here are doubles
 constexpr double kCentidegrees = 18000.0 / std::numbers::pi;
 
 // DeviceSample's flags in one number.
@@ -87,11 +91,18 @@ bool read_row(std::string_view line, bool first, const std::array<std::int64_t, 
     }
 }
 
+// `columns` are the first ones of the header, at least one.
+bool begins(std::string_view header, std::string_view columns) {
+    return !columns.empty() && header.starts_with(columns) &&
+           (columns.size() == header.size() || header[columns.size()] == ',');
+}
+
 }  // namespace
 
 std::string_view hand_header() { return kHandHeader; }
 std::string_view frame_header() { return kFrameHeader; }
 std::string_view cue_header() { return kCueHeader; }
+std::string_view engine_header() { return kEngineHeader; }
 
 HandNumbers numbers_of(const HandRow& row) {
     HandNumbers n{};
@@ -110,6 +121,9 @@ HandNumbers numbers_of(const HandRow& row) {
     n[18] = row.reads.guidance;
     n[19] = row.reads.stops;
     n[20] = (row.reads.focused ? 0 : 1) + (row.reads.stopping ? 2 : 0);
+    n[21] = row.bodies.engine;
+    n[22] = static_cast<std::int64_t>(row.bodies.frame);
+    n[23] = row.bodies.refused;
     return n;
 }
 
@@ -136,6 +150,7 @@ HandRow row_of(const HandNumbers& n) {
     row.servo = count(n[13]);
     row.reads = {count(n[14]), count(n[15]), count(n[16]), count(n[17]),
                  count(n[18]), count(n[19]), !(n[20] & 1), (n[20] & 2) != 0};
+    row.bodies = {count(n[21]), static_cast<std::uint64_t>(n[22]), count(n[23])};
     return row;
 }
 
@@ -146,12 +161,22 @@ FrameNumbers numbers_of(const FrameRow& row) {
     n[2] = static_cast<std::int64_t>(row.left_tick);
     put(&n[3], row.feet_m, kThousandths);
     n[6] = whole(row.heading_rad, kCentidegrees);
+    n[7] = row.engine;
+    n[8] = static_cast<std::int64_t>(row.engine_frame);
+    n[9] = static_cast<std::int64_t>(row.engine_events);
     return n;
 }
 
 FrameRow row_of(const FrameNumbers& n) {
-    return {part(n[0], kMillionths), static_cast<std::uint64_t>(n[1]), static_cast<std::uint64_t>(n[2]),
-            taken(&n[3], kThousandths), part(n[6], kCentidegrees)};
+    const auto count = [](std::int64_t number) { return static_cast<std::uint64_t>(number); };
+    return {part(n[0], kMillionths),
+            count(n[1]),
+            count(n[2]),
+            taken(&n[3], kThousandths),
+            part(n[6], kCentidegrees),
+            static_cast<std::uint32_t>(n[7]),
+            count(n[8]),
+            count(n[9])};
 }
 
 CueNumbers numbers_of(const CueRow& row) {
@@ -162,6 +187,39 @@ CueNumbers numbers_of(const CueRow& row) {
 CueRow row_of(const CueNumbers& n) {
     return {part(n[0], kMillionths), static_cast<std::uint32_t>(n[1]), static_cast<std::uint32_t>(n[2]),
             static_cast<std::uint32_t>(n[3]), static_cast<std::uint64_t>(n[4])};
+}
+
+EngineNumbers numbers_of(const EngineRow& row) {
+    const auto place = [](double time_s) { return time_s < 0.0 ? kAway : whole(time_s, kMillionths); };
+    return {whole(row.time_s, kMillionths),
+            row.engine,
+            static_cast<std::int64_t>(row.step),
+            static_cast<std::int64_t>(row.skipped),
+            row.orders,
+            row.driven,
+            place(row.places_s[0]),
+            place(row.places_s[1]),
+            row.pushes[0],
+            row.pushes[1],
+            row.events,
+            row.published ? 1 : 0};
+}
+
+EngineRow row_of(const EngineNumbers& n) {
+    const auto count = [](std::int64_t number) { return static_cast<std::uint32_t>(number); };
+    const auto place = [](std::int64_t t_us) { return t_us < 0 ? EngineRow::kNoHand_s : part(t_us, kMillionths); };
+    EngineRow row;
+    row.time_s = part(n[0], kMillionths);
+    row.engine = count(n[1]);
+    row.step = static_cast<std::uint64_t>(n[2]);
+    row.skipped = static_cast<std::uint64_t>(n[3]);
+    row.orders = count(n[4]);
+    row.driven = count(n[5]);
+    row.places_s = {place(n[6]), place(n[7])};
+    row.pushes = {count(n[8]), count(n[9])};
+    row.events = count(n[10]);
+    row.published = n[11] != 0;
+    return row;
 }
 
 template <std::size_t N>
@@ -193,7 +251,7 @@ TableRows<N> read_rows(std::string_view text, std::string_view header, const std
         const std::string_view one = text.substr(0, end);
         text.remove_prefix(end + 1);
         if (line == 1) {
-            if (one == header) continue;
+            if (begins(header, one)) continue;
             refuse("recording.other_columns");
             break;
         }
@@ -210,8 +268,10 @@ TableRows<N> read_rows(std::string_view text, std::string_view header, const std
 template std::string row_text(const HandNumbers&, const HandNumbers&, bool);
 template std::string row_text(const FrameNumbers&, const FrameNumbers&, bool);
 template std::string row_text(const CueNumbers&, const CueNumbers&, bool);
+template std::string row_text(const EngineNumbers&, const EngineNumbers&, bool);
 template TableRows<kHandColumns> read_rows(std::string_view, std::string_view, const std::string&);
 template TableRows<kFrameColumns> read_rows(std::string_view, std::string_view, const std::string&);
 template TableRows<kCueColumns> read_rows(std::string_view, std::string_view, const std::string&);
+template TableRows<kEngineColumns> read_rows(std::string_view, std::string_view, const std::string&);
 
 }  // namespace handrail

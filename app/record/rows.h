@@ -1,6 +1,7 @@
-// The three tables of a recording as text: whole numbers, each row the differences to the one before, a column that did
+// The tables of a recording as text: whole numbers, each row the differences to the one before, a column that did
 // not change left empty, and empty columns at the end left out. A row that begins with "=" holds the numbers
-// themselves; each gzip piece begins with one. The first line names the columns. Pure functions, any thread.
+// themselves; each gzip piece begins with one. The first line names the columns; those that an older recording does not
+// have yet are 0 in all its rows. Pure functions, any thread.
 #pragma once
 
 #include <array>
@@ -10,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "haptic/dynamics/engine_recording.h"
 #include "haptic/servo/hand_recording.h"
 #include "worlds/base/result.h"
 
@@ -21,6 +23,10 @@ struct FrameRow {
     std::uint64_t tick = 0, left_tick = 0;  // ToolState::ticks of each hand, as read; 0: none
     Vec3 feet_m{0.0};
     double heading_rad = 0.0;
+    // Which engine of what is free to move there is (EngineRow::engine), and what had been read of it by the end: the
+    // newest frame, and how many events. 0: none.
+    std::uint32_t engine = 0;
+    std::uint64_t engine_frame = 0, engine_events = 0;
 };
 // One step of the ears: what it took, in whole microseconds of the session's clock.
 struct CueRow {
@@ -32,23 +38,27 @@ struct CueRow {
     std::uint64_t speaking = 0;
 };
 
-inline constexpr std::size_t kHandColumns = 21, kFrameColumns = 7, kCueColumns = 5;
+inline constexpr std::size_t kHandColumns = 24, kFrameColumns = 10, kCueColumns = 5, kEngineColumns = 12;
 using HandNumbers = std::array<std::int64_t, kHandColumns>;
 using FrameNumbers = std::array<std::int64_t, kFrameColumns>;
 using CueNumbers = std::array<std::int64_t, kCueColumns>;
+using EngineNumbers = std::array<std::int64_t, kEngineColumns>;
 
 // The columns' names, in order; the file's first line.
 std::string_view hand_header();
 std::string_view frame_header();
 std::string_view cue_header();
+std::string_view engine_header();
 
 HandNumbers numbers_of(const HandRow& row);
 FrameNumbers numbers_of(const FrameRow& row);
 CueNumbers numbers_of(const CueRow& row);
+EngineNumbers numbers_of(const EngineRow& row);
 // Exactly what numbers_of was given where that was in whole steps; heading and feet are as coarse as they are kept.
 HandRow row_of(const HandNumbers& numbers);
 FrameRow row_of(const FrameNumbers& numbers);
 CueRow row_of(const CueNumbers& numbers);
+EngineRow row_of(const EngineNumbers& numbers);
 
 // One line with its end. absolute: it begins with "=" and owes nothing to `before`.
 template <std::size_t N>

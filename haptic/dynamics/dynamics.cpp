@@ -445,7 +445,7 @@ double Dynamics::Impl::gap_to_m(std::size_t body, const Vec3& local_m) const {
 
 void Dynamics::Impl::wake_near_hands() {
     for (const HandPlace& hand : hands) {
-        if (!hand.present) continue;
+        if (!hand.present()) continue;
         for (std::size_t i = 0; i < world->bodies.size(); ++i)
             if (!rigid(i).isActive() && gap_to_m(i, local(hand.at_m)) < 3.0 * hand.radius_m) wake(i);
     }
@@ -643,7 +643,7 @@ void Dynamics::Impl::hear(std::vector<BodyEvent>& events) {
 
 void Dynamics::Impl::tell_near(DynamicsFrame& out, unsigned hand) {
     out.near_count[hand] = 0;
-    if (!hands[hand].present) return;
+    if (!hands[hand].present()) return;
     std::array<std::pair<double, std::uint32_t>, DynamicsScene::kMostBodies> order;
     for (std::size_t i = 0; i < world->bodies.size(); ++i) {
         const bool mine = now_s() - world->bodies[i].pushed_s[hand] < 0.5;  // what it pushes or holds comes first
@@ -767,7 +767,7 @@ void Dynamics::push(unsigned hand, const HandPush& push) {
 void Dynamics::place_hand(unsigned hand, const HandPlace& place) {
     contract_pre(hand < 2);
     impl_->hands[hand] = place;
-    impl_->hands[hand].present = place.present && is_finite(place.at_m) && std::isfinite(place.radius_m);
+    if (!is_finite(place.at_m) || !std::isfinite(place.radius_m)) impl_->hands[hand] = {};
 }
 
 void Dynamics::drive(std::uint32_t thing, const Placement& at, bool present) {

@@ -9,7 +9,9 @@
 #include <thread>
 #include <vector>
 
+#include "haptic/dynamics/body_engine.h"
 #include "haptic/dynamics/dynamics.h"
+#include "haptic/dynamics/engine_recording.h"
 #include "haptic/render/hand_channel.h"
 #include "worlds/base/clock.h"
 #include "worlds/base/latest_value.h"
@@ -17,29 +19,18 @@
 
 namespace handrail {
 
-class DynamicsLoop {
+// Does to the engine what was asked for, and tells it where driven things are.
+void carry_out(Dynamics& dynamics, const BodyEngine::Order& order);
+void carry_out(Dynamics& dynamics, const std::vector<BodyPose>& driven);
+
+class DynamicsLoop : public BodyEngine {
 public:
     using EventRing = SpscRing<BodyEvent, 256>;
 
-    // What the app asks for, in its order.
-    struct Order {
-        enum class Kind : std::uint8_t { Restart, Lead, LetGo, Walker, Shove };
-        Kind kind = Kind::Restart;
-        std::uint32_t body = kNoBody;
-        Vec3 at_m{0.0};  // Lead: where to; Walker: the feet
-        double most_n = 0.0;
-        Rotation turn{};
-        Vec3 speed_m_per_s{0.0};                // Shove
-        double for_s = 0.0;                     // Shove
-        double radius_m = 0.0, height_m = 0.0;  // Walker; a height of 0: nobody
-    };
-    // Where every driven thing is; index as DynamicsScene::driven. Made and freed off the servo thread.
-    using DrivenPoses = std::shared_ptr<const std::vector<BodyPose>>;
-
-    explicit DynamicsLoop(std::shared_ptr<const DynamicsScene> scene, double begin_s = 0.0);
-    ~DynamicsLoop();
-    DynamicsLoop(const DynamicsLoop&) = delete;
-    DynamicsLoop& operator=(const DynamicsLoop&) = delete;
+    // recording: gets each step, and outlives the loop; null: nothing is kept.
+    explicit DynamicsLoop(std::shared_ptr<const DynamicsScene> scene, double begin_s = 0.0,
+                          EngineRecording* recording = nullptr);
+    ~DynamicsLoop() override;
 
     // Makes the thread. The clock outlives the loop, and its time is that of the hands. stop() joins; more often does
     // no harm.
@@ -51,20 +42,18 @@ public:
     bool step_until(double now_s);
 
     // Servo thread of each hand.
-    // 0 or 1; whoever takes it may keep it beyond the engine's end.
-    std::shared_ptr<HandChannel> hand(unsigned which) const { return hands_[which]; }
+    std::shared_ptr<HandChannel> hand(unsigned which) const override { return hands_[which]; }
     HandPushRing& pushes(unsigned hand) { return hands_[hand]->pushes; }
     void place_hand(unsigned hand, const HandPlace& place) { hands_[hand]->place.publish(place); }
     bool newer_frame(unsigned hand) { return hands_[hand]->frame.refresh(); }
     const DynamicsFrame& frame(unsigned hand) const { return hands_[hand]->frame.read(); }
 
     // App thread.
-    bool order(const Order& order) { return orders_.push(order); }
-    void drive(const DrivenPoses& poses) { driven_.publish(poses); }
-    bool newer_frame_for_app() { return for_app_.refresh(); }
-    const DynamicsFrame& frame_for_app() const { return for_app_.read(); }
-    // Ears' thread. When it is full the oldest stay.
-    EventRing& events() { return events_; }
+    bool order(const Order& order) override;
+    void drive(const DrivenPoses& poses) override { driven_.publish({poses, ++drives_}); }
+    bool newer_frame_for_app() override { return for_app_.refresh(); }
+    const DynamicsFrame& frame_for_app() const override { return for_app_.read(); }
+    bool take_event(BodyEvent& event) override { return events_.pop(event); }
 
     // Steps that were made up for late, and seconds let go, since the start; any thread.
     std::uint64_t late_steps() const { return late_steps_.load(std::memory_order_relaxed); }
@@ -73,17 +62,25 @@ public:
     static constexpr int kMostBehind = 12;
 
 private:
+    struct Driven {
+        DrivenPoses poses;
+        std::uint32_t number = 0;  // how often it was told, this time too
+    };
+
     void take();
     void one_step();
 
+    EngineRecording* const recording_;
     Dynamics dynamics_;
     const std::array<std::shared_ptr<HandChannel>, 2> hands_{std::make_shared<HandChannel>(),
                                                              std::make_shared<HandChannel>()};
     LatestValue<DynamicsFrame> for_app_;
     SpscRing<Order, 64> orders_;
-    LatestValue<DrivenPoses> driven_;
+    LatestValue<Driven> driven_;
+    std::uint32_t drives_ = 0;  // app thread
     EventRing events_;
     DynamicsFrame now_;
+    EngineRow row_;  // of the step that is made
     std::vector<BodyEvent> heard_;
     std::atomic<std::uint64_t> late_steps_{0};
     std::atomic<double> lost_s_{0.0};

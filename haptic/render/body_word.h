@@ -71,8 +71,10 @@ struct HandPush {
 // Where a hand is, so that the engine knows what is near it.
 struct HandPlace {
     Vec3 at_m{0.0};
-    double radius_m = 0.0;
-    bool present = false;
+    double radius_m = 0.0;  // 0: the hand is not there
+    double time_s = 0.0;    // of the servo's tick: no two of a hand have the same
+
+    bool present() const noexcept { return radius_m > 0.0; }
 };
 
 // What can be heard of a body.

@@ -11,6 +11,7 @@ namespace handrail {
 using HandPushRing = SpscRing<HandPush, 64>;
 
 struct HandChannel {
+    std::uint32_t engine = 0;          // EngineRow::engine; 0: nobody records. Before either side begins
     HandPushRing pushes;               // servo to engine
     LatestValue<HandPlace> place;      // likewise
     LatestValue<DynamicsFrame> frame;  // engine to servo

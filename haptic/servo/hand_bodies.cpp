@@ -262,8 +262,20 @@ void HandBodies::send(Slot& slot, HandPush push, HandPushRing& pushes) noexcept 
     push.moment_nm += slot.unsent_nms / push.dt_s;
     slot.unsent_ns = slot.unsent_nms = Vec3(0.0);
     if (pushes.push(push)) return;
+    refused_ |= 1U << (&slot - slots_.data());
+    keep(slot, push);
+}
+
+void HandBodies::keep(Slot& slot, const HandPush& push) noexcept {
     slot.unsent_ns = push.force_n * push.dt_s;
     slot.unsent_nms = push.moment_nm * push.dt_s;
+}
+
+bool HandBodies::take_back(std::uint32_t refused, const HandPush& push) noexcept {
+    Slot* const slot = slot_of(push.body);
+    if (!slot || !(refused >> (slot - slots_.data()) & 1U)) return false;
+    keep(*slot, push);
+    return true;
 }
 
 void HandBodies::react(const TouchResult& touch, double share, double now_s, double dt_s, const BodyFeel& feel,

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "haptic/render/hand_channel.h"
 #include "haptic/render/touch.h"
@@ -64,6 +65,12 @@ public:
     void react(const TouchResult& touch, double share, double now_s, double dt_s, const BodyFeel& feel,
                HandPushRing& pushes) noexcept;
 
+    // For a recording: of which models a push found no room since this was asked last, a bit each; it was kept for the
+    // next one.
+    std::uint32_t take_refused() noexcept { return std::exchange(refused_, 0U); }
+    // For computing such a tick again, whose ring had room for all: takes back a push of one of them. False: of none.
+    bool take_back(std::uint32_t refused, const HandPush& push) noexcept;
+
     // A body that was pushed or lifted with all there is and did not move, once; kNoBody: none. To be said with its
     // weight.
     std::uint32_t heavy() noexcept;
@@ -103,6 +110,7 @@ private:
     void open(const BodyWord& word, double now_s) noexcept;
     void strain(Slot& slot, double force_n, double dt_s, const BodyFeel& feel) noexcept;
     void send(Slot& slot, HandPush push, HandPushRing& pushes) noexcept;
+    static void keep(Slot& slot, const HandPush& push) noexcept;
     Vec3 grip_point_m() const noexcept;
     Vec3 wrist_nm() const noexcept;
 
@@ -127,6 +135,7 @@ private:
     Vec3 last_hand_m_{0.0}, hand_m_per_s_{0.0};
     bool has_hand_ = false;
     std::uint32_t heavy_ = kNoBody;
+    std::uint32_t refused_ = 0;
     double most_speed_m_per_s_ = 0.0;
 };
 

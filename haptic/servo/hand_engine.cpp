@@ -83,7 +83,7 @@ BodyPoses HandEngine::place(const BodyPoses& told, const HapticScene& scene, dou
     told_ways_ = told.ways_number();
     moved = bodies_.place(now_s, hand_m, feel_, std::span(poses_).first(count)) || moved;
     if (moved) ++number_;
-    channel_->place.publish({hand_m, feel_.ball_m, true});
+    channel_->place.publish({hand_m, feel_.ball_m, now_s});
     return {std::span(poses_).first(count), number_};
 }
 
@@ -91,7 +91,7 @@ void HandEngine::leave() noexcept {
     if (!here_) return;
     here_ = held_by_key_ = held_by_button_ = false;
     bodies_.enter(scene_.get());
-    channel_->place.publish({Vec3(0.0), 0.0, false});
+    channel_->place.publish({});
 }
 
 }  // namespace handrail

@@ -55,6 +55,11 @@ public:
     std::uint32_t heavy() noexcept { return bodies_.heavy(); }
     const HandBodies& bodies() const noexcept { return bodies_; }
 
+    // For a recording, and computing it again.
+    HandChannel& channel() noexcept { return *channel_; }
+    std::uint32_t take_refused() noexcept { return bodies_.take_refused(); }
+    bool take_back(std::uint32_t refused, const HandPush& push) noexcept { return bodies_.take_back(refused, push); }
+
 private:
     const std::shared_ptr<const DynamicsScene> scene_;
     const std::shared_ptr<HandChannel> channel_;

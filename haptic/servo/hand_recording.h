@@ -22,6 +22,14 @@ struct ServoReads {
     bool operator==(const ServoReads&) const = default;
 };
 
+// Likewise of the engine of what is free to move.
+struct EngineReads {
+    std::uint32_t engine = 0;   // HandChannel::engine; 0: there is none
+    std::uint64_t frame = 0;    // DynamicsFrame::number of the newest it knew; 0: none yet
+    std::uint32_t refused = 0;  // HandBodies::take_refused
+    bool operator==(const EngineReads&) const = default;
+};
+
 struct HandRow {
     double time_s = 0.0;  // of the tick, whole microseconds
     DeviceSample sample;  // as rounded by in_whole_steps
@@ -29,6 +37,7 @@ struct HandRow {
     FeatureId contact = kNoFeature;
     std::uint32_t servo = 0;  // which of those that one hand had after each other, from 1
     ServoReads reads;
+    EngineReads bodies;
 };
 
 // From one servo at a time to whoever records.

@@ -158,7 +158,8 @@ bool ServoLoop::step() noexcept {
     if (recording_)
         record(start_s, sample, command,
                {static_cast<std::uint32_t>(scene.number), tuning_.read().number, pose_.read().number,
-                bodies_.read().number, guidance_.read().number, stops, focused, stopping});
+                bodies_.read().number, guidance_.read().number, stops, focused, stopping},
+               scene.engine);
 
     // Nothing of an older scene is looked at any more.
     scene_in_use_.store(scene.number, std::memory_order_release);
@@ -171,9 +172,14 @@ bool ServoLoop::step() noexcept {
     return !(stopping && state_.tool().force_gain == 0.0);
 }
 
-void ServoLoop::record(double time_s, const DeviceSample& sample, const ForceCommand& command,
-                       ServoReads reads) noexcept {
-    recording_->push({time_s, sample, command.force_n, state_.tool().touched(), recorded_as_, reads});
+void ServoLoop::record(double time_s, const DeviceSample& sample, const ForceCommand& command, ServoReads reads,
+                       HandEngine* engine) noexcept {
+    EngineReads bodies;
+    if (engine) {
+        HandChannel& channel = engine->channel();
+        bodies = {channel.engine, channel.frame.read().number, engine->take_refused()};
+    }
+    recording_->push({time_s, sample, command.force_n, state_.tool().touched(), recorded_as_, reads, bodies});
 }
 
 void ServoLoop::run() noexcept {

@@ -109,7 +109,8 @@ private:
     void run() noexcept;
     void close() noexcept;
     void publish_report() noexcept;
-    void record(double time_s, const DeviceSample& sample, const ForceCommand& command, ServoReads reads) noexcept;
+    void record(double time_s, const DeviceSample& sample, const ForceCommand& command, ServoReads reads,
+                HandEngine* engine) noexcept;
     void free_scenes();
 
     Clock& clock_;

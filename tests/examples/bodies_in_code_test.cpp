@@ -63,7 +63,7 @@ double push_east(const CrateWorld& world, Dynamics& engine) {
         felt_n = std::min(glm::length(touch.force_n), feel.ceiling_n);
         bodies.react(touch, felt_n / std::max(1e-9, glm::length(touch.force_n)), now_s, 1e-3, feel, pushes);
         // The engine, as DynamicsLoop does it on its own thread.
-        engine.place_hand(0, {hand_m, feel.ball_m, true});
+        engine.place_hand(0, {hand_m, feel.ball_m, now_s});
         for (HandPush push; pushes.pop(push);) engine.push(0, push);
         while (engine.time_s() + Dynamics::kStep_s <= now_s + 1e-3) engine.step(frame, events);
     }

@@ -1,6 +1,7 @@
 // A session of the program itself that is recorded.
 #include "app/record/compute_again.h"
 #include "app/record/recording.h"
+#include "tests/support/map_text.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -59,8 +60,24 @@ constexpr const char* kBusy[] = {
     // With a device that is pulled out while one walks, is found again, and is pulled out again.
     "forward 3\nwhere\nexits\nescape\nforward 6\nleft 2\nfind\nkitchen\nforward 4\nforces\nwhat\nbackward 9\n"
     "around\nforward 9\nwhere\nforces\nforward 5\nahead\nbackward 5\nmark\nmine\n",
+    // With a device in each hand among things that are free to move: pushed, held by hand and by keys, let go, put
+    // back; then a labyrinth whose ball rolls.
+    "hand-forward 3\nuse\nhand-back 2\nhand-up\nuse\nforward 3\nuse\nforward\nleft\nuse\nput-back\nmenu\nWorlds\n"
+    "labyrinth\nhand-forward 2\nuse\nright\nforward\nuse\nput-back\nwhere\n",
 };
-constexpr int kTwoHands = 3, kPulledOut = 4;
+constexpr int kTwoHands = 3, kPulledOut = 4, kFreeBodies = 5;
+
+// A hall with a crate, a ball and what is too heavy.
+std::string hall_of_things() {
+    const auto thing = [](const char* kind, const char* name, const char* kg, const std::string& brush) {
+        return entity("thing", key("cs_name", kind) + key("name", name) + key("mass", kg), brush);
+    };
+    return entity("worldspawn", key("message", "Hall") + key("building", "1"), room_brushes(0, 0, 0, 256, 256, 128)) +
+           entity("info_player_start", key("origin", "128 32 24") + key("angle", "90")) +
+           thing("dynamic_box", "Crate", "2", box_brush(96, 80, 0, 160, 96, 48)) +
+           thing("dynamic_sphere", "Ball", "1", box_brush(90, 60, 0, 102, 72, 12)) +
+           thing("dynamic_box", "Anvil", "60", box_brush(160, 40, 0, 176, 56, 16));
+}
 
 class RecordedUnderLoad : public testing::TestWithParam<int> {};
 
@@ -68,7 +85,11 @@ TEST_P(RecordedUnderLoad, is_computed_again_to_the_same_lines_in_the_same_order)
     const TemporaryFolder folder;
     ProgramCall call = recorded_in(folder.path());
     if (GetParam() == 1) call.arguments[0] = TEST_WORLDS "/school.map";
-    if (GetParam() == kTwoHands) call.arguments.insert(call.arguments.end(), {"--device", "sim-f"});
+    const TemporaryFolder worlds;
+    const bool free = GetParam() == kFreeBodies;
+    if (free) call.arguments[0] = worlds.write("hall.map", hall_of_things()).string();
+    const bool two_hands = GetParam() == kTwoHands || free;
+    if (two_hands) call.arguments.insert(call.arguments.end(), {"--device", "sim-f"});
     const TemporaryFolder library;
     if (GetParam() == kPulledOut) {
         std::filesystem::create_symlink(STANDIN_HD, library.path() / "libHD.so");
@@ -89,11 +110,16 @@ TEST_P(RecordedUnderLoad, is_computed_again_to_the_same_lines_in_the_same_order)
     const auto difference = first_difference(*read, *again);
     EXPECT_FALSE(difference) << difference->line << "\n" << difference->recorded << "\n" << difference->computed;
     EXPECT_GT(again->said.size(), 12U) << run.out;
-    EXPECT_EQ(read->hands[1].size() > 300U, GetParam() == kTwoHands);
+    EXPECT_EQ(again->other_forces, 0U) << "of " << again->ticks;
+    EXPECT_EQ(read->hands[1].size() > 300U, two_hands);
+    std::size_t pushes = 0;
+    for (const EngineRow& row : read->bodies) pushes += row.pushes[0] + row.pushes[1];
+    EXPECT_EQ(pushes > 100, free) << pushes;
+    EXPECT_EQ(!read->bodies.empty() && read->bodies.back().engine == 2, free) << "the labyrinth has an engine too";
     EXPECT_EQ(run.out.find("unplugged") != std::string::npos, GetParam() == kPulledOut) << run.out;
 }
 
-INSTANTIATE_TEST_SUITE_P(Sessions, RecordedUnderLoad, testing::Range(0, 5));
+INSTANTIATE_TEST_SUITE_P(Sessions, RecordedUnderLoad, testing::Range(0, 6));
 
 TEST(RecordedSession, becomes_a_scenario_that_holds) {
     const TemporaryFolder folder;

@@ -38,7 +38,9 @@ bool differs(const Placement& a, const Placement& b) {
 }  // namespace
 
 void Bodies::enter_world(std::shared_ptr<const DynamicsScene> scene, double now_s) {
-    loop_.reset();
+    engine_.reset();
+    stepped_ = nullptr;
+    read_ = {};
     hand_engines_ = {};
     grip_.enter_world();
     hand_grip_.enter_world();
@@ -50,13 +52,22 @@ void Bodies::enter_world(std::shared_ptr<const DynamicsScene> scene, double now_
     hit_s_ = moved_s_ = pushed_s_ = -1e9;
     moving_ = rested_ = false;
     if (!scene_) return;
-    loop_ = std::make_unique<DynamicsLoop>(scene_, now_s);
+    DynamicsLoop* own = nullptr;
+    if (how_.played) {
+        engine_ = how_.played(scene_, now_s);
+    } else {
+        auto loop = std::make_unique<DynamicsLoop>(scene_, now_s, how_.recording);
+        own = loop.get();
+        engine_ = std::move(loop);
+    }
+    read_.engine = engine_->hand(0)->engine;
     for (unsigned which = 0; which < hand_engines_.size(); ++which)
         hand_engines_[which] =
-            std::make_shared<HandEngine>(scene_, loop_->hand(which), which, world_.scene->placed.size());
+            std::make_shared<HandEngine>(scene_, engine_->hand(which), which, world_.scene->placed.size());
     walker_m_ = Vec3(std::numeric_limits<double>::infinity());
     tell_engine();
-    if (clock_) loop_->start(*clock_);
+    if (own && how_.clock) own->start(*how_.clock);
+    else stepped_ = own;
 }
 
 std::optional<double> Bodies::mass_kg(FeatureId feature) const {
@@ -111,27 +122,27 @@ bool Bodies::act(Command command, double now_s, int times) {
         put_back(now_s);
         return true;
     }
-    if (!loop_) return false;
+    if (!engine_) return false;
     if (!grip_.holds() && hand_grip_.act(command, *scene_, now_s)) return true;
-    if (grip_.holds()) return grip_.act(command, *loop_, *scene_, middle(grip_.held()), now_s, times);
+    if (grip_.holds()) return grip_.act(command, *engine_, *scene_, middle(grip_.held()), now_s, times);
     if (command != Command::Use) return false;
     const std::uint32_t body = in_reach();
     if (body == kNoBody) return false;
-    grip_.take(*loop_, *scene_, body, middle(body), now_s);
+    grip_.take(*engine_, *scene_, body, middle(body), now_s);
     return true;
 }
 
 void Bodies::put_back(double now_s) {
-    if (!loop_) return context_.answer(phrase("bodies.none_here"), now_s);
+    if (!engine_) return context_.answer(phrase("bodies.none_here"), now_s);
     restart();
     context_.answer(phrase("bodies.put_back"), now_s);
 }
 
 void Bodies::restart() {
-    if (!loop_) return;
+    if (!engine_) return;
     grip_.let_go();
-    loop_->order({.kind = DynamicsLoop::Order::Kind::LetGo});
-    loop_->order({.kind = DynamicsLoop::Order::Kind::Restart});
+    engine_->order({.kind = BodyEngine::Order::Kind::LetGo});
+    engine_->order({.kind = BodyEngine::Order::Kind::Restart});
     walker_m_ = Vec3(std::numeric_limits<double>::infinity());  // the engine knows of nobody then
     driven_.clear();
 }
@@ -143,7 +154,7 @@ void Bodies::tell_engine() {
     if (now != driven_) {
         auto poses = std::make_shared<std::vector<BodyPose>>();
         for (const Placement& at : now) poses->push_back({at, true});
-        loop_->drive(poses);
+        engine_->drive(poses);
         driven_ = std::move(now);
     }
     if (!context_.body.walker) return;
@@ -154,36 +165,39 @@ void Bodies::tell_engine() {
     if (feet == walker_m_ && lifted == walker_lifted_) return;
     const BodySize& size = context_.body.walker->size();
     const double into_m = lifted ? 0.0 : size.radius_m;
-    DynamicsLoop::Order order;
-    order.kind = DynamicsLoop::Order::Kind::Walker;
+    BodyEngine::Order order;
+    order.kind = BodyEngine::Order::Kind::Walker;
     order.at_m = feet - Vec3(0.0, 0.0, into_m);
     order.radius_m = size.radius_m;
     order.height_m = size.height_m + into_m;
-    if (!loop_->order(order)) return;
+    if (!engine_->order(order)) return;
     walker_m_ = feet;
     walker_lifted_ = lifted;
 }
 
 void Bodies::step_engine(double now_s) {
     contract_pre(std::isfinite(now_s));
-    if (loop_ && !clock_) loop_->step_until(now_s);
+    if (stepped_) stepped_->step_until(now_s);
 }
 
 void Bodies::tick(double now_s) {
     contract_pre(std::isfinite(now_s));
-    if (!loop_) return;
+    if (!engine_) return;
     tell_engine();
     step_engine(now_s);
     hand_grip_.tick(*scene_, now_s);
     hear(now_s);
-    if (loop_->newer_frame_for_app()) take_places(now_s);
+    if (engine_->newer_frame_for_app()) {
+        read_.frame = engine_->frame_for_app().number;
+        take_places(now_s);
+    }
     if (moving_ && now_s - moved_s_ > kRestsAfter_s) {
         moving_ = false;
         rested_ = true;
     }
     sounds_.tick(now_s);
     if (grip_.holds())
-        grip_.tick(*loop_, *scene_, middle(grip_.held()), now_s - hit_s_ < kHeard_s ? hit_ : kNoFeature, now_s);
+        grip_.tick(*engine_, *scene_, middle(grip_.held()), now_s - hit_s_ < kHeard_s ? hit_ : kNoFeature, now_s);
 }
 
 std::vector<MovedThing> Bodies::moved() const {
@@ -194,7 +208,7 @@ std::vector<MovedThing> Bodies::moved() const {
 }
 
 void Bodies::take_places(double now_s) {
-    const DynamicsFrame& frame = loop_->frame_for_app();
+    const DynamicsFrame& frame = engine_->frame_for_app();
     for (std::size_t i = 0; i < scene_->bodies.size(); ++i) {
         const std::uint32_t thing = scene_->bodies[i].haptic;
         if (!differs(frame.things[i], world_.things.at(thing))) continue;
@@ -208,7 +222,8 @@ void Bodies::take_places(double now_s) {
 
 void Bodies::hear(double now_s) {
     BodyEvent event;
-    while (loop_->events().pop(event)) {
+    while (engine_->take_event(event)) {
+        ++read_.events;
         sounds_.hear(event, *scene_, now_s);
         const bool mine = event.body == grip_.held() || (event.body == pushed_ && now_s - pushed_s_ < kHeard_s);
         if (event.kind == BodyEvent::Kind::PutBack)
@@ -227,13 +242,13 @@ void Bodies::hear(double now_s) {
 }
 
 void Bodies::shove(std::uint32_t body, const Vec3& speed_m_per_s) {
-    DynamicsLoop::Order order;
-    order.kind = DynamicsLoop::Order::Kind::Shove;
+    BodyEngine::Order order;
+    order.kind = BodyEngine::Order::Kind::Shove;
     order.body = body;
     order.speed_m_per_s = speed_m_per_s;
     order.most_n = FreeBody::kWalkersPush_n;
     order.for_s = kPushFor_s;
-    loop_->order(order);
+    engine_->order(order);
 }
 
 // An engine lets bodies overlap a little, and walking passes over what overlaps, so that nobody is held for ever.
@@ -279,7 +294,7 @@ void Bodies::tell_in_the_way(std::uint32_t body, double now_s) {
 }
 
 bool Bodies::push_ahead(Vec3& wish_m_per_s, double now_s) {
-    if (!loop_) return false;
+    if (!engine_) return false;
     const double wished = std::hypot(wish_m_per_s.x, wish_m_per_s.y);
     const std::uint32_t met = keep_apart(wish_m_per_s);
     const double speed = std::hypot(wish_m_per_s.x, wish_m_per_s.y);

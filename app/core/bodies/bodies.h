@@ -11,11 +11,13 @@
 #include <utility>
 #include <vector>
 
+#include "app/core/bodies/body_engines.h"
 #include "app/core/bodies/body_grip.h"
 #include "app/core/bodies/body_sounds.h"
 #include "app/core/bodies/hand_grip.h"
 #include "app/core/context/session_part.h"
 #include "app/core/context/view.h"
+#include "haptic/dynamics/dynamics_loop.h"
 #include "haptic/servo/hand_engine.h"
 
 namespace handrail {
@@ -26,8 +28,8 @@ public:
     Bodies(const SessionContext& context, WorldState& world, HandsState& hands)
         : SessionPart(context), world_(world), hand_grip_(context, hands) {}
 
-    // The engine of every world entered from now on has a thread; the clock is that of the session and outlives it.
-    void run_by(Clock* clock) { clock_ = clock; }
+    // Of every world entered from now on.
+    void make_engines(BodyEngines how) { how_ = std::move(how); }
     // Null: nothing is free in it. The world and its things are entered already.
     void enter_world(std::shared_ptr<const DynamicsScene> scene, double now_s);
 
@@ -58,7 +60,14 @@ public:
     // A free body is there: its mass; nothing: none.
     std::optional<double> mass_kg(FeatureId feature) const;
     // The engine of this world; null: nothing is free in it.
-    const DynamicsLoop* engine() const { return loop_.get(); }
+    const BodyEngine* engine() const { return engine_.get(); }
+    // What has been read of it until now.
+    struct EngineRead {
+        std::uint32_t engine = 0;  // HandChannel::engine
+        std::uint64_t frame = 0;   // DynamicsFrame::number; 0: none yet
+        std::uint64_t events = 0;  // all of them
+    };
+    const EngineRead& read_of_engine() const { return read_; }
     // For the servo of a hand: 0 the only or right one, 1 the left one. Null: nothing is free in this world.
     const std::shared_ptr<HandEngine>& hand_engine(std::size_t which) const { return hand_engines_[which]; }
     // What a hand holds; kNoFeature: nothing.
@@ -85,9 +94,11 @@ private:
     void put_back(double now_s);
 
     WorldState& world_;
-    Clock* clock_ = nullptr;
+    BodyEngines how_;
     std::shared_ptr<const DynamicsScene> scene_;  // null: nothing is free here
-    std::unique_ptr<DynamicsLoop> loop_;
+    std::unique_ptr<BodyEngine> engine_;
+    DynamicsLoop* stepped_ = nullptr;  // the same one, where nobody else steps it
+    EngineRead read_;
     BodyGrip grip_{context_};
     BodySounds sounds_{context_};
     HandGrip hand_grip_;

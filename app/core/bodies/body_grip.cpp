@@ -29,7 +29,7 @@ bool BodyGrip::keeps(Command command) const {
     return holds() && std::find(kSteps.begin(), kSteps.end(), command) != kSteps.end();
 }
 
-void BodyGrip::take(DynamicsLoop& engine, const DynamicsScene& scene, std::uint32_t body, const Placement& middle,
+void BodyGrip::take(BodyEngine& engine, const DynamicsScene& scene, std::uint32_t body, const Placement& middle,
                     double now_s) {
     const DynamicsBody& is = scene.bodies[body];
     if (is.nature.mass_kg * kGravity_m_per_s2 > context_.settings.dynamics.strength_n)
@@ -56,17 +56,17 @@ void BodyGrip::let_go() {
     keys_.release_all();
 }
 
-void BodyGrip::let_go(DynamicsLoop& engine, const DynamicsScene& scene, double now_s) {
+void BodyGrip::let_go(BodyEngine& engine, const DynamicsScene& scene, double now_s) {
     const FeatureId feature = scene.bodies[held_].feature;
     let_go();
-    engine.order({.kind = DynamicsLoop::Order::Kind::LetGo});
+    engine.order({.kind = BodyEngine::Order::Kind::LetGo});
     context_.play(SoundKind::LetGo, now_s);
     context_.answer(phrase("bodies.let_go", {{"name", body_name(context_, feature)}}), now_s);
 }
 
-void BodyGrip::lead(DynamicsLoop& engine) const {
-    DynamicsLoop::Order order;
-    order.kind = DynamicsLoop::Order::Kind::Lead;
+void BodyGrip::lead(BodyEngine& engine) const {
+    BodyEngine::Order order;
+    order.kind = BodyEngine::Order::Kind::Lead;
     order.body = held_;
     order.at_m = to_m_;
     order.most_n = context_.settings.dynamics.strength_n;
@@ -97,7 +97,7 @@ Vec3 BodyGrip::way_of(Command command) const {
 
 double BodyGrip::step_m(const DynamicsBody& body) const { return body.ball ? 4.0 * body.half_width_m : kStep_m; }
 
-void BodyGrip::step(Command command, DynamicsLoop& engine, const DynamicsScene& scene, const Placement& middle,
+void BodyGrip::step(Command command, BodyEngine& engine, const DynamicsScene& scene, const Placement& middle,
                     double now_s, int times) {
     const DynamicsBody& is = scene.bodies[held_];
     const bool lifts = command == Command::TiltUp || command == Command::TiltDown;
@@ -109,7 +109,7 @@ void BodyGrip::step(Command command, DynamicsLoop& engine, const DynamicsScene& 
     lead(engine);
 }
 
-bool BodyGrip::act(Command command, DynamicsLoop& engine, const DynamicsScene& scene, const Placement& middle,
+bool BodyGrip::act(Command command, BodyEngine& engine, const DynamicsScene& scene, const Placement& middle,
                    double now_s, int times) {
     if (!holds()) return false;
     if (keeps(command)) {
@@ -138,7 +138,7 @@ bool BodyGrip::act(Command command, DynamicsLoop& engine, const DynamicsScene& s
     }
 }
 
-void BodyGrip::tick(DynamicsLoop& engine, const DynamicsScene& scene, const Placement& middle, FeatureId hit,
+void BodyGrip::tick(BodyEngine& engine, const DynamicsScene& scene, const Placement& middle, FeatureId hit,
                     double now_s) {
     if (!holds()) return;
     if (glm::length(middle.position_m - last_m_) > kStill_m) {

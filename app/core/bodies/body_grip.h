@@ -8,7 +8,7 @@
 
 #include "app/core/context/session_part.h"
 #include "app/core/dialogue/held_keys.h"
-#include "haptic/dynamics/dynamics_loop.h"
+#include "haptic/dynamics/body_engine.h"
 
 namespace handrail {
 
@@ -25,24 +25,24 @@ public:
     void release(Command command) { keys_.release(command); }
 
     // From where it is now. Says so; too heavy: says that, and takes nothing.
-    void take(DynamicsLoop& engine, const DynamicsScene& scene, std::uint32_t body, const Placement& middle,
+    void take(BodyEngine& engine, const DynamicsScene& scene, std::uint32_t body, const Placement& middle,
               double now_s);
     // False: not a command of the grip.
-    bool act(Command command, DynamicsLoop& engine, const DynamicsScene& scene, const Placement& middle, double now_s,
+    bool act(Command command, BodyEngine& engine, const DynamicsScene& scene, const Placement& middle, double now_s,
              int times);
     // Where the step led is told by somebody else.
     void step_is_told() { stepped_s_.reset(); }
     // What it met on the way is told when it comes to rest. hit: what it has met last; kNoFeature: nothing.
-    void tick(DynamicsLoop& engine, const DynamicsScene& scene, const Placement& middle, FeatureId hit, double now_s);
+    void tick(BodyEngine& engine, const DynamicsScene& scene, const Placement& middle, FeatureId hit, double now_s);
     void let_go();
-    void let_go(DynamicsLoop& engine, const DynamicsScene& scene, double now_s);
+    void let_go(BodyEngine& engine, const DynamicsScene& scene, double now_s);
 
 private:
     Vec3 way_of(Command command) const;
     double step_m(const DynamicsBody& body) const;
-    void step(Command command, DynamicsLoop& engine, const DynamicsScene& scene, const Placement& middle, double now_s,
+    void step(Command command, BodyEngine& engine, const DynamicsScene& scene, const Placement& middle, double now_s,
               int times);
-    void lead(DynamicsLoop& engine) const;
+    void lead(BodyEngine& engine) const;
 
     HeldKeys keys_;
     std::uint32_t held_ = kNoBody;

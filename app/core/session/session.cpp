@@ -28,7 +28,7 @@ Session::Session(const Settings& settings, const HandFacts& hand, const SessionO
     wire();
     if (options.rooms_beside) where_.rooms.find_beside();
     if (options.touch_beside) hand_.touch_view.make_beside();
-    bodies_.run_by(options.bodies_by);
+    bodies_.make_engines(options.bodies);
     if (!options.records_in.empty()) {
         learn_.hunt.keep_records_in(options.records_in);
         labyrinth_.keep_records_in(options.records_in);

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
+#include "app/core/bodies/body_engines.h"
 #include "app/core/world/arrivals.h"
-#include "worlds/base/clock.h"
 
 namespace handrail {
 
@@ -18,9 +18,7 @@ struct SessionOptions {
     std::filesystem::path records_in = {};
     // Files of languages of the person's own; empty: there are the bundled ones.
     std::filesystem::path languages_in = {};
-    // The engine of what is free to move has a thread of its own, by this clock, the session's, which outlives it;
-    // null: it is stepped in each tick.
-    Clock* bodies_by = nullptr;
+    BodyEngines bodies = {};
     // Tells or decides when what is worked out beside is there; outlives the session. Null: it comes as it comes.
     Arrivals* arrivals = nullptr;
 };

@@ -143,7 +143,7 @@ BodiesMeasured measured(Way way, double kg) {
         }
         last_x_m = x_m;
         last_n = f_n;
-        engine.place_hand(0, {hand_m, feel.ball_m, way == Way::Model});
+        engine.place_hand(0, {hand_m, way == Way::Model ? feel.ball_m : 0.0, 0.0});
         for (HandPush push; pushes.pop(push);) engine.push(0, push);
         while (engine.time_s() + step_s <= now_s + 1e-9) {
             if (way != Way::Model && summed > 0) {

@@ -64,7 +64,7 @@ int main() {
         const TouchResult touch = touch_tick(state, *scene, tuning, hand_m, 1e-3, bodies.carried_m(), {poses, number});
         const Vec3 force_n = touch.force_n + bodies.grip_force_n(hand_m, 1e-3, feel);
         bodies.react(touch, 1.0, now_s, 1e-3, feel, pushes);
-        engine.place_hand(0, {hand_m, feel.ball_m, true});
+        engine.place_hand(0, {hand_m, feel.ball_m, 0.0});
         for (HandPush push; pushes.pop(push);) engine.push(0, push);
         while (engine.time_s() + Dynamics::kStep_s <= now_s + 1e-3) engine.step(frame, events);
         if (tick % 40 != 0) continue;

@@ -55,7 +55,7 @@ std::uint64_t play(Dynamics& engine, std::uint32_t game, int steps) {
         push.game = game;
         push.force_n = Vec3(20.0 * std::cos(0.1 * i), 5.0, 8.0);
         engine.push(0, push);
-        engine.place_hand(0, {engine.middle(push.body).position_m, 0.02, true});
+        engine.place_hand(0, {engine.middle(push.body).position_m, 0.02, 0.0});
         engine.step(frame, events);
     }
     return bits_of(engine);
@@ -161,7 +161,7 @@ TEST(Dynamics, lets_a_stack_of_five_stand_and_sleep) {
         EXPECT_FALSE(engine.awake(i)) << i;
     }
     // A hand that comes near wakes the one it comes to.
-    engine.place_hand(0, {Vec3(0.17, 0, 1.35), 0.02, true});
+    engine.place_hand(0, {Vec3(0.17, 0, 1.35), 0.02, 0.0});
     run(engine, 1);
     EXPECT_TRUE(engine.awake(4));
 }

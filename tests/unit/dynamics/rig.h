@@ -114,7 +114,7 @@ public:
         force_n = touch.force_n + bodies_.grip_force_n(goal, dt_s, feel_);
         const double is = glm::length(force_n), share = is > setup.ceiling_n ? setup.ceiling_n / is : 1.0;
         force_n *= share;
-        place = {goal, tuning_.radius_m, true};
+        place = {goal, tuning_.radius_m, now_s};
         bodies_.react(touch, share, now_s, dt_s, feel_, pushes);
         return force_n;
     }

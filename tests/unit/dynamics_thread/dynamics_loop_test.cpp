@@ -32,7 +32,7 @@ Vec3 play(double from_s) {
             push.force_n = Vec3(3, 0, 0);
             EXPECT_TRUE(loop->pushes(0).push(push));
         }
-        loop->place_hand(0, {Vec3(0, 0, 1), 0.02, true});
+        loop->place_hand(0, {Vec3(0, 0, 1), 0.02, now});
         if (ms == 1)
             loop->drive(std::make_shared<const std::vector<BodyPose>>(1, BodyPose{{Vec3(2, 1, 0.2), {}, 1.0}, true}));
         loop->step_until(now);
@@ -44,7 +44,7 @@ Vec3 play(double from_s) {
     EXPECT_EQ(loop->frame(0).near_count[1], 0) << "hand 1 is not there";
     BodyEvent event;
     bool hit = false;
-    while (loop->events().pop(event)) hit = hit || event.kind == BodyEvent::Kind::Hit;
+    while (loop->take_event(event)) hit = hit || event.kind == BodyEvent::Kind::Hit;
     EXPECT_TRUE(hit);
     // Back at the start.
     EXPECT_TRUE(loop->order({DynamicsLoop::Order::Kind::Restart}));
@@ -82,7 +82,7 @@ TEST(DynamicsLoop, runs_on_a_thread_of_its_own_beside_hands_and_ears) {
     bool fell = false, heard = false;
     while (clock.now_s() < end_s && !(fell && heard && frames > 20)) {
         const double now = clock.now_s();
-        loop->place_hand(0, {Vec3(0, 0, 1), 0.02, true});
+        loop->place_hand(0, {Vec3(0, 0, 1), 0.02, now});
         HandPush push;
         push.time_s = now;
         push.dt_s = 1e-3;
@@ -95,7 +95,7 @@ TEST(DynamicsLoop, runs_on_a_thread_of_its_own_beside_hands_and_ears) {
             fell = fell || loop->frame(0).things[0].position_m.z < 0.2;
         }
         BodyEvent event;
-        while (loop->events().pop(event)) heard = true;
+        while (loop->take_event(event)) heard = true;
         clock.sleep_until_s(now + 1e-3);
     }
     loop->stop();

@@ -37,6 +37,7 @@ HandRow hand_row(std::mt19937_64& draw, double time_s) {
     if (draw() % 2 == 0) row.contact = FeatureId{static_cast<std::uint32_t>(draw() % 100)};
     row.servo = 1;
     row.reads = {1, static_cast<std::uint32_t>(draw() % 100), 3, 0, 7, 2, draw() % 2 == 0, draw() % 2 == 0};
+    row.bodies = {2, draw() % 1000, static_cast<std::uint32_t>(draw() % 16)};
     return row;
 }
 
@@ -58,6 +59,7 @@ void expect_same(const HandRow& a, const HandRow& b) {
     EXPECT_EQ(a.contact, b.contact);
     EXPECT_EQ(a.servo, b.servo);
     EXPECT_EQ(a.reads, b.reads);
+    EXPECT_EQ(a.bodies, b.bodies);
 }
 
 // A recording of a second and a half with a hand, frames, steps and lines, and what was put into it.
@@ -81,6 +83,11 @@ Made make_recording(const fs::path& in) {
         (*recorder)->hand(0).push(made.hand.back());
         if (ms % 16 == 0)
             (*recorder)->frame({now_s, static_cast<std::uint64_t>(ms), 0, {ms * 1e-3, 2.0, 0.0}, ms * 1e-4});
+        if (ms % 4 == 0) {
+            const double knew_s = ms % 3 ? in_whole_microseconds(now_s) : EngineRow::kNoHand_s;
+            (*recorder)->bodies().push(
+                {1, static_cast<std::uint64_t>(ms / 4 + 1), now_s, 2, 3, 4, {knew_s, 0.0}, {5, 6}, 7, ms % 8 == 0});
+        }
         if (ms % 5 == 0) (*recorder)->cue_step({now_s, 1, 0, 2, 0b101});
         if (ms % 100 == 0) {
             (*recorder)->input(CommandDown{Command::Forward}, now_s);
@@ -111,6 +118,12 @@ TEST(Recording, is_read_as_it_was_written) {
     ASSERT_EQ(read->cues.size(), 300U);
     EXPECT_EQ(read->cues[7].speaking, 0b101U);
     EXPECT_EQ(read->cues[7].posts, 2U);
+    ASSERT_EQ(read->bodies.size(), 375U);
+    const EngineRow& step = read->bodies[1];
+    EXPECT_EQ(numbers_of(step), (EngineNumbers{1000'004'000, 1, 2, 2, 3, 4, 1000'004'000, 0, 5, 6, 7, 0}));
+    EXPECT_EQ(step.places_s[0], in_whole_microseconds(1000.004));
+    EXPECT_EQ(read->bodies[3].places_s[0], EngineRow::kNoHand_s);
+    EXPECT_TRUE(read->bodies[2].published);
     const std::vector<SaidLine> said = said_lines(*read);
     ASSERT_EQ(said.size(), 15U);
     EXPECT_EQ(said[1].text, "Here is \"the\" wall.");
@@ -129,7 +142,7 @@ TEST(Recording, is_for_nobody_but_the_person) {
         EXPECT_EQ(file.status().permissions(), perms::owner_read | perms::owner_write) << file.path();
         ++files;
     }
-    EXPECT_EQ(files, 4);
+    EXPECT_EQ(files, 5);
 }
 
 TEST(Recording, cut_at_every_byte_is_read_to_its_last_whole_line) {
@@ -201,7 +214,7 @@ TEST(Recording, of_another_kind_or_of_a_newer_form_is_refused_with_file_and_line
         EXPECT_EQ(read.error().sentence(),
                   "events.jsonl, line 1: A recording begins with a line that says what it is. This is another file.");
     }
-    const auto newer = read_events("{\"is\":\"recording\",\"form\":2}\n", "events.jsonl");
+    const auto newer = read_events("{\"is\":\"recording\",\"form\":3}\n", "events.jsonl");
     ASSERT_FALSE(newer);
     EXPECT_NE(newer.error().message.find("newer version"), std::string::npos);
 }
@@ -219,6 +232,13 @@ TEST(RecordingRows, that_are_none_are_told_with_file_and_line) {
     EXPECT_EQ(problem("=1,2,3,4,5,6\n"), "cues.csv.gz, line 2: " + no_row);
     EXPECT_EQ(problem("=9223372036854775807\n1\n"), "cues.csv.gz, line 3: " + no_row);
     EXPECT_EQ(problem("=1,2"), "cues.csv.gz, line 2: The last line is not whole.");
+    // An older one has fewer columns.
+    const auto older = read_rows<kFrameColumns>("t_us,tick,left_tick,x_mm,y_mm,z_mm,heading_cdeg\n=5,6\n1\n",
+                                                frame_header(), "frames.csv.gz");
+    EXPECT_FALSE(older.problem);
+    ASSERT_EQ(older.rows.size(), 2U);
+    EXPECT_EQ(older.rows[1], (FrameNumbers{6, 6}));
+    EXPECT_EQ(read_rows<kCueColumns>("t_us,con\n", cue_header(), "cues.csv.gz").problem->line, 1);
     EXPECT_EQ(read_rows<kCueColumns>("t_s\n", cue_header(), "cues.csv.gz").problem->line, 1);
 }
 
