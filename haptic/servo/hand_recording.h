@@ -1,6 +1,6 @@
 // What a recording keeps of each tick of a servo: the sample as the servo saw it, the force, and the numbers of all
 // that it had from the app, so that the same tick can be computed again. Whoever records takes the rows out of the
-// ring; the servo only puts them in. Without a ring a tick pays one comparison.
+// ring; the servo only puts them in. Without a ring a tick pays nothing.
 #pragma once
 
 #include <atomic>

@@ -135,8 +135,12 @@ const ServoReport& ServoLoop::report() {
     return report_.read();
 }
 
-bool ServoLoop::step() noexcept {
-    const double start_s = recording_ ? in_whole_microseconds(clock_.now_s()) : clock_.now_s();
+bool ServoLoop::step() noexcept { return recording_ ? step_as<true>() : step_as<false>(); }
+
+template <bool kRecorded>
+bool ServoLoop::step_as() noexcept {
+    double start_s = clock_.now_s();
+    if constexpr (kRecorded) start_s = in_whole_microseconds(start_s);
     scene_.refresh();
     tuning_.refresh();
     pose_.refresh();
@@ -151,15 +155,11 @@ bool ServoLoop::step() noexcept {
     const SceneHandle scene = scene_.read();
 
     DeviceSample sample = device_->read(start_s);
-    if (recording_) round_to_whole_steps(sample);
+    if constexpr (kRecorded) round_to_whole_steps(sample);
     const ForceCommand command = servo_tick(state_, scene.scene, tuning, pose_.read().value, sample, start_s,
                                             &bodies_.read().value, scene.desk, &guidance_.read().value, scene.engine);
     device_->write(command);
-    if (recording_)
-        record(start_s, sample, command,
-               {static_cast<std::uint32_t>(scene.number), tuning_.read().number, pose_.read().number,
-                bodies_.read().number, guidance_.read().number, stops, focused, stopping},
-               scene.engine);
+    if constexpr (kRecorded) record(start_s, sample, command, stops, focused, stopping);
 
     // Nothing of an older scene is looked at any more.
     scene_in_use_.store(scene.number, std::memory_order_release);
@@ -172,12 +172,21 @@ bool ServoLoop::step() noexcept {
     return !(stopping && state_.tool().force_gain == 0.0);
 }
 
-void ServoLoop::record(double time_s, const DeviceSample& sample, const ForceCommand& command, ServoReads reads,
-                       HandEngine* engine) noexcept {
+void ServoLoop::record(double time_s, const DeviceSample& sample, const ForceCommand& command, std::uint32_t stops,
+                       bool focused, bool stopping) noexcept {
+    const SceneHandle& scene = scene_.read();
+    const ServoReads reads{static_cast<std::uint32_t>(scene.number),
+                           tuning_.read().number,
+                           pose_.read().number,
+                           bodies_.read().number,
+                           guidance_.read().number,
+                           stops,
+                           focused,
+                           stopping};
     EngineReads bodies;
-    if (engine) {
-        HandChannel& channel = engine->channel();
-        bodies = {channel.engine, channel.frame.read().number, engine->take_refused()};
+    if (scene.engine) {
+        HandChannel& channel = scene.engine->channel();
+        bodies = {channel.engine, channel.frame.read().number, scene.engine->take_refused()};
     }
     recording_->push({time_s, sample, command.force_n, state_.tool().touched(), recorded_as_, reads, bodies});
 }
@@ -185,8 +194,15 @@ void ServoLoop::record(double time_s, const DeviceSample& sample, const ForceCom
 void ServoLoop::run() noexcept {
     counted_.scheduling = ask_for_real_time();
     counted_.memory_locked = lock_memory();
+    if (recording_) run_as<true>();
+    else run_as<false>();
+    close();
+}
+
+template <bool kRecorded>
+void ServoLoop::run_as() noexcept {
     double next_s = clock_.now_s();
-    while (step()) {
+    while (step_as<kRecorded>()) {
         next_s += period_s_;
         const double now_s = clock_.now_s();
         if (now_s >= next_s) {
@@ -196,7 +212,6 @@ void ServoLoop::run() noexcept {
         }
         clock_.sleep_until_s(next_s);
     }
-    close();
 }
 
 }  // namespace handrail

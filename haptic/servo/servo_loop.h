@@ -109,8 +109,13 @@ private:
     void run() noexcept;
     void close() noexcept;
     void publish_report() noexcept;
-    void record(double time_s, const DeviceSample& sample, const ForceCommand& command, ServoReads reads,
-                HandEngine* engine) noexcept;
+    // Chosen once, so that a tick which nobody records pays nothing for it (tests/bench/recording_cost.sh).
+    template <bool kRecorded>
+    bool step_as() noexcept;
+    template <bool kRecorded>
+    void run_as() noexcept;
+    void record(double time_s, const DeviceSample& sample, const ForceCommand& command, std::uint32_t stops,
+                bool focused, bool stopping) noexcept;
     void free_scenes();
 
     Clock& clock_;
