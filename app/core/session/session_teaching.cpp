@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "app/core/session/session.h"
-#include "app/core/world/surroundings.h"
+#include "app/core/world/wall_beside.h"
 #include "worlds/base/language.h"
 
 namespace handrail {

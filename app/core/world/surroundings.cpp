@@ -174,17 +174,4 @@ std::optional<Seen> nearest_ahead(const BodyWorld& world, const Vec3& feet_m, do
     return nearest;
 }
 
-double wall_beside_m(const BodyWorld& world, const Vec3& feet_m) {
-    constexpr int kDirections = 16;
-    constexpr double kRange_m = 2.0;
-    double nearest_m = 1e9;
-    for (int i = 0; i < kDirections; ++i) {
-        const auto seen = look(world, feet_m, kWaist_m, 2.0 * kPi * i / kDirections, kRange_m);
-        if (!seen || !seen->feature) continue;
-        if (world.scene().features[seen->feature.value].kind == FeatureKind::Wall)
-            nearest_m = std::min(nearest_m, seen->distance_m);
-    }
-    return nearest_m;
-}
-
 }  // namespace handrail

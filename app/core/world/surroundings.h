@@ -47,7 +47,4 @@ std::vector<Seen> things_in_sight(const BodyWorld& world, const Vec3& feet_m, do
 std::optional<Seen> nearest_ahead(const BodyWorld& world, const Vec3& feet_m, double height_m, double heading_rad,
                                   double range_m);
 
-// How far the nearest wall is from the middle of a body at waist height, in any of 16 directions; 1e9: none within 2 m.
-double wall_beside_m(const BodyWorld& world, const Vec3& feet_m);
-
 }  // namespace handrail

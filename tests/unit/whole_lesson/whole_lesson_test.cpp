@@ -208,6 +208,25 @@ void along_walls(Sitting& sitting, TaughtWorld&, Sway& sway, std::uint64_t) {
         ASSERT_TRUE(sitting.walk({{4.2, 10.62, 0.0}, {11.6, 10.62, 0.0}, {11.6, 8.4, 0.0}, {4.2, 8.4, 0.0}}, &sway));
 }
 
+// Round a classroom, along what is on and before its walls: a board, a door, and a bookshelf and plant pots that are
+// to be gone round.
+void round_a_classroom(Sitting& sitting, TaughtWorld&, Sway& sway, std::uint64_t) {
+    for (int lap = 0; lap < 2; ++lap)
+        ASSERT_TRUE(sitting.walk({{7.05, 0.45, 0.0},
+                                  {7.05, 1.6, 0.0},
+                                  {6.55, 1.7, 0.0},
+                                  {6.55, 4.5, 0.0},
+                                  {7.05, 4.6, 0.0},
+                                  {7.05, 7.55, 0.0},
+                                  {0.45, 7.55, 0.0},
+                                  {0.45, 6.6, 0.0},
+                                  {0.85, 6.5, 0.0},
+                                  {0.85, 4.9, 0.0},
+                                  {0.45, 4.8, 0.0},
+                                  {0.45, 0.45, 0.0}},
+                                 &sway));
+}
+
 // The free half of the assembly hall in lanes a metre apart, there and back.
 void in_lanes(Sitting& sitting, TaughtWorld&, Sway& sway, std::uint64_t) {
     bool up = true;
@@ -255,6 +274,7 @@ void expect_right_names(const fs::path& lesson_file, const fs::path& world_file)
     Sitting sitting(std::move(arguments));
     ASSERT_TRUE(sitting.know_rooms());
     for (const WalkOfAKind& one : {WalkOfAKind{Strategy::Perimeter, {4.2, 8.4, 0.0}, along_walls},
+                                   WalkOfAKind{Strategy::Perimeter, {0.45, 0.45, 0.0}, round_a_classroom},
                                    WalkOfAKind{Strategy::Grid, {29.9, 11.7, 0.0}, in_lanes},
                                    WalkOfAKind{Strategy::ObjectToObject, {18.0, 2.6, 3.4}, from_thing_to_thing}}) {
         double right = 0.0;

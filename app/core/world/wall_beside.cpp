@@ -1,0 +1,127 @@
+#include "app/core/world/wall_beside.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "app/core/world/body_heights.h"
+#include "worlds/base/contract.h"
+
+namespace handrail {
+namespace {
+
+constexpr int kDirections = 16;
+constexpr double kRange_m = 2.0;
+constexpr double kLow_m = 0.3;        // under a window sill, a board, a table's top
+constexpr double kUpright = 0.3;      // of a normal's z
+constexpr double kSameWay = 0.995;    // cosine between the normals of one wall
+constexpr double kSameLine_m = 0.08;  // between the pieces of one wall, across
+constexpr double kInside_m = 0.01, kHardly_m = 1e-3;
+constexpr double kLines_m = 0.8;   // deep, with what is free behind it
+constexpr double kTries_m = 0.25;  // along a wall, where it may go on
+
+// A piece of a wall, or of what stands at one, met by a look.
+struct Met {
+    Vec3 at_m{0.0}, out{0.0};  // level
+    bool lines = false;        // stands at a wall
+};
+
+bool is_a(const BodyWorld& world, const TraceHit& hit, FeatureKind kind) {
+    return hit.hit && hit.feature && std::abs(hit.normal.z) <= kUpright &&
+           world.scene().features[hit.feature.value].kind == kind;
+}
+
+// So little is between its face and a wall that nobody walks behind it.
+bool lines_a_wall(const BodyWorld& world, const TraceHit& hit, const Vec3& ahead) {
+    const TraceHit behind = world.trace(hit.end_m + ahead * kInside_m, hit.end_m + ahead * kLines_m, BodyShape{}, true);
+    return is_a(world, behind, FeatureKind::Wall);
+}
+
+std::optional<Met> met_on_way(const BodyWorld& world, const Vec3& eye_m, const Vec3& to_m) {
+    const TraceHit hit = world.trace(eye_m, to_m, BodyShape{}, true);
+    const bool lines = is_a(world, hit, FeatureKind::Object);
+    if (!lines && !is_a(world, hit, FeatureKind::Wall)) return std::nullopt;
+    if (lines && !lines_a_wall(world, hit, glm::normalize(to_m - eye_m))) return std::nullopt;
+    const Vec3 level(hit.normal.x, hit.normal.y, 0.0);
+    return Met{Vec3(hit.end_m.x, hit.end_m.y, 0.0), level / std::hypot(level.x, level.y), lines};
+}
+
+// The wall of this piece, by the body that stands at `at_m`.
+class WallLine {
+public:
+    WallLine(const Met& piece, const Vec3& at_m)
+        : out_(piece.out),
+          along_(-out_.y, out_.x, 0.0),
+          away_m_(glm::dot(at_m - piece.at_m, out_)),
+          foot_m_(at_m - out_ * away_m_) {}
+
+    double away_m() const { return away_m_; }
+    // Where along it from the foot of the body; nothing: it is of another wall.
+    std::optional<double> place_of(const Met& piece) const {
+        const Vec3 off = piece.at_m - foot_m_;
+        if (glm::dot(piece.out, out_) < kSameWay || std::abs(glm::dot(off, out_)) > kSameLine_m) return std::nullopt;
+        return glm::dot(off, along_);
+    }
+    // A little behind its face.
+    Vec3 point_m(double along_m) const { return foot_m_ + along_ * along_m - out_ * kSameLine_m; }
+
+private:
+    Vec3 out_, along_;
+    double away_m_;
+    Vec3 foot_m_;
+};
+
+// Pieces of the wall stand on both sides of the foot, and not too far from each other.
+bool goes_past(const BodyWorld& world, const Vec3& eye_m, const WallLine& wall, const std::vector<Met>& pieces) {
+    double before_m = -1e9, behind_m = 1e9;  // the nearest ones
+    for (const Met& piece : pieces)
+        if (const auto place_m = wall.place_of(piece)) {
+            if (*place_m <= 0.0) before_m = std::max(before_m, *place_m);
+            if (*place_m >= 0.0) behind_m = std::min(behind_m, *place_m);
+        }
+    // Looked for between where the looks around have met it.
+    const auto look_along = [&](double sign, double least_m) {
+        for (double along_m = kTries_m; along_m < std::min(least_m, kWallGoesOn_m); along_m += kTries_m) {
+            const Vec3 to = wall.point_m(sign * along_m);
+            const auto met = met_on_way(world, eye_m, Vec3(to.x, to.y, eye_m.z));
+            if (const auto place_m = met && !met->lines ? wall.place_of(*met) : std::nullopt;
+                place_m && sign * *place_m >= 0.0)
+                return std::min(least_m, sign * *place_m);
+        }
+        return least_m;
+    };
+    behind_m = look_along(1.0, behind_m);
+    before_m = -look_along(-1.0, -before_m);
+    return behind_m - before_m <= kWallGoesOn_m;
+}
+
+}  // namespace
+
+double wall_beside_m(const BodyWorld& world, const Vec3& feet_m) {
+    contract_pre(is_finite(feet_m));
+    const Vec3 at_m(feet_m.x, feet_m.y, 0.0);
+    double nearest_m = 1e9;
+    std::vector<Met> pieces;
+    for (const double height_m : {kWaist_m, kLow_m}) {
+        const Vec3 eye = feet_m + Vec3(0.0, 0.0, height_m);
+        for (int i = 0; i < kDirections; ++i) {
+            const auto met = met_on_way(world, eye, eye + forward_of_heading(i * 2.0 * kPi / kDirections) * kRange_m);
+            if (!met) continue;
+            if (!met->lines) pieces.push_back(*met);
+            nearest_m = std::min(nearest_m, glm::length(met->at_m - at_m));
+        }
+    }
+    std::vector<WallLine> walls;
+    for (const Met& piece : pieces) {
+        if (std::any_of(walls.begin(), walls.end(), [&](const WallLine& wall) { return wall.place_of(piece); }))
+            continue;
+        const WallLine& wall = walls.emplace_back(piece, at_m);
+        if (wall.away_m() >= 0.0 && wall.away_m() < nearest_m - kHardly_m &&
+            goes_past(world, feet_m + Vec3(0.0, 0.0, kWaist_m), wall, pieces))
+            nearest_m = wall.away_m();
+    }
+    return nearest_m;
+}
+
+}  // namespace handrail

@@ -1,0 +1,70 @@
+// How near a wall is to who walks along it, whatever its line is made of.
+#include "app/core/world/wall_beside.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/map_text.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail {
+namespace wall_beside_test {
+
+using test::box_brush;
+using test::entity;
+using test::key;
+
+// In metres, as a box of the building.
+std::string built(double x0, double y0, double z0, double x1, double y1, double z1) {
+    return box_brush(32.0 * x0, 32.0 * y0, 32.0 * z0, 32.0 * x1, 32.0 * y1, 32.0 * z1);
+}
+std::string thing(const std::string& name, double x0, double y0, double z0, double x1, double y1, double z1) {
+    return entity("thing", key("name", name), built(x0, y0, z0, x1, y1, z1));
+}
+
+// A room of 8 by 6 metres with walls of 0.3. North: a window of 1.6 m over a sill of 0.9, its pane 0.2 m back, and one
+// of 1.2 m down to the floor. East: an open door of 1 m. South: a board that hangs on it, and a bookshelf 0.4 m deep.
+// West: a gate of 3.2 m. In the middle a table, a metre from everything.
+BodyWorld room() {
+    const double h = 2.6;
+    std::string walls = built(-1, -1, -0.2, 9, 7, 0.0) + built(-1, -1, h, 9, 7, h + 0.2);
+    walls += built(-0.3, 6.0, 0, 2.0, 6.3, h) + built(2.0, 6.0, 0, 3.6, 6.3, 0.9) + built(2.0, 6.0, 2.0, 3.6, 6.3, h) +
+             built(3.6, 6.0, 0, 5.0, 6.3, h) + built(5.0, 6.0, 2.0, 6.2, 6.3, h) + built(6.2, 6.0, 0, 8.3, 6.3, h);
+    walls += built(8.0, 0.0, 0, 8.3, 2.5, h) + built(8.0, 2.5, 2.1, 8.3, 3.5, h) + built(8.0, 3.5, 0, 8.3, 6.0, h);
+    walls += built(-0.3, -0.3, 0, 8.3, 0.0, h);
+    walls += built(-0.3, 3.2, 0, 0.0, 6.0, h);
+    auto scene = read_quake_map(
+        entity("worldspawn", key("building", "1"), walls) +
+            entity("info_player_start", key("origin", "128 96 24") + key("angle", "90")) +
+            thing("Pane", 2.0, 6.2, 0.9, 3.6, 6.25, 2.0) + thing("Long pane", 5.0, 6.2, 0.0, 6.2, 6.25, 2.0) +
+            thing("Board", 2.0, 0.0, 0.8, 4.0, 0.06, 2.0) + thing("Bookshelf", 5.0, 0.0, 0.0, 7.0, 0.4, 1.8) +
+            thing("Table", 3.0, 2.4, 0.0, 4.4, 3.2, 0.75),
+        "room.map", {});
+    EXPECT_TRUE(scene) << (scene ? "" : scene.error().sentence());
+    return BodyWorld(std::make_shared<const Scene>(std::move(*scene)));
+}
+
+TEST(WallBeside, goes_on_across_windows_doors_and_boards) {
+    const BodyWorld world = room();
+    for (double x = 0.6; x <= 7.4; x += 0.1) EXPECT_NEAR(wall_beside_m(world, {x, 5.6, 0.0}), 0.4, 0.02) << x;
+    for (double y = 0.6; y <= 5.4; y += 0.1) EXPECT_NEAR(wall_beside_m(world, {7.6, y, 0.0}), 0.4, 0.02) << y;
+    // The board is 6 cm nearer than its wall.
+    for (double x = 0.6; x <= 4.5; x += 0.1) EXPECT_NEAR(wall_beside_m(world, {x, 0.4, 0.0}), 0.37, 0.04) << x;
+}
+
+TEST(WallBeside, is_what_stands_at_a_wall_and_not_what_stands_free) {
+    const BodyWorld world = room();
+    for (double x = 5.2; x <= 6.8; x += 0.1) EXPECT_NEAR(wall_beside_m(world, {x, 0.8, 0.0}), 0.4, 0.02) << x;
+    for (double x = 3.2; x <= 4.2; x += 0.1) EXPECT_GT(wall_beside_m(world, {x, 2.0, 0.0}), 1.5) << x;
+    EXPECT_GT(wall_beside_m(world, {4.0, 4.2, 0.0}), 1.7);
+}
+
+TEST(WallBeside, ends_where_nothing_goes_on) {
+    const BodyWorld world = room();
+    // In the gate, and out in the open.
+    EXPECT_GT(wall_beside_m(world, {0.4, 1.7, 0.0}), 1.5);
+    EXPECT_GT(wall_beside_m(world, {-0.7, 1.7, 0.0}), 1.5);
+    EXPECT_NEAR(wall_beside_m(world, {0.4, 4.5, 0.0}), 0.4, 0.02);
+}
+
+}  // namespace wall_beside_test
+}  // namespace handrail
