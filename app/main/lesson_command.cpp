@@ -51,15 +51,17 @@ std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments
         fmt::print(err, "{}\n", error.sentence());
         return 2;
     };
+    const auto file = lesson_given(arguments.file);
+    if (!file) return refused(file.error());
     if (arguments.protocol) {
-        const auto lesson = read_lesson(arguments.file, {world_folder()});
+        const auto lesson = read_lesson(*file, {world_folder()});
         if (!lesson) return refused(lesson.error());
         out << protocol_of(*lesson, learner);
         return 0;
     }
     const RoomsKept of_all_pupils;
     progress.at(phrase("progress.lesson"));
-    auto world = read_taught_world(arguments.file);
+    auto world = read_taught_world(*file);
     progress.done();
     if (!world) return refused(world.error());
     if (arguments.check) return check_lesson(*world, progress, out);

@@ -18,10 +18,35 @@ namespace fs = std::filesystem;
 
 constexpr double kTurn_s = 0.1;
 constexpr std::size_t kMostOffered = 50;
+constexpr std::string_view kEnding = ".lesson.toml";
+
+// In the order of their names.
+std::vector<fs::path> lessons_in(const fs::path& folder) {
+    std::error_code ec;
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(folder, ec))
+        if (entry.path().string().ends_with(kEnding)) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
 
 }  // namespace
 
 fs::path lessons_folder() { return user_data_folder() / "lessons"; }
+
+Result<fs::path> lesson_given(const fs::path& word) {
+    std::error_code ec;
+    if (fs::exists(word, ec)) return word;
+    std::string names;
+    for (const fs::path& folder : {lessons_folder(), world_folder()})
+        for (const fs::path& file : lessons_in(folder)) {
+            const std::string full = file.filename().string(), name = full.substr(0, full.size() - kEnding.size());
+            if (word == full || word == name) return file;
+            names += names.empty() ? name : ", " + name;
+        }
+    if (names.empty()) return fail(phrase("teaching.no_lesson_at_all", {{"word", word.string()}}));
+    return fail(phrase("teaching.no_lesson", {{"word", word.string()}, {"names", names}}));
+}
 
 Result<std::shared_ptr<TaughtWorld>> read_taught_world(const fs::path& file) {
     auto lesson = read_lesson(file, {world_folder()});
@@ -39,11 +64,7 @@ void LessonHere::offer(const fs::path& world, double now_s) {
     TeacherActed act{TeacherActed::Kind::Offer, {}, {}, {}, 0.0};
     for (const fs::path& folder : {world.parent_path(), lessons_folder()}) {
         std::error_code ec;
-        std::vector<fs::path> files;
-        for (const auto& entry : fs::directory_iterator(folder, ec))
-            if (entry.path().string().ends_with(".lesson.toml")) files.push_back(entry.path());
-        std::sort(files.begin(), files.end());
-        for (const fs::path& file : files) {
+        for (const fs::path& file : lessons_in(folder)) {
             if (offered_.size() >= kMostOffered) break;
             const auto lesson = read_lesson(file, {world_folder()});
             if (!lesson || !fs::equivalent(lesson->world, world, ec)) continue;

@@ -54,6 +54,9 @@ private:
     double turned_s_ = -1e9, told_s_ = -1e9;
 };
 
+// The lesson that a command was given: a file, or by its name, "school", one of the person's own or of those that come
+// with the program. Fails with what there is instead.
+Result<std::filesystem::path> lesson_given(const std::filesystem::path& word);
 // A lesson in its world, both read. Fails with file and line.
 Result<std::shared_ptr<TaughtWorld>> read_taught_world(const std::filesystem::path& file);
 // The session of that lesson, from 0, which comes next for the learner of these arguments; the first one where nothing

@@ -152,6 +152,13 @@ void TeachingRun::follow_walk() {
                                   .thing = std::exchange(whole_.visited, -1)});
 }
 
+// What is known of the room that is to be learnt counts as it was when one was in it last.
+void TeachingRun::follow_room() {
+    if (step().kind != StepKind::Learn || lower_ascii(view_.room) != lower_ascii(step().room)) return;
+    task_.walls_percent = 100.0 * view_.walls_share;
+    if (view_.exits > 0) task_.exits_percent = 100.0 * view_.exits_found / view_.exits;
+}
+
 void TeachingRun::tick(double now_s, const LessonView& view) {
     now_s_ = now_s;
     view_ = view;
@@ -170,6 +177,7 @@ void TeachingRun::tick(double now_s, const LessonView& view) {
         return;
     }
     follow_walk();
+    follow_room();
     if (now_s - summed_s_ >= kSummary_s) {
         summed_s_ = now_s;
         act(TeacherActed::Kind::Summary, summary());
@@ -198,7 +206,8 @@ void TeachingRun::begin_step() {
     asked_.at = 0;
     asked_.errors_rad.clear();
     asked_.judged.clear();
-    task_ = {.begun_s = now_s_, .walk = {}, .touches = {}, .led_since_s = {}};
+    task_ = {};
+    task_.begun_s = now_s_;
     const TaughtStep& now = step();
     const std::string say = now.say.spoken();
     switch (now.kind) {
@@ -245,7 +254,8 @@ void TeachingRun::begin_lap() {
     const int laps = static_cast<int>(now.help_percent.size());
     if (laps_.lap + 1 == laps) laps_.level = now.help_percent.size() - 1;  // the last one is free
     laps_.met_s = laps_.left_s = std::nullopt;
-    task_ = {.begun_s = now_s_, .walk = {}, .touches = {}, .led_since_s = {}};
+    task_ = {};
+    task_.begun_s = now_s_;
     place(world_->base(), world_->base_heading_rad());
     plan_lap();
     std::string words = laps_.lap == 0 ? now.say.spoken() : std::string();
@@ -353,9 +363,9 @@ void TeachingRun::next(double now_s) {
     if (now.kind == StepKind::Go) return end_lap(false);
     if (now.kind == StepKind::Learn || now.kind == StepKind::Free) {
         TaskResult result = measured(now.room);
-        if (now.kind == StepKind::Learn && lower_ascii(view_.room) == lower_ascii(now.room)) {
-            result.measures["walls_percent"] = 100.0 * view_.walls_share;
-            if (view_.exits > 0) result.measures["exits_percent"] = 100.0 * view_.exits_found / view_.exits;
+        if (now.kind == StepKind::Learn) {
+            result.measures["walls_percent"] = task_.walls_percent;
+            if (task_.exits_percent) result.measures["exits_percent"] = *task_.exits_percent;
         }
         keep(std::move(result));
     }

@@ -86,6 +86,7 @@ private:
     void end_step();
     void finish(bool all);
     void follow_walk();
+    void follow_room();
     void lead();
     std::vector<TaughtPlace> led_stops() const;
     void plan_lap();
@@ -117,6 +118,9 @@ private:
         double led_s = 0.0;
         std::optional<double> led_since_s;
         bool leap = false;
+        // Of a room to be learnt, while one was in it.
+        double walls_percent = 0.0;
+        std::optional<double> exits_percent;
     } task_;
     struct Questions {
         std::string told, text;          // of the task, and of what is asked; empty: nothing is

@@ -258,6 +258,12 @@ TEST_F(TaughtByTheProgram, is_neither_recorded_without_consent_nor_taught_to_who
         run({"lesson", TEST_WORLDS "/school.lesson.toml", "--protocol", "--learner", "oak owl"}).out;
     EXPECT_THAT(protocol, HasSubstr("[100, 60, 30, 0]"));
     EXPECT_EQ(protocol, run({"lesson", TEST_WORLDS "/school.lesson.toml", "--protocol", "--learner", "Oak Owl"}).out);
+    EXPECT_EQ(protocol, run({"lesson", "school", "--protocol", "--learner", "Oak Owl"}).out);
+    const ProgramRun missing = run({"lesson", "scool", "--check"});
+    EXPECT_EQ(missing.exit_status, 2);
+    EXPECT_EQ(missing.err,
+              "There is no lesson \"scool\". Give the path of a file NAME.lesson.toml, or one of these by its name: "
+              "school.\n");
 }
 
 }  // namespace lesson_test

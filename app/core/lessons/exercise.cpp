@@ -38,7 +38,7 @@ void Exercise::take(const TeacherActed& act, double now_s) {
             break;
         case Kind::Point:
             question_ = Question{act.kind, act.text, {}, {}, {}};
-            if (context_.hands.known()) question_->hand_m = context_.hands.tool.hip_m;
+            tick();
             task_ = act.text;
             context_.answer(act.text, now_s);
             break;
@@ -57,6 +57,11 @@ void Exercise::take(const TeacherActed& act, double now_s) {
         case Kind::Summary:
             break;
     }
+}
+
+void Exercise::tick() {
+    if (question_ && question_->kind == TeacherActed::Kind::Point && !question_->hand_m && context_.hands.known())
+        question_->hand_m = context_.hands.tool.hip_m;
 }
 
 bool Exercise::act(Command command, double now_s) {

@@ -23,6 +23,8 @@ public:
     Exercise& operator=(const Exercise&) = delete;
 
     void enter_world();
+    // Once a tick.
+    void tick();
     // All but Lead, Leave, Block and Open, which concern others.
     void take(const TeacherActed& act, double now_s);
     // Task, TaskDone and Learners. False: it is another's.
@@ -52,7 +54,7 @@ private:
         std::string text;
         std::vector<std::string> items;
         std::vector<std::size_t> chosen;
-        std::optional<Vec3> hand_m;  // where the hand was when it was asked to point
+        std::optional<Vec3> hand_m;  // where the hand was when it was asked to point, or was first known since
     };
     std::optional<Question> question_;
 };

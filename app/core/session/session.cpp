@@ -398,6 +398,7 @@ void Session::tick(double now_s, const ToolState& tool, const ToolState& left_to
     }
     hand_.forces.tick(now_s);
     lesson_session_.tick(now_s);
+    learn_.teaching.exercise.tick();
     if (hand_.workspace.pushed(now_s)) guide_.person_moved(now_s);
     hand_.workspace.push(guide_.carry(), now_s);
     hand_.workspace.tell_motion(now_s);

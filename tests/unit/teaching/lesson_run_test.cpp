@@ -27,12 +27,14 @@ const std::shared_ptr<TaughtWorld>& school() {
 // Somebody who walks along places by sticks, opens what is shut, and hears what is said.
 class Walker20 {
 public:
-    Walker20(const std::shared_ptr<TaughtWorld>& world, std::size_t session, const HandFacts& hand = {})
+    Walker20(const std::shared_ptr<TaughtWorld>& world, std::size_t session, const HandFacts& hand = {},
+             bool hand_is_known = true)
         : world_(world), headless_(Settings{}, hand, audio_, speech_) {
         headless_.app().apply(
             WorldEntered{make_ready_at(world->scene(), world->base().stand_m, world->base_heading_rad())}, 0.0);
         run_.emplace(begin_lesson(world, session, {}, headless_.app()));
-        for (int i = 0; hand.present && i < 50; ++i) headless_.advance();  // until it is known where the hand is
+        for (int i = 0; hand.present && hand_is_known && i < 50; ++i)
+            headless_.advance();  // until it is known where the hand is
     }
     TeachingRun& run() { return *run_; }
     HeadlessSession& headless() { return headless_; }
@@ -258,6 +260,47 @@ TEST(Pointing, is_by_the_devices_hand_where_it_went_and_else_by_facing) {
     ASSERT_EQ(pupil.run().results().size(), 1U) << pupil.all();
     EXPECT_EQ(pupil.run().results()[0].measures.at("pointing_passed"), 100.0);
     EXPECT_LT(pupil.run().results()[0].measures.at("pointing_off"), 9.0);
+}
+
+TEST(Pointing, is_by_a_hand_that_is_known_only_after_the_question_too) {
+    const auto world = pointing_lesson();
+    Walker20 pupil(world, 0, {}, false);
+    pupil.live(1.0);
+    ASSERT_TRUE(pupil.heard("Face Trophy case")) << pupil.all();
+    pupil.headless().change_hand(HandFacts{true, true, *find_device_spec("sim-t")});
+    pupil.live(0.2);
+    const double right_rad = radians_from_degrees(bearing_deg(*world, "Trophy case"));
+    pupil.move_hand({0.03 * std::sin(right_rad), 0.03 * std::cos(right_rad), 0.0});
+    pupil.answer();
+    EXPECT_TRUE(pupil.heard("That is the way.")) << pupil.all();
+}
+
+// A lesson of one session in our school: getting to know the hall.
+TEST(Learning, that_is_done_at_once_is_stated_as_nothing_and_else_as_it_was_in_the_room) {
+    LessonFile lesson = *read_lesson(kWorlds / "school.lesson.toml", {});
+    TaughtStep learn;
+    learn.kind = StepKind::Learn;
+    learn.room = "Entrance hall";
+    lesson.sessions = {{"Hall", 0, false, {}, {learn, learn}, 1}};
+    lesson.pupils.clear();
+    const auto world = *TaughtWorld::find(lesson, school()->scene());
+    Walker20 pupil(world, 0);
+    LessonView elsewhere;
+    elsewhere.rooms_known = true;
+    pupil.run().tick(pupil.headless().now_s(), elsewhere);
+    pupil.run().next(pupil.headless().now_s());
+    pupil.live(0.5);
+    // Along the wall, and out of the hall.
+    pupil.headless().press(Command::TrailRight);
+    pupil.live(8.0);
+    pupil.headless().app().apply(CommandUp{Command::TrailRight}, pupil.headless().now_s());
+    pupil.headless().app().apply(Placed{{4.2, 8.6, 0.0}, 0.0}, pupil.headless().now_s());
+    pupil.live(0.5);
+    pupil.answer();
+    ASSERT_EQ(pupil.run().results().size(), 2U) << pupil.all();
+    EXPECT_EQ(pupil.run().results()[0].measures.at("walls_percent"), 0.0);
+    EXPECT_GT(pupil.run().results()[1].measures.at("walls_percent"), 2.0);
+    EXPECT_TRUE(pupil.run().results()[1].measures.contains("exits_percent"));
 }
 
 TEST(WhoTeaches, hears_the_nearest_name_of_what_is_not_there) {
