@@ -95,16 +95,20 @@ WalkResult Walker::tick(const Vec3& wish_m_per_s, double dt_s) {
 
     Slide way = slide(start, motion);
     if (stood && way.first_wall && wished > 0.0) {
-        // One step higher, along, and down again: kept when it leads further and ends on ground one can stand on.
-        const TraceHit up = world_.trace(start, start + Vec3(0.0, 0.0, size_.step_up_m), shape());
-        const Slide high = slide(up.end_m, motion);
-        const double lift = up.end_m.z - start.z;
-        const TraceHit down = world_.trace(high.end_m, high.end_m - Vec3(0.0, 0.0, lift), shape());
-        const double low_way = horizontal_length(way.end_m - start), high_way = horizontal_length(down.end_m - start);
-        if (down.hit && down.normal.z >= kWalkableNormalZ && high_way > low_way + 1e-9) {
+        // One step higher, along, and down again: kept when it leads further and ends on ground one can stand on. Under
+        // a low lintel a high step would lift the head into it, so lower ones are tried after it.
+        for (const double part : {1.0, 0.75, 0.5, 0.25, 0.1}) {
+            const double lift_m = part * size_.step_up_m;
+            const TraceHit up = world_.trace(start, start + Vec3(0.0, 0.0, lift_m), shape());
+            const Slide high = slide(up.end_m, motion);
+            const TraceHit down = world_.trace(high.end_m, high.end_m - Vec3(0.0, 0.0, up.end_m.z - start.z), shape());
+            const double low_way = horizontal_length(way.end_m - start),
+                         high_way = horizontal_length(down.end_m - start);
+            if (!down.hit || down.normal.z < kWalkableNormalZ || high_way <= low_way + 1e-9) continue;
             result.climbed_m = std::max(0.0, down.end_m.z - start.z);
             way.end_m = down.end_m;
             way.first_wall = high.first_wall;
+            break;
         }
     }
     state_.feet_m = way.end_m;

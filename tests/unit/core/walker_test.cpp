@@ -130,6 +130,23 @@ TEST(Walker, passes_a_door_of_90_cm_and_not_one_of_40_cm) {
     }
 }
 
+// Under a lintel a full step up would lift the head into it.
+TEST(Walker, steps_over_a_threshold_of_2_cm_under_a_lintel_that_leaves_it_3_cm) {
+    SceneBuilder rooms;
+    rooms.box({-5, -5, -0.22}, {5, 1, -0.02}, "outside");
+    rooms.box({-5, 1, -0.2}, {5, 5, 0}, "inside");
+    rooms.box({-5, 1, 0}, {-0.5, 1.3, 2.6});
+    rooms.box({0.5, 1, 0}, {5, 1.3, 2.6});
+    rooms.box({-0.5, 1, 1.83}, {0.5, 1.3, 2.6}, "lintel");
+    const auto scene = rooms.share();
+    const BodyWorld world(scene);
+    Walker walker(world, body_size(*scene, 0.25));
+    walker.place({0, 0, -0.02});
+    walk(walker, {0, 1, 0}, 3.0);
+    EXPECT_NEAR(walker.state().feet_m.y, 3.0, 2e-3);
+    EXPECT_NEAR(walker.state().feet_m.z, 0.0, 1e-3);
+}
+
 // Whatever one wishes, at any frame rate, the body is never inside a solid.
 TEST(Walker, never_ends_inside_a_solid_in_random_clutter) {
     std::mt19937 random(20);
