@@ -4,12 +4,14 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
 #include <string_view>
 #include <tuple>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "worlds/base/language.h"
 #include "worlds/navigation/stated_rooms.h"
@@ -232,17 +234,21 @@ private:
         }
         const auto ground = std::find_if(scene_.features.begin(), scene_.features.end(), is_ground);
         if (!scene_.stated || ground == scene_.features.end()) return;
-        for (std::uint32_t s = 0; s < stated.size(); ++s) {
-            if (of_walls_[s] == kNothing || stated[s] != kNothing ||
-                std::abs(walls_.place_m(s).z - ground->bounds_m.max_m.z) > 0.005)
-                continue;
-            if (outside_ == kNothing) {
-                outside_ = static_cast<std::uint32_t>(kinds_.size());
-                kinds_.push_back(RoomKind::Room);
-                names_.emplace_back();
-            }
-            of_walls_[s] = outside_;
-        }
+        // By how flat it lies; what is left of a place of which that is most, ledges and thresholds, is outside too.
+        std::vector<std::uint32_t> level(kinds_.size(), 0), rest(kinds_.size(), 0);
+        const auto lies_level = [&](std::uint32_t s) {
+            return std::abs(walls_.place_m(s).z - ground->bounds_m.max_m.z) <= 0.005;
+        };
+        for (std::uint32_t s = 0; s < stated.size(); ++s)
+            if (of_walls_[s] != kNothing && stated[s] == kNothing) ++(lies_level(s) ? level : rest)[of_walls_[s]];
+        if (std::all_of(level.begin(), level.end(), [](std::uint32_t count) { return count == 0; })) return;
+        outside_ = static_cast<std::uint32_t>(kinds_.size());
+        kinds_.push_back(RoomKind::Room);
+        names_.emplace_back();
+        for (std::uint32_t s = 0; s < stated.size(); ++s)
+            if (const std::uint32_t l = of_walls_[s];
+                l != kNothing && stated[s] == kNothing && (lies_level(s) || level[l] > rest[l]))
+                of_walls_[s] = outside_;
     }
 
     // A huge place that is nowhere wide is corridors: no wall comes together anywhere in it, but it turns and branches.
@@ -480,6 +486,53 @@ private:
         graph_.room_of_span = label_;
     }
 
+    // The widest place of a room that lies open towards another may be on the border between them, where nobody knows
+    // which of the two one is in: then the one that is farthest from walls and borders.
+    void draw_middles_in() {
+        constexpr double kOffBorder_m = 0.5;
+        const auto most = static_cast<std::uint32_t>(std::lround(kOffBorder_m / space_.cell_m));
+        std::vector<bool> drawn_in(graph_.rooms.size(), false);
+        for (std::size_t r = 0; r < graph_.rooms.size(); ++r) {
+            const std::uint32_t middle = space_.at(graph_.rooms[r].middle_m);
+            if (middle == kNothing || label_[middle] != r) continue;
+            std::vector<std::uint32_t> near{middle};
+            std::unordered_set<std::uint32_t> seen{middle};
+            std::size_t end = 0;
+            for (std::uint32_t ring = 0; ring < most && !drawn_in[r]; ++ring)
+                for (const std::size_t next_end = near.size(); end < next_end; ++end)
+                    for (const std::uint32_t n : space_.spans[near[end]].next) {
+                        if (n == kNothing || !seen.insert(n).second) continue;
+                        drawn_in[r] = drawn_in[r] || label_[n] != r;
+                        near.push_back(n);
+                    }
+        }
+        if (std::none_of(drawn_in.begin(), drawn_in.end(), [](bool in) { return in; })) return;
+        // Rings from the borders inwards.
+        std::vector<float> off_m(space_.spans.size(), std::numeric_limits<float>::max());
+        std::vector<std::uint32_t> ring;
+        for (std::uint32_t s = 0; s < space_.spans.size(); ++s)
+            if (drawn_in[label_[s]] &&
+                std::any_of(std::begin(space_.spans[s].next), std::end(space_.spans[s].next),
+                            [&](std::uint32_t n) { return n != kNothing && label_[n] != label_[s]; })) {
+                off_m[s] = 0.0F;
+                ring.push_back(s);
+            }
+        for (std::size_t i = 0; i < ring.size(); ++i)
+            for (const std::uint32_t n : space_.spans[ring[i]].next)
+                if (n != kNothing && label_[n] == label_[ring[i]] && off_m[n] == std::numeric_limits<float>::max()) {
+                    off_m[n] = off_m[ring[i]] + static_cast<float>(space_.cell_m);
+                    ring.push_back(n);
+                }
+        std::vector<double> widest(graph_.rooms.size(), -1.0);
+        for (const std::uint32_t s : ring) {
+            const std::uint32_t r = label_[s];
+            const double wide = std::min(clearance(s), static_cast<double>(off_m[s]));
+            if (wide <= widest[r]) continue;
+            widest[r] = wide;
+            graph_.rooms[r].middle_m = space_.place_m(s);
+        }
+    }
+
     void measure() {
         std::vector<std::size_t> cells(graph_.rooms.size(), 0), rim(graph_.rooms.size(), 0);
         std::vector<double> widest(graph_.rooms.size(), -1.0);
@@ -496,6 +549,7 @@ private:
                 room.middle_m = place;
             }
         }
+        draw_middles_in();
         for (std::size_t r = 0; r < graph_.rooms.size(); ++r) {
             Room& room = graph_.rooms[r];
             room.floor_m /= static_cast<double>(std::max<std::size_t>(cells[r], 1));
