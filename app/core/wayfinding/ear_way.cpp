@@ -8,12 +8,15 @@
 #include "app/core/wayfinding/way_words.h"
 #include "worlds/base/language.h"
 #include "worlds/navigation/reach.h"
+#include "worlds/navigation/way_place.h"
 
 namespace handrail {
 namespace {
 
 // Than by a lift: the way on foot may be longer by this share and by so much, and is told all the same.
 constexpr double kLongerOnFoot = 1.5, kLongerOnFoot_m = 15.0;
+constexpr double kTakenUpAhead_m = 2.0;     // of where one is beside the way
+constexpr double kWorthTurningBack = 1.15;  // a way on that is longer by more
 
 }  // namespace
 
@@ -25,6 +28,7 @@ void EarWay::stop() {
     follower_.stop();
     word_.stop();
     room_.reset();
+    wish_ = RouteWish::Safest;
     faces_ = false;
 }
 
@@ -55,6 +59,7 @@ void EarWay::follow_to_room(std::uint32_t room, const std::string& first, double
     auto [route, by_legs] = route_to(room);
     if (!by_legs) return follow(std::move(route), name, first, now_s);
     stop();
+    wish_ = RouteWish::OnFoot;
     word_.begin(room, name);
     if (!word_.at_work()) return follow(std::move(route), name, first, now_s);
     room_ = room;
@@ -109,7 +114,8 @@ void EarWay::renew() {
         !rooms_.navigation().meets_leaf(follower_.ahead_m()))
         return;
     const Vec3& feet_m = context_.body.feet_m();
-    Route route = plans_.runs_to(name_) ? plans_.on(feet_m) : rooms_.navigation().plan(feet_m, follower_.goal_m());
+    Route route =
+        plans_.runs_to(name_) ? plans_.on(feet_m) : rooms_.navigation().plan(feet_m, follower_.goal_m(), wish_);
     if (!route.reaches || route.points_m.size() < 2) return;
     follow_silently(std::move(route), std::string(name_));
 }
@@ -126,6 +132,13 @@ void EarWay::tell_on(double now_s) const {
     for (const RoutePassage& passage : route.passages)
         if (passage.at_m < leg->along_m + 1.0) {
             const std::string what = passage_now(context_, passage.kind, passage.feature, passage.rise_m);
+            if (stands_in(passage))
+                return context_.answer(phrase("way.in_lift", {{"goal", name_},
+                                                              {"passage", what},
+                                                              {"key", context_.keys.keys_of(Command::Use)},
+                                                              {"storeys", context_.keys.keys_of(Command::Storeys)},
+                                                              {"all", all}}),
+                                       now_s);
             return context_.answer(
                 phrase("way.next_passage", {{"goal", name_}, {"where", where}, {"passage", what}, {"all", all}}),
                 now_s);
@@ -133,10 +146,30 @@ void EarWay::tell_on(double now_s) const {
     context_.answer(phrase("way.next", {{"goal", name_}, {"where", where}, {"all", all}}), now_s);
 }
 
-// The rest of it from here.
+// A lift goes nowhere by itself.
+bool EarWay::stands_in(const RoutePassage& passage) const {
+    return passage.kind == PassageKind::Lift && passage.feature && context_.body.ground == passage.feature;
+}
+
+// The rest of it from here: planned anew, unless that leads back against the way that is followed and is not much
+// shorter, for of two ways of one length now this one is planned and now that.
 Route EarWay::planned() const {
     const Vec3& feet_m = context_.body.feet_m();
-    return plans_.runs_to(name_) ? plans_.looked_at(feet_m) : rooms_.navigation().plan(feet_m, follower_.goal_m());
+    if (plans_.runs_to(name_)) return plans_.looked_at(feet_m);
+    Route anew = rooms_.navigation().plan(feet_m, follower_.goal_m(), wish_);
+    const Route& followed = follower_.route();
+    const WayPlace here = near_on_way(followed.points_m, feet_m, follower_.along_m());
+    const double ahead_m = here.along_m + kTakenUpAhead_m;
+    if (here.distance_m > kLeftWay_m || ahead_m >= followed.length_m || anew.points_m.size() < 2) return anew;
+    const Vec3 on_m = place_along(followed.points_m, ahead_m);
+    const double least_m = 0.5 * context_.settings.walk.step_length_m;
+    const auto leg = next_leg(anew, feet_m, least_m);
+    const Vec3 back = leg->to_m - feet_m, on = on_m - feet_m;
+    if (back.x * on.x + back.y * on.y >= 0.0 || rooms_.navigation().meets_leaf(follower_.ahead_m())) return anew;
+    Route kept = rooms_.navigation().plan(feet_m, on_m, wish_);
+    if (!kept.reaches) return anew;
+    kept = joined(std::move(kept), rest_of(followed, ahead_m));
+    return kept.length_m < kWorthTurningBack * anew.length_m ? kept : anew;
 }
 
 // What is not there yet is told as soon as it is.
@@ -187,6 +220,7 @@ RouteFollower::Said EarWay::tick_words(double now_s) {
             // None for words: as the ways of hands are told.
             Route route = planned();
             follow(std::move(route), std::string(name_), {}, now_s);
+            wish_ = RouteWish::OnFoot;
             return said;
         }
         context_.answer(word_.leg(), now_s);

@@ -55,6 +55,7 @@ private:
     };
     RoomRoute route_to(std::uint32_t room) const;
     Route planned() const;
+    bool stands_in(const RoutePassage& passage) const;
     void follow_silently(Route route, const std::string& goal);
     void tell(const std::string& words, double now_s);
     RouteFollower::Said tick_words(double now_s);
@@ -64,8 +65,9 @@ private:
     WayPlans& plans_;
     RouteFollower follower_;
     WordWay word_;
-    std::optional<std::uint32_t> room_;  // that one goes to by words
-    bool faces_ = false;                 // the leg that was told
+    std::optional<std::uint32_t> room_;   // that one goes to by words
+    RouteWish wish_ = RouteWish::Safest;  // OnFoot where legs are told, so that both tell the same way
+    bool faces_ = false;                  // the leg that was told
     std::string name_;
     bool to_nearest_ = false;
     std::shared_ptr<const Scene> planned_in_;  // the world as it was when the way was planned

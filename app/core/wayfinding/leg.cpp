@@ -1,6 +1,9 @@
 #include "app/core/wayfinding/leg.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "worlds/navigation/way_place.h"
 
 namespace handrail {
 
@@ -14,6 +17,35 @@ std::optional<Leg> next_leg(Route route, const Vec3& from_m, double least_m) {
     for (std::size_t i = 1; i <= corner; ++i) leg.along_m += glm::length(points[i] - points[i - 1]);
     leg.to_m = points[corner];
     return leg;
+}
+
+Route rest_of(const Route& route, double along_m) {
+    Route rest = route;
+    rest.points_m.assign(1, place_along(route.points_m, along_m));
+    double at_m = 0.0;
+    for (std::size_t i = 1; i < route.points_m.size(); ++i) {
+        at_m += glm::length(route.points_m[i] - route.points_m[i - 1]);
+        if (at_m > along_m) rest.points_m.push_back(route.points_m[i]);
+    }
+    std::erase_if(rest.passages, [&](const RoutePassage& passage) { return passage.at_m < along_m; });
+    for (RoutePassage& passage : rest.passages) passage.at_m -= along_m;
+    rest.length_m = std::max(0.0, route.length_m - along_m);
+    return rest;
+}
+
+Route joined(Route first, const Route& then) {
+    for (RoutePassage passage : then.passages) {
+        passage.at_m += first.length_m;
+        first.passages.push_back(passage);
+    }
+    for (const Vec3& point : then.points_m)
+        if (first.points_m.empty() || glm::length(point - first.points_m.back()) > 1e-3)
+            first.points_m.push_back(point);
+    first.length_m += then.length_m;
+    first.reaches = then.reaches;
+    first.short_of_m = then.short_of_m;
+    first.drops = first.drops || then.drops;
+    return first;
 }
 
 }  // namespace handrail

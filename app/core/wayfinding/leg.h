@@ -16,4 +16,9 @@ struct Leg {
 // The first from there that is longer than `least_m`, with the way it belongs to; none: there is no way.
 std::optional<Leg> next_leg(Route route, const Vec3& from_m, double least_m);
 
+// What is left of a route from so far along it.
+Route rest_of(const Route& route, double along_m);
+// One after the other.
+Route joined(Route first, const Route& then);
+
 }  // namespace handrail

@@ -42,6 +42,7 @@ public:
     void follow(Route route, std::vector<RouteNode> nodes);
     void stop() { route_ = {}; }
     bool following() const { return route_.points_m.size() >= 2; }
+    const Route& route() const { return route_; }
     const Vec3& goal_m() const { return route_.points_m.back(); }
     double along_m() const { return along_m_; }  // where on the route one is
     std::vector<Vec3> ahead_m() const;           // the rest of it
