@@ -36,7 +36,9 @@ std::string state_words(const SessionContext& context, FeatureId feature) {
     if (!found || found->kind != FeatureKind::Door) return {};
     if (std::string lock = lock_words(context, feature); !lock.empty()) return lock;
     const int mover = mover_of(context.world, feature);
-    return mover >= 0 && shut(context.world, static_cast<std::uint32_t>(mover)) ? phrase("questions.shut") : "";
+    if (mover < 0) return {};
+    // The leaf of one that is not shut stands in the way by itself.
+    return phrase(shut(context.world, static_cast<std::uint32_t>(mover)) ? "questions.shut" : "questions.open");
 }
 
 }  // namespace
