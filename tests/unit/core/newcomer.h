@@ -35,8 +35,8 @@ public:
     void turn(double right_deg);
     // So many steps ahead; less where something is met, and then true. Doors that are met are opened and gone through.
     bool walk(int steps);  // an edge counts as met, unless the way that was told leads over it
-    // Obeys one direction, "5 steps, 30 degrees right": turns and walks most of it. False: it says neither distance nor
-    // direction.
+    // Obeys one direction, "5 steps, 30 degrees right": turns and walks most of it; makes the lift go that one is told
+    // to stand in. False: it says neither distance nor direction.
     bool obey(const std::string& direction);
 
     // All entries of a list that a key opens, read one after the other; the list is left again.
@@ -73,7 +73,9 @@ public:
 
 private:
     bool bumped_since(std::size_t sounds) const;
+    bool door_ahead();
     void get_round();
+    void ride();
     bool told_of_lock(std::size_t since);
     bool follow_words_to(const std::string& goal, std::size_t since);
     double right_of_ears_deg(const Vec3& place_m) const;

@@ -1,13 +1,16 @@
 // A newcomer with keys and ears alone, in worlds that nobody made for this test.
 #include "tests/unit/core/newcomer.h"
-#include "tests/support/scale.h"
 
+#include <cstdlib>
 #include <set>
 
 #include "app/core/scenario/session_log.h"
 #include "tests/support/real_worlds.h"
+#include "tests/support/scale.h"
 #include "tests/support/worlds_once.h"
 #include "tests/unit/core/app_session.h"
+#include "tests/unit/core/hall_with_lift.h"
+#include "worlds/readers/reader.h"
 
 namespace handrail {
 namespace newcomer_test {
@@ -166,22 +169,34 @@ TEST(ANewcomer, walks_in_the_university_to_three_rooms_on_two_storeys_and_out_ag
     std::cout << "outside after " << n.now_s() << " s\n";
 }
 
-// From the outer door at which it begins to a room of the same storey and two of the one above, each chosen from the
-// list of ways by where it is told to be, and back to the ground outside: by what is spoken alone.
-void walks_to_three_rooms_on_two_storeys_and_out_again(const char* building, const char* device) {
-    const auto world = real(building);
-    if (!world) GTEST_SKIP() << building << " is not here";
-    if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "takes minutes under a sanitizer";
+// A newcomer without a device, or with the simulated hand of one, which rests where it is.
+std::unique_ptr<Newcomer> newcomer(const std::shared_ptr<const Scene>& world, const char* device) {
     HandFacts hand;
     if (device) {
         hand.present = hand.simulated = true;
         hand.spec = *find_device_spec(device);
     }
-    Newcomer n(world, {}, hand);
+    return std::make_unique<Newcomer>(world, std::filesystem::path{}, hand);
+}
+
+// A building, and of how many rooms on the storey of its outer door and of the one above names are known and ways
+// found.
+struct Building {
+    const char* file;
+    std::size_t here, above;
+};
+
+// From the outer door at which it begins to three rooms, each chosen from the list of ways by where it is told to be,
+// and back to the ground outside: by what is spoken alone.
+void walks_to_three_rooms_and_out_again(const Building& building, const char* device) {
+    const auto world = real(building.file);
+    if (!world) GTEST_SKIP() << building.file << " is not here";
+    if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "takes minutes under a sanitizer";
+    const std::unique_ptr<Newcomer> walks = newcomer(world, device);
+    Newcomer& n = *walks;
     const Vec3 begun_m = n.feet_m();
     (void)n.entries("Shift+4");
     std::vector<std::string> here, above;
-    std::string outside;
     for (const std::string& entry : n.entries("Shift+4")) {
         const std::string room = entry.substr(0, entry.find_first_of(",;"));
         if (room.find("round outside") != std::string::npos || room.find("tair") != std::string::npos) continue;
@@ -189,15 +204,18 @@ void walks_to_three_rooms_on_two_storeys_and_out_again(const char* building, con
         if (entry.find("storey below") != std::string::npos || entry.find("storeys") != std::string::npos) continue;
         (entry.find("one storey above") != std::string::npos ? above : here).push_back(room);
     }
-    ASSERT_GE(here.size(), 1U) << n.last_lines(20);
-    ASSERT_GE(above.size(), 2U) << n.last_lines(20);
-    for (const std::string& room : {here[0], above[0], above[1]}) {
-        EXPECT_TRUE(n.go_to_room(room)) << room << ": " << n.last_lines(60);
-        const bool up = room != here[0];
-        if (up) EXPECT_GT(n.feet_m().z, begun_m.z + 2.0) << room;
-        else EXPECT_LT(std::abs(n.feet_m().z - begun_m.z), 1.0) << room;
-        std::cout << building << (device ? " with " : " without ") << (device ? device : "a device") << ": " << room
-                  << " after " << n.now_s() << " s\n";
+    ASSERT_GE(here.size(), building.here) << n.last_lines(20);
+    ASSERT_GE(above.size(), building.above) << n.last_lines(20);
+    here.resize(building.here);
+    above.resize(building.above);
+    std::vector<std::string> rooms = here;
+    rooms.insert(rooms.end(), above.begin(), above.end());
+    for (std::size_t i = 0; i < rooms.size(); ++i) {
+        EXPECT_TRUE(n.go_to_room(rooms[i])) << rooms[i] << ": " << n.last_lines(60);
+        if (i < here.size()) EXPECT_LT(std::abs(n.feet_m().z - begun_m.z), 1.0) << rooms[i];
+        else EXPECT_GT(n.feet_m().z, begun_m.z + 2.0) << rooms[i];
+        std::cout << building.file << (device ? " with " : " without ") << (device ? device : "a device") << ": "
+                  << rooms[i] << " after " << n.now_s() << " s\n";
     }
     EXPECT_TRUE(n.go_to_room("Ground outside")) << n.last_lines(60);
     EXPECT_NE(n.ask("1").find("Ground outside"), std::string::npos) << n.last_lines(10);
@@ -205,11 +223,85 @@ void walks_to_three_rooms_on_two_storeys_and_out_again(const char* building, con
     std::cout << "outside after " << n.now_s() << " s\n";
 }
 
+constexpr Building kInstitute{"institute.ifczip", 1, 2}, kDuplex{"duplex-apartment.ifc", 1, 2},
+    kFamilyHouse{"fzk-haus.ifc", 3, 0};
+
 TEST(ANewcomer, walks_in_the_institute_to_three_rooms_on_two_storeys_and_out_again) {
-    walks_to_three_rooms_on_two_storeys_and_out_again("institute.ifczip", nullptr);
+    walks_to_three_rooms_and_out_again(kInstitute, nullptr);
 }
 TEST(ANewcomer, walks_in_the_institute_with_a_simulated_device_to_three_rooms_on_two_storeys_and_out_again) {
-    walks_to_three_rooms_on_two_storeys_and_out_again("institute.ifczip", "SIM-T");
+    walks_to_three_rooms_and_out_again(kInstitute, "SIM-T");
+}
+TEST(ANewcomer, walks_in_the_duplex_to_three_rooms_on_two_storeys_and_out_again) {
+    walks_to_three_rooms_and_out_again(kDuplex, nullptr);
+}
+TEST(ANewcomer, walks_in_the_duplex_with_a_simulated_device_to_three_rooms_on_two_storeys_and_out_again) {
+    walks_to_three_rooms_and_out_again(kDuplex, "SIM-T");
+}
+TEST(ANewcomer, walks_in_the_family_house_to_three_rooms_and_out_again) {
+    walks_to_three_rooms_and_out_again(kFamilyHouse, nullptr);
+}
+TEST(ANewcomer, walks_in_the_family_house_with_a_simulated_device_to_three_rooms_and_out_again) {
+    walks_to_three_rooms_and_out_again(kFamilyHouse, "SIM-T");
+}
+
+// The only room upstairs: its spiral stairs wind below the gallery's own floor, with 1.6 m under it where they begin.
+TEST(ANewcomer, hears_in_the_family_house_that_nobody_gets_to_its_gallery) {
+    const auto world = real("fzk-haus.ifc");
+    if (!world) GTEST_SKIP() << "fzk-haus.ifc is not here";
+    Newcomer n(world);
+    (void)n.entries("Shift+4");
+    const std::string way = n.choose("Shift+4", "Galerie");
+    EXPECT_NE(way.find("No walking way found to Galerie"), std::string::npos) << way;
+}
+
+// To each named room in turn that is told to have a way; what is unnamed are ledges of windows.
+TEST(ANewcomer, walks_to_every_room_of_the_duplex_and_of_the_family_house) {
+    if (!std::getenv("HANDRAIL_ALL_ROUTES")) GTEST_SKIP() << "set HANDRAIL_ALL_ROUTES: half a minute of computing";
+    for (const char* file : {"duplex-apartment.ifc", "fzk-haus.ifc"}) {
+        const auto world = real(file);
+        if (!world) continue;
+        Newcomer n(world);
+        (void)n.entries("Shift+4");
+        std::set<std::string> rooms;
+        for (const std::string& entry : n.entries("Shift+4")) rooms.insert(entry.substr(0, entry.find_first_of(",;")));
+        for (const char* unnamed : {"Niche", "Roof", "Galerie"}) rooms.erase(unnamed);
+        for (const std::string& room : rooms) {
+            if (words_in_order("Stairs", n.ask("1")) && room == "Stairs") continue;  // on the way to another
+            EXPECT_TRUE(n.go_to_room(room)) << room << ": " << n.last_lines(60);
+        }
+        std::cout << file << ": " << rooms.size() << " rooms after " << n.now_s() << " s\n";
+        EXPECT_GE(rooms.size(), 6U);
+    }
+}
+
+// What is told of the lift is enough to ride it.
+TEST(ANewcomer, rides_the_lift_of_a_building_without_stairs_to_its_highest_storey_and_down_again) {
+    Newcomer n(test::hall_with_lift());
+    (void)n.entries("Shift+4");
+    EXPECT_TRUE(n.go_to_room("Hall, Level 2")) << n.last_lines(40);
+    EXPECT_NEAR(n.feet_m().z, 6.0, 0.1);
+    EXPECT_TRUE(n.heard("You stand in it. Enter makes it go")) << n.last_lines(40);
+    EXPECT_TRUE(n.go_to_room("Hall, Level 0")) << n.last_lines(40);
+    EXPECT_NEAR(n.feet_m().z, 0.0, 0.1);
+}
+
+// By stairs one storey up, by a lift one more, and out through the porch.
+TEST(ANewcomer, walks_in_the_university_by_stairs_and_lift_with_a_simulated_device) {
+    if (!std::getenv("HANDRAIL_ALL_ROUTES")) GTEST_SKIP() << "set HANDRAIL_ALL_ROUTES: ten seconds of computing";
+    const auto world = real("apb-tu-dresden.osm");
+    if (!world) GTEST_SKIP() << "apb-tu-dresden.osm is not here";
+    const std::unique_ptr<Newcomer> walks = newcomer(world, "SIM-T");
+    Newcomer& n = *walks;
+    (void)n.entries("Shift+4");
+    const double ground_m = n.feet_m().z;
+    for (const char* room : {"E027", "1009", "2013", "Windfang"}) {
+        EXPECT_TRUE(n.go_to_room(room)) << room << ": " << n.last_lines(60);
+        EXPECT_NEAR(n.feet_m().z, ground_m + (room[0] == '1' ? 3.0 : room[0] == '2' ? 6.0 : 0.0), 0.1) << room;
+        std::cout << room << " after " << n.now_s() << " s\n";
+    }
+    EXPECT_TRUE(n.heard("Stairs up")) << n.last_lines(60);
+    EXPECT_TRUE(n.heard("Lift Aufzug2 goes to Level 2")) << n.last_lines(60);
 }
 
 }  // namespace newcomer_test
