@@ -12,20 +12,14 @@ constexpr double kFrameMs = 1e-3;
 
 double leg_direction(int leg) { return radians_from_degrees(105.0 - 120.0 * leg); }
 
-// The grip in the plane of one leg, and how far the leg's rods reach from the knee there.
-struct InPlane {
-    double u = 0.0, z = 0.0, reach = 0.0;
-};
-InPlane in_plane(const Vec3& grip, int leg) {
-    const double phi = leg_direction(leg), cosine = std::cos(phi), sine = std::sin(phi);
-    const double v = -grip.x * sine + grip.y * cosine + 0.02309 - 0.025;
-    return {grip.x * cosine + grip.y * sine - 0.0400 + 0.01443, grip.z, kJoints + std::sqrt(kRod * kRod - v * v)};
-}
-
-// |knee - grip|^2 - reach^2 of that leg.
-double open_by(const InPlane& grip, double angle) {
-    const double a = grip.u - kThigh * std::cos(angle), b = grip.z - kThigh * std::sin(angle);
-    return a * a + b * b - grip.reach * grip.reach;
+// |knee - grip|^2 - reach^2 of one leg in its own plane.
+double open_by(const Vec3& grip, int leg, double angle) {
+    const double phi = leg_direction(leg);
+    const double u = grip.x * std::cos(phi) + grip.y * std::sin(phi) - 0.0400 + 0.01443;
+    const double v = -grip.x * std::sin(phi) + grip.y * std::cos(phi) + 0.02309 - 0.025;
+    const double reach = kJoints + std::sqrt(kRod * kRod - v * v);
+    const double a = u - kThigh * std::cos(angle), b = grip.z - kThigh * std::sin(angle);
+    return a * a + b * b - reach * reach;
 }
 
 std::uint8_t low_byte(int value) { return static_cast<std::uint8_t>(value & 0xff); }
@@ -59,12 +53,12 @@ std::vector<std::uint8_t> boot_image(std::size_t data_bytes) {
 Vec3 FalconEmulator::leg_angles_at(const Vec3& grip) {
     Vec3 angles{0.0};
     for (int leg = 0; leg < 3; ++leg) {
-        const InPlane plane = in_plane(grip, leg);
-        const double towards = std::atan2(plane.z, plane.u);
+        const double phi = leg_direction(leg);
+        const double towards = std::atan2(grip.z, grip.x * std::cos(phi) + grip.y * std::sin(phi) - 0.0400 + 0.01443);
         double near = towards, far = towards - kPi;  // negative near the grip, positive on the far side
         for (int i = 0; i < 60; ++i) {
             const double middle = 0.5 * (near + far);
-            (open_by(plane, middle) > 0.0 ? far : near) = middle;
+            (open_by(grip, leg, middle) > 0.0 ? far : near) = middle;
         }
         angles[leg] = 0.5 * (near + far);
     }
