@@ -18,13 +18,16 @@ constexpr double kUpright = 0.3;      // of a normal's z
 constexpr double kSameWay = 0.995;    // cosine between the normals of one wall
 constexpr double kSameLine_m = 0.08;  // between the pieces of one wall, across
 constexpr double kInside_m = 0.01, kHardly_m = 1e-3;
-constexpr double kLines_m = 0.8;   // deep, with what is free behind it
+constexpr double kLines_m = 0.8;  // deep, with what is free behind it
+constexpr double kPaneThick_m = 0.2, kPaneWide_m = 0.5, kPaneTall_m = 0.8;
+constexpr double kRecess_m = 0.2;  // that a pane or leaf stands back in its wall
 constexpr double kTries_m = 0.25;  // along a wall, where it may go on
 
-// A piece of a wall, or of what stands at one, met by a look.
+// A piece of a wall, or of what stands at one or in one, met by a look.
 struct Met {
+    enum class Kind : std::uint8_t { Wall, Lining, Pane };
     Vec3 at_m{0.0}, out{0.0};  // level
-    bool lines = false;        // stands at a wall
+    Kind kind = Kind::Wall;
 };
 
 bool is_a(const BodyWorld& world, const TraceHit& hit, FeatureKind kind) {
@@ -38,13 +41,26 @@ bool lines_a_wall(const BodyWorld& world, const TraceHit& hit, const Vec3& ahead
     return is_a(world, behind, FeatureKind::Wall);
 }
 
+// Upright, thin, wide and tall: a pane, a leaf, a screen.
+bool is_a_pane(const BodyWorld& world, const TraceHit& hit) {
+    const Vec3 size = world.scene().features[hit.feature.value].bounds_m.size_m();
+    if (std::max(size.x, size.y) < kPaneWide_m || size.z < kPaneTall_m) return false;
+    for (const Crossing& crossing : world.crossings(hit.end_m + hit.normal * kInside_m, hit.end_m - hit.normal))
+        if (crossing.feature == hit.feature) return crossing.leave_m - crossing.enter_m <= kPaneThick_m;
+    return false;
+}
+
 std::optional<Met> met_on_way(const BodyWorld& world, const Vec3& eye_m, const Vec3& to_m) {
     const TraceHit hit = world.trace(eye_m, to_m, BodyShape{}, true);
-    const bool lines = is_a(world, hit, FeatureKind::Object);
-    if (!lines && !is_a(world, hit, FeatureKind::Wall)) return std::nullopt;
-    if (lines && !lines_a_wall(world, hit, glm::normalize(to_m - eye_m))) return std::nullopt;
+    Met::Kind kind = Met::Kind::Wall;
+    if (is_a(world, hit, FeatureKind::Object) || is_a(world, hit, FeatureKind::Door)) {
+        kind = lines_a_wall(world, hit, glm::normalize(to_m - eye_m)) ? Met::Kind::Lining : Met::Kind::Pane;
+        if (kind == Met::Kind::Pane && !is_a_pane(world, hit)) return std::nullopt;
+    } else if (!is_a(world, hit, FeatureKind::Wall)) {
+        return std::nullopt;
+    }
     const Vec3 level(hit.normal.x, hit.normal.y, 0.0);
-    return Met{Vec3(hit.end_m.x, hit.end_m.y, 0.0), level / std::hypot(level.x, level.y), lines};
+    return Met{Vec3(hit.end_m.x, hit.end_m.y, 0.0), level / std::hypot(level.x, level.y), kind};
 }
 
 // The wall of this piece, by the body that stands at `at_m`.
@@ -85,7 +101,7 @@ bool goes_past(const BodyWorld& world, const Vec3& eye_m, const WallLine& wall, 
         for (double along_m = kTries_m; along_m < std::min(least_m, kWallGoesOn_m); along_m += kTries_m) {
             const Vec3 to = wall.point_m(sign * along_m);
             const auto met = met_on_way(world, eye_m, Vec3(to.x, to.y, eye_m.z));
-            if (const auto place_m = met && !met->lines ? wall.place_of(*met) : std::nullopt;
+            if (const auto place_m = met && met->kind == Met::Kind::Wall ? wall.place_of(*met) : std::nullopt;
                 place_m && sign * *place_m >= 0.0)
                 return std::min(least_m, sign * *place_m);
         }
@@ -108,8 +124,9 @@ double wall_beside_m(const BodyWorld& world, const Vec3& feet_m) {
         for (int i = 0; i < kDirections; ++i) {
             const auto met = met_on_way(world, eye, eye + forward_of_heading(i * 2.0 * kPi / kDirections) * kRange_m);
             if (!met) continue;
-            if (!met->lines) pieces.push_back(*met);
-            nearest_m = std::min(nearest_m, glm::length(met->at_m - at_m));
+            if (met->kind == Met::Kind::Wall) pieces.push_back(*met);
+            const double away_m = glm::length(met->at_m - at_m);
+            nearest_m = std::min(nearest_m, met->kind == Met::Kind::Pane ? std::max(0.0, away_m - kRecess_m) : away_m);
         }
     }
     std::vector<WallLine> walls;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/map_text.h"
+#include "tests/support/real_worlds.h"
 #include "worlds/readers/reader.h"
 
 namespace handrail {
@@ -56,6 +57,33 @@ TEST(WallBeside, is_what_stands_at_a_wall_and_not_what_stands_free) {
     for (double x = 5.2; x <= 6.8; x += 0.1) EXPECT_NEAR(wall_beside_m(world, {x, 0.8, 0.0}), 0.4, 0.02) << x;
     for (double x = 3.2; x <= 4.2; x += 0.1) EXPECT_GT(wall_beside_m(world, {x, 2.0, 0.0}), 1.5) << x;
     EXPECT_GT(wall_beside_m(world, {4.0, 4.2, 0.0}), 1.7);
+}
+
+// A window from corner to corner has no wall beside it.
+TEST(WallBeside, is_a_pane_from_corner_to_corner_and_no_pole) {
+    std::string walls = built(-1, -1, -0.2, 9, 7, 0.0) + built(-1, -1, 2.6, 9, 7, 2.8) + built(-0.3, 0, 0, 0, 6, 2.6) +
+                        built(8, 0, 0, 8.3, 6, 2.6) + built(-0.3, -0.3, 0, 8.3, 0, 2.6);
+    auto scene =
+        read_quake_map(entity("worldspawn", key("building", "1"), walls) +
+                           entity("info_player_start", key("origin", "128 96 24") + key("angle", "90")) +
+                           thing("Window", 0.0, 6.15, 0.0, 8.0, 6.2, 2.6) + thing("Pole", 4.0, 3.0, 0.0, 4.1, 3.1, 2.6),
+                       "room.map", {});
+    ASSERT_TRUE(scene) << scene.error().sentence();
+    const BodyWorld world(std::make_shared<const Scene>(std::move(*scene)));
+    for (double x = 2.1; x <= 5.9; x += 0.1) EXPECT_NEAR(wall_beside_m(world, {x, 5.6, 0.0}), 0.35, 0.05) << x;
+    EXPECT_GT(wall_beside_m(world, {3.6, 3.05, 0.0}), 1.5);
+}
+
+TEST(WallBeside, goes_along_the_windows_of_a_real_building) {
+    const auto file = test::real_world("duplex-apartment.ifc");
+    if (!file) GTEST_SKIP() << "duplex-apartment.ifc is not here.";
+    auto scene = read_world(*file);
+    ASSERT_TRUE(scene) << scene.error().sentence();
+    const BodyWorld world(std::make_shared<const Scene>(std::move(*scene)));
+    // The west wall of a bedroom: glass down to the floor for 3 of its 5 metres.
+    int near = 0;
+    for (int i = 0; i <= 100; ++i) near += wall_beside_m(world, {0.75, -17.0 + 0.05 * i, 3.12}) < 0.45;
+    EXPECT_GE(near, 95) << "of 101";
 }
 
 TEST(WallBeside, ends_where_nothing_goes_on) {
