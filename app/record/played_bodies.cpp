@@ -26,7 +26,7 @@ public:
     const DynamicsFrame* take(std::uint64_t number) {
         while (!there_.empty() && there_.front().number < number) there_.pop_front();
         if (there_.empty() || there_.front().number != number) return nullptr;
-        taken_ = std::move(there_.front());
+        taken_ = there_.front();
         there_.pop_front();
         return &taken_;
     }
@@ -119,7 +119,7 @@ private:
         stepping_ = true;
         const EngineRow& row = book_.rows[next_];
         const bool all_there = row.step == now_.number + 1 && orders_.size() >= row.orders && drives_ >= row.driven &&
-                               hand_is_there(0, row) && hand_is_there(1, row);
+                               row.driven >= driven_taken_ && hand_is_there(0, row) && hand_is_there(1, row);
         stepping_ = false;
         if (!all_there) return fails();
         ++next_;

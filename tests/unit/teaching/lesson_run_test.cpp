@@ -10,7 +10,9 @@
 #include "app/core/session/headless_session.h"
 #include "app/teaching/desk.h"
 #include "audio-cues/sinks/recording_sinks.h"
+#include "tests/support/real_worlds.h"
 #include "tests/support/worlds_once.h"
+#include "worlds/readers/reader.h"
 
 namespace handrail {
 namespace lesson_run_test {
@@ -301,6 +303,71 @@ TEST(Learning, that_is_done_at_once_is_stated_as_nothing_and_else_as_it_was_in_t
     EXPECT_EQ(pupil.run().results()[0].measures.at("walls_percent"), 0.0);
     EXPECT_GT(pupil.run().results()[1].measures.at("walls_percent"), 2.0);
     EXPECT_TRUE(pupil.run().results()[1].measures.contains("exits_percent"));
+}
+
+// Base, landmarks, a way with less help each lap, pointing and a distance, in a house that architects drew.
+TEST(LessonTaught, in_a_real_building_is_walked_measured_and_finished) {
+    const auto file = test::real_world("duplex-apartment.ifc");
+    if (!file) GTEST_SKIP() << "duplex-apartment.ifc is not here.";
+    const auto lesson = read_lesson_text(R"(handrail_lesson = 1
+title = "From the door to the stove"
+world = "duplex-apartment.ifc"
+base = { feet = [1.5, -4.65, 0.02], heading_deg = 0, name = "Front door" }
+[[landmark]]
+name = "Sofa"
+place_m = [4.0, -3.0, 0.02]
+[[landmark]]
+name = "Stove"
+place_m = [7.5, -5.6, 0.01]
+[[route]]
+name = "to the stove"
+stops = [{ name = "Sofa", place_m = [4.0, -3.0, 0.02] }, { name = "Stove", place_m = [7.5, -5.6, 0.01] }]
+[[session]]
+name = "House"
+[[session.step]]
+do = "go"
+route = "to the stove"
+help_percent = [100, 0]
+[[session.step]]
+do = "point"
+from = "base"
+to = ["Sofa"]
+[[session.step]]
+do = "distance"
+from = "base"
+to = ["Stove"]
+)",
+                                         "duplex.lesson.toml", {file->parent_path()});
+    ASSERT_TRUE(lesson) << lesson.error().sentence();
+    auto scene = read_world(lesson->world);
+    ASSERT_TRUE(scene) << scene.error().sentence();
+    const auto found = TaughtWorld::find(*lesson, std::make_shared<const Scene>(std::move(*scene)));
+    ASSERT_TRUE(found) << found.error().sentence();
+    const std::shared_ptr<TaughtWorld>& house = *found;
+    Walker20 pupil(house, 0);
+    pupil.live(1.0);
+    const Route way = house->way(house->base().stand_m, house->stops_of(house->lesson().routes[0]));
+    ASSERT_TRUE(way.reaches);
+    for (int lap = 0; lap < 2; ++lap) ASSERT_TRUE(pupil.walk(way.points_m)) << pupil.all();
+    pupil.headless().app().apply(Steered{}, pupil.headless().now_s());
+    pupil.live(1.0);
+    ASSERT_TRUE(pupil.heard("Face Sofa")) << pupil.all();
+    const Vec3 to_sofa = house->place("Sofa")->middle_m - pupil.headless().app().feet_m();
+    pupil.answer_facing(degrees_from_radians(std::atan2(to_sofa.x, to_sofa.y)));
+    ASSERT_TRUE(pupil.heard("How far is it to Stove")) << pupil.all();
+    pupil.headless().app().apply(TextTyped{"9"}, pupil.headless().now_s());
+    pupil.headless().tap_key("Enter");
+    pupil.live(0.5);
+    EXPECT_TRUE(pupil.run().finished()) << pupil.all();
+    ASSERT_EQ(pupil.run().results().size(), 4U) << pupil.all();
+    for (int lap = 0; lap < 2; ++lap) {
+        const auto& measures = pupil.run().results()[static_cast<std::size_t>(lap)].measures;
+        EXPECT_EQ(measures.at("reached"), 1.0);
+        EXPECT_GT(measures.at("path_ratio"), 0.8);
+        EXPECT_LT(measures.at("path_ratio"), 1.3);
+    }
+    EXPECT_LT(pupil.run().results()[2].measures.at("pointing_off"), 1.0);
+    EXPECT_GT(pupil.run().results()[3].measures.at("distance_judged"), 0.3);
 }
 
 TEST(WhoTeaches, hears_the_nearest_name_of_what_is_not_there) {
