@@ -14,7 +14,7 @@ namespace {
 constexpr int kDirections = 16;
 constexpr double kRange_m = 2.0;
 constexpr double kLow_m = 0.3;        // under a window sill, a board, a table's top
-constexpr double kUpright = 0.3;      // of a normal's z
+constexpr double kUprightFace = 0.3;  // of a normal's z
 constexpr double kSameWay = 0.995;    // cosine between the normals of one wall
 constexpr double kSameLine_m = 0.08;  // between the pieces of one wall, across
 constexpr double kInside_m = 0.01, kHardly_m = 1e-3;
@@ -31,7 +31,7 @@ struct Met {
 };
 
 bool is_a(const BodyWorld& world, const TraceHit& hit, FeatureKind kind) {
-    return hit.hit && hit.feature && std::abs(hit.normal.z) <= kUpright &&
+    return hit.hit && hit.feature && std::abs(hit.normal.z) <= kUprightFace &&
            world.scene().features[hit.feature.value].kind == kind;
 }
 
