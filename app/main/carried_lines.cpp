@@ -9,6 +9,7 @@ namespace handrail {
 namespace {
 
 constexpr double kSettles_s = 0.2;
+constexpr double kLongestFall_s = 10.0;  // who still falls then, falls out of a world without a floor again and again
 
 bool leaves(std::string_view line) {
     const auto parsed = parse_terminal_line(line);
@@ -44,11 +45,12 @@ std::vector<std::string> CarriedLines::take_rest() {
 bool CarriedLines::take(double now_s, WizardSession* wizard) {
     if (wizard) return answer(*wizard, now_s);
     if (worlds_.reading()) {
+        stood_s_ = -1.0;
         if (by_person_ && !lines_.empty() && leaves(lines_.front()) && worlds_.give_up_reading(now_s))
             lines_.pop_front();
         return true;
     }
-    if (repeat_left_ == 0 && !app_.idle()) {
+    if (!falls_on(now_s) && repeat_left_ == 0 && !app_.idle()) {
         settle_until_s_ = now_s + kSettles_s;  // what came of it wants to be said before the next line interrupts
         return true;
     }
@@ -60,7 +62,7 @@ bool CarriedLines::take(double now_s, WizardSession* wizard) {
     }
     if (const std::string choice = std::exchange(choice_, {}); !choice.empty() && app_.dialogue().is_open()) {
         const auto other = other_list(repeat_command_);
-        if (other && !looked_elsewhere_ && !app_.dialogue().holds(choice)) {
+        if (other && !looked_elsewhere_ && (!app_.dialogue().holds(choice) || means_room(choice))) {
             // A room is no thing, and a thing no room: in the other list, which tells what is in none.
             looked_elsewhere_ = true;
             app_.apply(KeyTapped{"Escape"}, now_s);
@@ -77,6 +79,17 @@ bool CarriedLines::take(double now_s, WizardSession* wizard) {
     lines_.pop_front();
     carry_out(line, now_s);
     return true;
+}
+
+// Nothing is waited for then that only comes to who stands.
+bool CarriedLines::falls_on(double now_s) {
+    if (!app_.scene() || app_.standing() || stood_s_ < 0.0) stood_s_ = now_s;
+    return now_s - stood_s_ > kLongestFall_s;
+}
+
+// "Where is the kitchen" asks for the room of that name, not for the kitchen counter.
+bool CarriedLines::means_room(const std::string& choice) const {
+    return repeat_command_ == Command::Find && !app_.dialogue().holds(choice, true) && app_.guide().leads_to(choice);
 }
 
 bool CarriedLines::answer(WizardSession& wizard, double now_s) {

@@ -71,6 +71,11 @@ std::string spoken_character(const std::string& character) {
 
 }  // namespace
 
+bool is_called(std::string_view name, std::string_view typed) {
+    const std::string is = plain_word(name);
+    return is == plain_word(typed) || is == plain_word(without_fillers(typed));
+}
+
 bool operator==(const ListItem& a, const ListItem& b) {
     return a.name == b.name && a.value == b.value && a.adjustable == b.adjustable && a.number == b.number;
 }
@@ -260,9 +265,11 @@ DialogueReply Dialogue::line(std::string_view text, double now_s) {
     return choose(*list);
 }
 
-bool Dialogue::holds(std::string_view typed) const {
+bool Dialogue::holds(std::string_view typed, bool by_all) const {
     const auto* list = is_open() ? std::get_if<ListSpec>(stack_.back().get()) : nullptr;
-    return list && item_called(*list, without_blanks(typed)) < list->items.size();
+    if (!list) return false;
+    const std::size_t item = item_called(*list, without_blanks(typed));
+    return item < list->items.size() && (!by_all || is_called(list->items[item].name, typed));
 }
 
 DialogueReply Dialogue::act(const ItemAct& act, double now_s) {

@@ -82,6 +82,9 @@ struct ItemAct {
     double number = 0.0;  // for Put
 };
 
+// Whether that is what somebody typed, without "to", "the" and the like in front.
+bool is_called(std::string_view name, std::string_view typed);
+
 class Dialogue {
 public:
     // Both return what is to be said. A list without items opens nothing and says so.
@@ -99,8 +102,9 @@ public:
     // all items, an item's number or the begin of its name; for a question the text itself.
     DialogueReply line(std::string_view line, double now_s);
 
-    // Whether such a line would choose an item of the open list by its number or name.
-    bool holds(std::string_view typed) const;
+    // Whether such a line would choose an item of the open list by its number or name; by all of its name, or only by
+    // the begin of it or of a word in it, too.
+    bool holds(std::string_view typed, bool by_all = false) const;
 
     DialogueReply act(const ItemAct& act, double now_s);
 

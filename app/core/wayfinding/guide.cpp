@@ -202,6 +202,19 @@ void Guide::list_routes(double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
+// As long as rooms are not known, by the names that the map gives them.
+bool Guide::leads_to(std::string_view typed) const {
+    const std::vector<RoomName>& given = context_.world.scene->room_names;
+    if (!rooms_.found())
+        return std::any_of(given.begin(), given.end(), [&](const RoomName& room) {
+            return is_called(in_spoken_language(room.name, room.name_in), typed);
+        });
+    const std::vector<Room>& all = rooms_.graph().rooms;
+    for (std::uint32_t r = 0; r < all.size(); ++r)
+        if (r != rooms_.here() && is_called(all[r].name, typed)) return true;
+    return false;
+}
+
 void Guide::list_storeys(double now_s) {
     open_storey_list(
         context_, rooms_, doors_, [this](std::uint32_t room, double then_s) { go_to_room(room, then_s); }, now_s);

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/core/context/session_part.h"
@@ -43,6 +44,8 @@ public:
     // Along the stops of a kept way, from the first on or to it first; by the hand or by ear.
     void go_along(const std::vector<Stop>& stops, bool by_hand, double now_s);
     void go_to_room(std::uint32_t room, double now_s);
+    // Whether a room is called so that one may choose a way to.
+    bool leads_to(std::string_view typed) const;
     // The ways to find a thing, in a list.
     void open_tools(const Goal& goal, double now_s);
     void take_me(double now_s);

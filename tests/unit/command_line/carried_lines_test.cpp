@@ -1,0 +1,87 @@
+// Lines of words as a script carries them out, in virtual time.
+#include "app/main/carried_lines.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/temporary_folder.h"
+#include "worlds/base/clock.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail {
+namespace carried_lines_test {
+
+// A session with lines that are typed into it, each tick as a frame of the program.
+struct Typed {
+    explicit Typed(std::shared_ptr<const Scene> world) {
+        arguments.common.data_in = folder.path();
+        app.apply(WorldEntered{make_ready(std::move(world))}, 0.0);
+    }
+    void run(double seconds) {
+        for (const double until = now + seconds; now < until && !lines.left(); now += 1.0 / 60.0) {
+            lines.take(now, nullptr);
+            app.tick(now, {});
+            for (const CueRequest& cue : app.take_cues())
+                if (cue.kind == CueRequestKind::Say) said += cue.text + "\n";
+        }
+    }
+    bool heard(const std::string& text) const { return said.find(text) != std::string::npos; }
+
+    test::TemporaryFolder folder;
+    ExploreArguments arguments;
+    VirtualClock clock;
+    std::string said;
+    SessionVoice say{clock, [this](std::string text, double) { said += text + "\n"; }};
+    Session app{Settings{}, {}};
+    WorldVisits worlds{arguments, app, say};
+    CarriedLines lines{app, worlds, say, false};
+    double now = 0.0;
+};
+
+TEST(CarriedLines, leave_a_world_without_a_floor_in_which_one_falls_for_ever) {
+    auto sheet = std::make_shared<Scene>();
+    sheet->materials.emplace_back();
+    sheet->triangles.push_back({{0, 0, 0}, {4, 0, 0}, {0, 0, 3}});
+    sheet->bounds_m = {{0, 0, 0}, {4, 0, 3}};
+    sheet->starts.emplace_back().feet_m = {2, -1, 0};
+    Typed typed(sheet);
+    typed.lines.add("quit");
+    typed.run(9.0);
+    EXPECT_FALSE(typed.lines.left()) << "a fall of some seconds is waited for";
+    typed.run(3.0);
+    EXPECT_TRUE(typed.lines.left());
+}
+
+TEST(CarriedLines, leave_when_what_was_typed_before_has_been_done) {
+    const auto house = read_world(HANDRAIL_SOURCE_DIR "/worlds/maps/house.map");
+    ASSERT_TRUE(house);
+    Typed typed(std::make_shared<const Scene>(*house));
+    typed.run(0.5);
+    const Vec3 begun_m = typed.app.feet_m();
+    typed.lines.add("forward 3");
+    typed.lines.add("quit");
+    typed.run(20.0);
+    EXPECT_TRUE(typed.lines.left());
+    EXPECT_NEAR(glm::length(typed.app.feet_m() - begun_m), 2.1, 0.05);
+}
+
+// The house has a room of that name and a thing whose name begins so.
+TEST(CarriedLines, look_for_a_room_by_its_name_before_things_that_begin_so) {
+    const auto house = read_world(HANDRAIL_SOURCE_DIR "/worlds/maps/house.map");
+    ASSERT_TRUE(house);
+    for (const auto& [line, answer] :
+         {std::pair("where is the kitchen", "To Kitchen. "),
+          std::pair("where is the kitchen counter", "Kitchen counter"), std::pair("where is the piano", "Piano")}) {
+        Typed typed(std::make_shared<const Scene>(*house));
+        typed.run(0.5);
+        typed.lines.add(line);
+        typed.run(3.0);
+        EXPECT_TRUE(typed.heard(answer)) << line << ": " << typed.said;
+        EXPECT_EQ(typed.heard("Kitchen counter"), std::string(answer) == "Kitchen counter")
+            << line << ": " << typed.said;
+    }
+}
+
+}  // namespace carried_lines_test
+}  // namespace handrail
