@@ -6,6 +6,7 @@
 #include "worlds/base/text.h"
 #include "worlds/drawn/plan_builder.h"
 #include "worlds/drawn/upright.h"
+#include "worlds/scene/outer_ground.h"
 #include "worlds/scene/surfaces.h"
 
 namespace handrail {
@@ -351,7 +352,7 @@ void PlanBuilder::add_ground() {
                 cut(strip(way.line[i - 1], way.line[i], 0.5 * way.width_m));
         }
     const Aabb building = scene_.bounds_m;
-    const FeatureId feature = add_feature(FeatureKind::Object, "ground outside", {});
+    const FeatureId feature = add_feature(FeatureKind::Object, kOuterGround, {});
     for (const Ring& part : ground) add_solid(upright(part, level_m - kSlab_m, level_m), SolidRole::Solid, feature);
     scene_.bounds_m = building;
     scene_.bounds_m.include(scene_.features[feature.value].bounds_m);

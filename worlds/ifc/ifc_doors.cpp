@@ -5,6 +5,7 @@
 #include "worlds/geometry/clip.h"
 #include "worlds/ifc/ifc_scene.h"
 #include "worlds/ifc/ifc_spaces.h"
+#include "worlds/scene/outer_ground.h"
 #include "worlds/scene/surfaces.h"
 
 namespace handrail {
@@ -211,7 +212,7 @@ void IfcScene::add_ground() {
         }
     }
     const Aabb building = scene_.bounds_m;
-    const FeatureId feature = add_feature(FeatureKind::Object, "ground outside", {}, 0);
+    const FeatureId feature = add_feature(FeatureKind::Object, kOuterGround, {}, 0);
     for (ConvexSolid& solid : ground.solids) add_solid(std::move(solid), SolidRole::Solid, feature, {}, 0);
     scene_.bounds_m = building;
     scene_.bounds_m.include(scene_.features[feature.value].bounds_m);

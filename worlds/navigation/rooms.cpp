@@ -15,6 +15,7 @@
 
 #include "worlds/base/language.h"
 #include "worlds/navigation/stated_rooms.h"
+#include "worlds/scene/outer_ground.h"
 #include "worlds/scene/surfaces.h"
 
 namespace handrail {
@@ -99,7 +100,6 @@ private:
     };
     static bool plain(const WallSpan& s) { return !s.door && !s.stairs && !s.liquid; }
     static bool plain(const WalkSpan& s) { return s.door == kNothing && !s.stairs && !s.liquid; }
-    static bool is_ground(const Feature& feature) { return feature.made_name && feature.name == "ground outside"; }
     double clearance(std::uint32_t s) const { return static_cast<double>(space_.spans[s].clearance_m); }
     double area(std::size_t cells) const { return static_cast<double>(cells) * space_.cell_area_m2(); }
 
@@ -232,7 +232,7 @@ private:
             }
             of_walls_[s] = made;
         }
-        const auto ground = std::find_if(scene_.features.begin(), scene_.features.end(), is_ground);
+        const auto ground = std::find_if(scene_.features.begin(), scene_.features.end(), is_outer_ground);
         if (!scene_.stated || ground == scene_.features.end()) return;
         // By how flat it lies; what is left of a place of which that is most, ledges and thresholds, is outside too.
         std::vector<std::uint32_t> level(kinds_.size(), 0), rest(kinds_.size(), 0);
@@ -489,7 +489,7 @@ private:
     // The widest place of a room that lies open towards another may be on the border between them, where nobody knows
     // which of the two one is in: then the one that is farthest from walls and borders.
     void draw_middles_in() {
-        constexpr double kOffBorder_m = 0.5;
+        constexpr double kOffBorder_m = 0.25;
         const auto most = static_cast<std::uint32_t>(std::lround(kOffBorder_m / space_.cell_m));
         std::vector<bool> drawn_in(graph_.rooms.size(), false);
         for (std::size_t r = 0; r < graph_.rooms.size(); ++r) {
@@ -704,7 +704,7 @@ private:
         const std::uint32_t ground = s == kNothing ? kNothing : space_.spans[s].ground;
         const Feature* feature =
             ground < space_.obstacle_features.size() ? scene_.find(space_.obstacle_features[ground]) : nullptr;
-        return feature && is_ground(*feature) ? feature : nullptr;
+        return feature && is_outer_ground(*feature) ? feature : nullptr;
     }
 
     // Of each flight of stairs the first thing with a name that one stands on there.

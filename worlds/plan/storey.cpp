@@ -6,6 +6,7 @@
 
 #include "worlds/base/language.h"
 #include "worlds/navigation/room_outlines.h"
+#include "worlds/scene/outer_ground.h"
 
 namespace handrail {
 namespace {
@@ -88,7 +89,7 @@ private:
             const std::uint32_t ground = space_.spans[i].ground;
             const Feature* feature =
                 ground < space_.obstacle_features.size() ? scene_.find(space_.obstacle_features[ground]) : nullptr;
-            outer += feature && feature->made_name && feature->name == "ground outside" ? 1 : 0;
+            outer += feature && is_outer_ground(*feature) ? 1 : 0;
         }
         return 2 * outer > all;
     }

@@ -6,6 +6,7 @@
 
 #include "worlds/base/language.h"
 #include "worlds/geometry/closest_point.h"
+#include "worlds/scene/outer_ground.h"
 
 namespace handrail {
 namespace {
@@ -49,6 +50,7 @@ bool is_called(std::string_view name, std::string_view mark) {
 }  // namespace
 
 bool is_thing(const Feature& feature) {
+    if (is_outer_ground(feature)) return false;
     switch (feature.kind) {
         case FeatureKind::Object:
         case FeatureKind::Door:

@@ -8,6 +8,7 @@
 #include "app/core/dialogue/words.h"
 #include "app/core/whereabouts/room_things.h"
 #include "worlds/base/language.h"
+#include "worlds/scene/outer_ground.h"
 
 namespace handrail {
 namespace {
@@ -36,7 +37,8 @@ std::vector<RelationQuestion> relation_questions(const SessionContext& context, 
     const Scene& scene = *context.world.scene;
     for (std::uint32_t i = 0; i < scene.features.size() && questions.size() < kMostQuestions; ++i) {
         const Feature& feature = scene.features[i];
-        if (feature.name.empty() || !is_thing(feature.kind) || feature.bounds_m.empty()) continue;
+        if (feature.name.empty() || !is_thing(feature.kind) || is_outer_ground(feature) || feature.bounds_m.empty())
+            continue;
         const Vec3 to = feature.bounds_m.centre_m() - base_m;
         const double distance_m = std::hypot(to.x, to.y);
         if (distance_m < kNearest_m) continue;

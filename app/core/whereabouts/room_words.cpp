@@ -13,6 +13,7 @@
 #include "app/core/world/questions.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
+#include "worlds/scene/outer_ground.h"
 #include "worlds/scene/surfaces.h"
 
 namespace handrail {
@@ -41,6 +42,7 @@ AtWall at_wall(const Aabb& room, const Aabb& box, double reach_m) {
 }
 
 bool is_furniture(const Feature& feature) {
+    if (is_outer_ground(feature)) return false;
     switch (feature.kind) {
         case FeatureKind::Object:
         case FeatureKind::Button:

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "worlds/base/contract.h"
+#include "worlds/scene/outer_ground.h"
 
 namespace handrail {
 namespace {
@@ -33,7 +34,7 @@ const Scene& there(const std::shared_ptr<const Scene>& scene) {
 bool told_when_seen(const Feature& feature) {
     const bool surface = feature.kind == FeatureKind::Wall || feature.kind == FeatureKind::Floor ||
                          feature.kind == FeatureKind::Ceiling || feature.kind == FeatureKind::Slope;
-    return !feature.bounds_m.empty() && feature.kind != FeatureKind::Trigger &&
+    return !feature.bounds_m.empty() && feature.kind != FeatureKind::Trigger && !is_outer_ground(feature) &&
            (!surface || feature.landmark || feature.clue);
 }
 

@@ -84,11 +84,9 @@ const std::map<std::string, std::vector<std::string>>& not_said() {
         // Names that files know things by; spoken as phrase("kind." + name) and phrase("material." + name).
         {"worlds/scene/surfaces.cpp", {"sloping ceiling", "slope rising", "low block", "large block"}},
         {"worlds/scene/material.cpp", {"steel grille"}},
-        {"worlds/ifc/ifc_doors.cpp", {"ground outside"}},
-        {"worlds/drawn/plan_scene.cpp", {"ground outside", "about this place"}},
+        {"worlds/scene/outer_ground.h", {"ground outside"}},
+        {"worlds/drawn/plan_scene.cpp", {"about this place"}},
         {"worlds/osm/osm_things.cpp", {"tactile paving"}},
-        {"worlds/navigation/rooms.cpp", {"ground outside"}},
-        {"worlds/plan/storey.cpp", {"ground outside"}},
         {"app/report/report_page.cpp", {"<", "content=", "initial-scale", "class=", "{"}},  // HTML and its style
         {"app/report/page_parts.cpp", {"<", "content=", "initial-scale", "class=", "{", ":root"}},
         {"worlds/exports/sheet.cpp",

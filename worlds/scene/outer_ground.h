@@ -1,0 +1,13 @@
+// The ground that readers lay round a building whose file ends at its walls: a place to stand on, and no thing in it.
+// Pure; any thread.
+#pragma once
+
+#include "worlds/scene/scene.h"
+
+namespace handrail {
+
+inline constexpr const char* kOuterGround = "ground outside";
+
+inline bool is_outer_ground(const Feature& feature) { return feature.made_name && feature.name == kOuterGround; }
+
+}  // namespace handrail
