@@ -1,0 +1,83 @@
+// The body of a session at every door of real buildings: it walks through, as the file has the floor before and behind.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "app/core/world/walker.h"
+#include "tests/support/real_worlds.h"
+#include "tests/support/scale.h"
+#include "worlds/readers/reader.h"
+#include "worlds/scene/stated_building.h"
+
+namespace handrail {
+namespace real_doors_test {
+
+constexpr double kBefore_m = 0.45;  // of the middle of the body, from the middle of the leaf
+
+// The way through a shut leaf: level, along its thin side.
+std::optional<Vec3> through(const Scene& scene, FeatureId leaf) {
+    std::optional<Vec3> way;
+    double largest_m2 = 0.0;
+    for (const Solid& solid : scene.solids) {
+        if (solid.feature != leaf) continue;
+        for (std::size_t f = 0; f < solid.shape.faces.size(); ++f) {
+            const std::vector<Vec3>& p = solid.shape.faces[f].points_m;
+            Vec3 area{0.0};
+            for (std::size_t k = 1; k + 1 < p.size(); ++k) area += 0.5 * glm::cross(p[k] - p[0], p[k + 1] - p[0]);
+            if (std::abs(solid.shape.planes[f].normal.z) > 0.1 || glm::length(area) <= largest_m2) continue;
+            largest_m2 = glm::length(area);
+            way = solid.shape.planes[f].normal;
+        }
+    }
+    return way;
+}
+
+bool walks(const BodyWorld& world, const BodySize& size, const Vec3& middle_m, const Vec3& way) {
+    Walker walker(world, size);
+    walker.place(middle_m - way * kBefore_m + Vec3(0.0, 0.0, 0.02));
+    for (int i = 0; i < 120; ++i) walker.tick(way, 1.0 / 60.0);
+    return glm::dot(walker.state().feet_m - middle_m, way) > kBefore_m;
+}
+
+TEST(RealDoors, are_walked_through_both_ways_by_the_body_of_a_session) {
+    bool any = false;
+    for (const char* file : {"duplex-apartment.ifc", "fzk-haus.ifc", "institute.ifczip", "apb-tu-dresden.osm"}) {
+        const auto path = test::real_world(file);
+        // Reading the two large ones takes a minute under a sanitizer.
+        if (!path || (test::kSanitizerScale < 1.0 && any && std::string_view(file) != "fzk-haus.ifc")) continue;
+        any = true;
+        const Result<Scene> scene = read_world(*path);
+        ASSERT_TRUE(scene) << scene.error().sentence();
+        auto open = std::make_shared<Scene>(*scene);  // no leaf in the way
+        std::erase_if(open->solids, [](const Solid& solid) { return solid.role == SolidRole::Mover; });
+        open->movers.clear();
+        const BodyWorld world(open);
+        const BodySize size = body_size(*open, 0.25);
+        int doors = 0, held = 0;
+        std::string names;
+        for (const StatedPortal& portal : scene->stated->portals) {
+            if (portal.kind != StatedPortalKind::Door || !portal.passable || portal.rooms.empty()) continue;
+            const std::optional<Vec3> way = through(*scene, portal.feature);
+            if (!way) continue;
+            ++doors;
+            const bool there = walks(world, size, portal.place_m, *way),
+                       back = walks(world, size, portal.place_m, -*way);
+            if (there && back) continue;
+            ++held;
+            names += " " + portal.name + "/" + std::to_string(portal.source.line) +
+                     (there  ? " back"
+                      : back ? " there"
+                             : "");
+        }
+        std::cout << file << ": " << doors << " doors, " << held << " hold a body\n";
+        EXPECT_GT(doors, 3) << file;
+        EXPECT_EQ(held, 0) << file << ":" << names;
+    }
+    if (!any) GTEST_SKIP() << "no real building is here; set HANDRAIL_REAL_WORLDS";
+}
+
+}  // namespace real_doors_test
+}  // namespace handrail
