@@ -86,6 +86,10 @@ Result<ImportedWorld> imported(const fs::path& world, const ReadOptions& options
     return import_world(world, options, how);
 }
 
+fs::path ways_kept_of(const fs::path& world) {
+    return kept_beside(kept_by(world), user_data_folder(), is_shipped(world), ".handrail.ways");
+}
+
 Scene mended(Scene scene, const fs::path& world, const CommonArguments& common) {
     const std::vector<MadeDoor> doors =
         kept_doors(kept_by(world), common.data_folder(), !common.data_in.empty() || is_shipped(world));

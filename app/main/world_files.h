@@ -30,6 +30,8 @@ std::vector<std::string> world_names();
 Result<std::filesystem::path> world_given(const std::filesystem::path& word);
 // As import_world, with what is kept of the world lying where its side file does. Any thread but the app's.
 Result<ImportedWorld> imported(const std::filesystem::path& world, const ReadOptions& options);
+// Where its ways and rooms are kept, once they are found: beside that.
+std::filesystem::path ways_kept_of(const std::filesystem::path& world);
 // With the doors that a person has said to be missing in it: of whoever keeps what they add in that folder. The same
 // where there are none. Any thread.
 Scene mended(Scene scene, const std::filesystem::path& world, const CommonArguments& common);

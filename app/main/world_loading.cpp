@@ -13,8 +13,10 @@ WorldLoading::WorldLoading(const std::filesystem::path& path, const CommonArgume
           Result<ImportedWorld> world = imported(path, options);
           if (!world) return tl::unexpected(world.error());
           progress_.reading("import.touch");
-          return make_ready_to_touch(std::make_shared<const Scene>(mended(std::move(world->scene), path, common)),
-                                     stop_.get_token());
+          EnteringWorld entering = make_ready_to_touch(
+              std::make_shared<const Scene>(mended(std::move(world->scene), path, common)), stop_.get_token());
+          entering.ways_in = ways_kept_of(path);
+          return entering;
       })) {}
 
 WorldLoading::~WorldLoading() { stop_.request_stop(); }

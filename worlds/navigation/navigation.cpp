@@ -39,11 +39,10 @@ Result<std::shared_ptr<Navigation>> Navigation::make(const Scene& scene, const W
                                                      const std::stop_token& stop) {
     Result<WalkSpace> space = make_walk_space(scene, body, stop);
     if (!space) return tl::unexpected(space.error());
-    return make_over(scene, std::move(*space), stop);
+    return over(scene, std::move(*space), stop);
 }
 
-Result<std::shared_ptr<Navigation>> Navigation::make_over(const Scene& scene, WalkSpace space,
-                                                          const std::stop_token& stop) {
+Result<std::shared_ptr<Navigation>> Navigation::over(const Scene& scene, WalkSpace space, const std::stop_token& stop) {
     std::shared_ptr<Navigation> made(new Navigation);
     made->space_ = std::move(space);
     try {

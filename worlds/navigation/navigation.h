@@ -24,9 +24,9 @@ public:
     // one, ways are sought from place to place, which takes longer, and never over drops, lifts and teleporters.
     static Result<std::shared_ptr<Navigation>> make(const Scene& scene, const WalkBody& body,
                                                     const std::stop_token& stop = {});
-    // The same over a space that was made of that scene before.
-    static Result<std::shared_ptr<Navigation>> make_over(const Scene& scene, WalkSpace space,
-                                                         const std::stop_token& stop = {});
+    // Over a walkable space that make_walk_space has made of this scene before. Fails where it is stopped.
+    static Result<std::shared_ptr<Navigation>> over(const Scene& scene, WalkSpace space,
+                                                    const std::stop_token& stop = {});
 
     // Where leaves of open doors stand by now; at first there are none. Routes planned from here on go round them,
     // unless that is much longer than through one: who comes there can shut the door.

@@ -690,12 +690,7 @@ private:
                 if (room.kind == RoomKind::Niche) room.made.look = RoomLook::Niche;
             }
         }
-        graph_.language = spoken_language();
-        std::map<std::string, int> seen;
-        for (Room& room : graph_.rooms) {
-            room.same_name = ++seen[unnumbered(room)];
-            room.name = own_name(room);
-        }
+        number_room_names(graph_);
     }
 
     // The ground outside that a building brings, where a room is on it.
@@ -784,6 +779,15 @@ std::string own_name(const Room& room) {
 }
 
 const std::string& known_as(const Room& room) { return room.given ? room.name : room.map_name; }
+
+void number_room_names(RoomGraph& graph) {
+    graph.language = spoken_language();
+    std::map<std::string, int> seen;
+    for (Room& room : graph.rooms) {
+        room.same_name = ++seen[unnumbered(room)];
+        room.name = own_name(room);
+    }
+}
 
 void say_room_names(RoomGraph& graph) {
     if (std::string spoken = spoken_language(); graph.language != spoken) graph.language = std::move(spoken);

@@ -75,6 +75,8 @@ std::string own_name(const Room& room);
 // The name that files know it by, whatever is spoken: the person's or the map's. Empty for one that neither has named.
 const std::string& known_as(const Room& room);
 
+// Numbers those of one name and says all names, as when the graph was made: before any person gave one.
+void number_room_names(RoomGraph& graph);
 // The own names anew where another language is spoken by now. Costs nothing where not.
 void say_room_names(RoomGraph& graph);
 

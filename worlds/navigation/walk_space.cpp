@@ -258,6 +258,11 @@ bool WalkSpace::straight(const Vec3& from_m, const Vec3& to_m,
     return std::abs(place_m(here).z - to_m.z) <= 1.5 * body.step_up_m + 0.1;
 }
 
+std::vector<std::string> said_of(const WalkSpace& space, const WalkBody& asked) {
+    if (!(space.body.cell_m > asked.cell_m)) return {};
+    return {phrase("navigation.coarse", {{"centimetres", std::lround(space.body.cell_m * 100.0)}})};
+}
+
 Result<WalkSpace> make_walk_space(const Scene& scene, const WalkBody& body, const std::stop_token& stop) {
     const auto given_up = [&] { return fail(phrase("navigation.given_up"), scene.source_file); };
     const auto too_large = [&] { return fail(phrase("navigation.too_large"), scene.source_file); };
@@ -288,8 +293,7 @@ Result<WalkSpace> make_walk_space(const Scene& scene, const WalkBody& body, cons
         if (!flood->write(space)) return given_up();
         if (flood->reached_without_furniture() > 0 && !flood->write(*walls)) return given_up();
     }
-    if (space.body.cell_m > body.cell_m)
-        space.said.push_back(phrase("navigation.coarse", {{"centimetres", std::lround(space.body.cell_m * 100.0)}}));
+    space.said = said_of(space, body);
     measure_clearance(space, stop);
     find_stairs(space, body.step_up_m);
     thin_drops(space);

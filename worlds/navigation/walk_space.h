@@ -25,6 +25,7 @@ struct WalkBody {
     double step_up_m = 0.25;
     double most_drop_m = 1.0;  // farther down nobody is led
     double cell_m = 0.05;      // of the columns; larger where there is too much floor for it
+    bool operator==(const WalkBody&) const = default;
 };
 
 // No span, no obstacle, no room.
@@ -99,6 +100,9 @@ struct WalkSpace : SpanGrid<WalkSpan> {
     bool straight(const Vec3& from_m, const Vec3& to_m, const std::function<void(std::uint32_t)>& touched = {}) const;
     double cell_area_m2() const { return cell_m * cell_m; }
 };
+
+// What a listener should know of a space that was asked for with this body: that its columns are coarser.
+std::vector<std::string> said_of(const WalkSpace& space, const WalkBody& asked);
 
 // Fails with a sentence where there is nothing to walk on, where there is too much of it, and where `stop` ends it: it
 // is asked every few milliseconds. One flood gives both the space and its walls. At most 150 bytes for each span while

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -31,9 +32,18 @@ class Packer {
 public:
     static constexpr bool kReads = false;
 
+    Packer() = default;
+    // Gives the bytes away in pieces, in order, instead of holding all of them; the last ones with take().
+    explicit Packer(std::function<void(std::string_view)> full) : full_(std::move(full)) {}
+
     template <class... T>
     void operator()(const T&... values);
-    void raw(const void* from, std::size_t size) { bytes_.append(static_cast<const char*>(from), size); }
+    void raw(const void* from, std::size_t size) {
+        bytes_.append(static_cast<const char*>(from), size);
+        if (!full_ || bytes_.size() < kPiece) return;
+        full_(bytes_);
+        bytes_.clear();
+    }
     std::string take() { return std::move(bytes_); }
 
     // The number of a shared value, and whether it is new here.
@@ -44,7 +54,10 @@ public:
     }
 
 private:
+    static constexpr std::size_t kPiece = 1 << 16;
+
     std::string bytes_;
+    std::function<void(std::string_view)> full_;
     std::map<const void*, std::uint32_t> known_;
 };
 

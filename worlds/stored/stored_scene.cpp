@@ -4,6 +4,7 @@
 
 #include "worlds/scene/stated_building.h"
 #include "worlds/stored/archive.h"
+#include "worlds/stored/stored_basics.h"
 
 namespace handrail {
 
@@ -33,25 +34,10 @@ void fields(A& a, T& v) {
     auto& [line, entity] = v;
     a(line, entity);
 }
-template <class A, Is<FeatureId> T>
-void fields(A& a, T& v) {
-    auto& [value] = v;
-    a(value);
-}
-template <class A, Is<TextIn> T>
-void fields(A& a, T& v) {
-    auto& [language, text] = v;
-    a(language, text);
-}
 template <class A, Is<Diagnostic> T>
 void fields(A& a, T& v) {
     auto& [severity, file, line, column, message, action] = v;
     a(severity, file, line, column, message, action);
-}
-template <class A, Is<Aabb> T>
-void fields(A& a, T& v) {
-    auto& [least, most] = v;
-    a(least, most);
 }
 template <class A, Is<Plane> T>
 void fields(A& a, T& v) {
@@ -243,13 +229,19 @@ void fields(A& a, T& v) {
     a(format, brushes, polygons, polygons_kept, polygons_hidden, triangles, liquids, movers, doors, starts, patches,
       guessed, simplified, left_out, warnings, warnings_in_all);
 }
+// All that is in the building, without what is told of its reading.
 template <class A, Is<Scene> T>
-void fields(A& a, T& v) {
+void all_but_report(A& a, T& v) {
     auto& [name, name_in, source_file, game_map, metres_per_unit, bounds, materials, features, solids, triangles,
            placed, surfaces, starts, sounds, room_names, effects, movers, labyrinth, bodies, switches, stated, report] =
         v;
     a(name, name_in, source_file, game_map, metres_per_unit, bounds, materials, features, solids, triangles, placed,
-      surfaces, starts, sounds, room_names, effects, movers, labyrinth, bodies, switches, stated, report);
+      surfaces, starts, sounds, room_names, effects, movers, labyrinth, bodies, switches, stated);
+}
+template <class A, Is<Scene> T>
+void fields(A& a, T& v) {
+    all_but_report(a, v);
+    a(v.report);
 }
 
 namespace {
@@ -314,6 +306,18 @@ Result<Scene> scene_from(std::string_view bytes) {
     if (const Result<void> valid = validate(scene); !valid) return tl::unexpected(valid.error());
     if (!holds_together(scene)) return fail(phrase("import.damaged"));
     return scene;
+}
+
+SceneSum sum_of(const Scene& scene) {
+    SceneSum sum;
+    const auto add = [&](std::string_view bytes) {
+        sum.bytes += bytes.size();
+        sum.checksum = checksum(sum.checksum, bytes);
+    };
+    Packer pack(add);
+    all_but_report(pack, scene);
+    add(pack.take());
+    return sum;
 }
 
 std::uint32_t checksum(std::uint32_t before, std::string_view bytes) {

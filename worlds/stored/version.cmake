@@ -1,4 +1,4 @@
-# One number for many sources: cmake -DOUTPUT=FILE.cpp "-DFILES=a.cpp;b.cpp" -P version.cmake
+# One number for many sources: cmake -DOUTPUT=FILE.cpp -DNAME=kVersion -DHEADER=declares/it.h "-DFILES=a.cpp;b.cpp" -P version.cmake
 set(all "")
 foreach(file IN LISTS FILES)
   file(SHA256 ${file} hash)
@@ -6,4 +6,4 @@ foreach(file IN LISTS FILES)
 endforeach()
 string(SHA256 hash "${all}")
 string(SUBSTRING ${hash} 0 16 hash)
-file(WRITE ${OUTPUT} "// Made of the readers' sources by version.cmake.\n#include \"worlds/stored/stored_scene.h\"\n\nconst std::uint64_t handrail::kReaderVersion = 0x${hash}U;\n")
+file(WRITE ${OUTPUT} "// Made of the sources by version.cmake.\n#include \"${HEADER}\"\n\nconst std::uint64_t handrail::${NAME} = 0x${hash}U;\n")

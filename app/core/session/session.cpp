@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "app/core/context/device_settings.h"
@@ -44,13 +45,15 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     keep_learnt(now_s);
     state_.body.walker.reset();
     // The world one leaves is let go of beside everything else.
-    auto left = std::make_shared<std::pair<std::shared_ptr<const Scene>, std::shared_ptr<const BodyWorld>>>(
-        std::move(state_.world.scene), std::move(state_.world.solids));
+    std::shared_ptr<RoomsOfWorld> rooms_left =
+        where_.rooms.enter_world(std::move(world.file), std::move(world.ways_in));
+    auto left = std::make_shared<
+        std::tuple<std::shared_ptr<RoomsOfWorld>, std::shared_ptr<const Scene>, std::shared_ptr<const BodyWorld>>>(
+        std::move(rooms_left), std::move(state_.world.scene), std::move(state_.world.solids));
     if (hand_.touch_view.beside())
         settled_.begin([left = std::move(left)](const std::stop_token&) { return std::shared_ptr<const Scene>(); });
     state_.world.scene = std::move(world.scene);
     state_.world.thing_of_mover = std::move(world.thing_of_mover);
-    where_.rooms.enter_world(std::move(world.file));
     where_.far.enter_world();
     where_.visits.enter_world();
     too_early_.reset();

@@ -13,11 +13,12 @@
 
 namespace handrail {
 
-void Rooms::enter_world(std::shared_ptr<const Scene> scene) {
+std::shared_ptr<RoomsOfWorld> Rooms::enter_world(std::shared_ptr<const Scene> scene, std::filesystem::path kept_in) {
     const BodySize size = body_size(*scene, context_.settings.walk.body_radius_m);
-    of_world_.reset();  // what was being looked for is given up before the next begins
+    std::shared_ptr<RoomsOfWorld> left = std::move(of_world_);
+    if (left) left->give_up();  // before the next begins
     const WalkBody body = walk_body(*scene, size.radius_m, size.height_m, size.step_up_m);
-    of_world_ = std::make_unique<RoomsOfWorld>(std::move(scene), body, !beside_);
+    of_world_ = std::make_shared<RoomsOfWorld>(std::move(scene), body, !beside_, std::move(kept_in));
     leaves_of_.reset();
     patience_.reset();
     told_ = false;
@@ -25,6 +26,7 @@ void Rooms::enter_world(std::shared_ptr<const Scene> scene) {
     storey_.reset();
     visited_.clear();
     drawing_.reset();
+    return left;
 }
 
 bool Rooms::act(Command command, double now_s) {

@@ -25,8 +25,9 @@ public:
     // asked for.
     void find_beside() { beside_ = true; }
     bool beside() const { return beside_; }
-    // scene: as its file has it.
-    void enter_world(std::shared_ptr<const Scene> scene);
+    // scene: as its file has it. kept_in: see RoomsOfWorld. What is known of the world one leaves comes back, to be let
+    // go of beside everything else: that may wait for its thread and for a disk.
+    std::shared_ptr<RoomsOfWorld> enter_world(std::shared_ptr<const Scene> scene, std::filesystem::path kept_in = {});
     // Exits, those not taken yet, and naming a room. False: it is another's.
     bool act(Command command, double now_s);
     void tick(double now_s);
@@ -84,7 +85,7 @@ private:
     void give_name(std::uint32_t room, const std::string& typed, double now_s);
 
     bool beside_ = false, told_ = false, drawn_ = false, refused_ = false;
-    std::unique_ptr<RoomsOfWorld> of_world_;
+    std::shared_ptr<RoomsOfWorld> of_world_;
     std::optional<Patience> patience_;  // since the first tick in this world; none: not begun, or over
     std::uint32_t here_ = kNothing;
     std::optional<std::size_t> storey_;  // the last one that the body was in a room of

@@ -8,28 +8,46 @@
 #include "worlds/base/language.h"
 #include "worlds/navigation/reach.h"
 #include "worlds/navigation/validate_ways.h"
+#include "worlds/stored/stored_ways.h"
 
 namespace handrail {
 
-RoomsOfWorld::RoomsOfWorld(std::shared_ptr<const Scene> scene, const WalkBody& body, bool at_once)
-    : scene_(std::move(scene)), body_(body), at_once_(at_once) {
+RoomsOfWorld::RoomsOfWorld(std::shared_ptr<const Scene> scene, const WalkBody& body, bool at_once,
+                           std::filesystem::path kept_in)
+    : scene_(std::move(scene)), body_(body), at_once_(at_once), kept_in_(std::move(kept_in)) {
     contract_pre(scene_ != nullptr);
     contract_pre(body.radius_m > 0.0 && body.height_m > 0.0);
     if (!at_once_) worker_ = std::jthread([this](const std::stop_token& stop) { find(stop); });
 }
 
+void RoomsOfWorld::find_or_take(const WaysFrom& from, const std::stop_token& stop) {
+    std::optional<FoundWays> kept;
+    if (!kept_in_.empty()) kept = take_ways(kept_in_, from, *scene_, stop);
+    Result<std::shared_ptr<Navigation>> made =
+        kept ? Navigation::over(*scene_, std::move(kept->space), stop) : Navigation::make(*scene_, body_, stop);
+    if (!made) {
+        problem_ = made.error().message;
+        return;
+    }
+    graph_ = kept ? std::move(kept->graph) : make_rooms(*scene_, (*made)->space(), stop);
+    contract_valid(validate((*made)->space()));
+    contract_valid(validate(graph_, (*made)->space()));
+    out_of_reach_ = unreachable_rooms(*scene_, (*made)->space(), graph_);
+    (*made)->let_walls_go();
+    navigation_ = std::move(*made);
+    kept_ = kept.has_value();
+}
+
 void RoomsOfWorld::find(const std::stop_token& stop) {
+    WaysFrom from;
+    std::shared_ptr<const Navigation> to_keep;
+    RoomGraph graph;  // as it is now: the person's names come later
     try {
-        Result<std::shared_ptr<Navigation>> made = Navigation::make(*scene_, body_, stop);
-        if (made) {
-            graph_ = make_rooms(*scene_, (*made)->space(), stop);
-            contract_valid(validate((*made)->space()));
-            contract_valid(validate(graph_, (*made)->space()));
-            out_of_reach_ = unreachable_rooms(*scene_, (*made)->space(), graph_);
-            (*made)->let_walls_go();
-            navigation_ = std::move(*made);
-        } else {
-            problem_ = made.error().message;
+        if (!kept_in_.empty()) from = ways_made_of(*scene_, body_);
+        find_or_take(from, stop);
+        if (navigation_ && !kept_ && !kept_in_.empty() && !stop.stop_requested()) {
+            graph = graph_;
+            to_keep = navigation_;
         }
     } catch (const std::bad_alloc&) {
         // The session goes on without rooms and ways.
@@ -40,13 +58,18 @@ void RoomsOfWorld::find(const std::stop_token& stop) {
     }
     done_ = true;
     done_.notify_all();
+    if (!to_keep) return;
+    try {
+        keep_ways_in(kept_in_, from, *scene_, to_keep->space(), graph, stop);
+    } catch (const std::bad_alloc&) {  // the next start finds them again
+    }
 }
 
-// What was found of the same scene before, where somebody keeps it.
+// What was found of the same scene before, where somebody keeps it and no file does.
 void RoomsOfWorld::find_once() {
-    RoomsKept* const kept = RoomsKept::here();
+    RoomsKept* const kept = kept_in_.empty() ? RoomsKept::here() : nullptr;
     if (const RoomsKept::Found* before = kept ? kept->of(scene_, body_) : nullptr)
-        if (auto made = Navigation::make_over(*scene_, before->space)) {
+        if (auto made = Navigation::over(*scene_, before->space)) {
             navigation_ = std::move(*made);
             graph_ = before->graph;
             out_of_reach_ = before->out_of_reach;

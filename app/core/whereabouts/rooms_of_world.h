@@ -4,6 +4,7 @@
 #pragma once
 
 #include <atomic>
+#include <filesystem>
 #include <memory>
 #include <stop_token>
 #include <string>
@@ -15,11 +16,15 @@
 
 namespace handrail {
 
+struct WaysFrom;
+
 class RoomsOfWorld {
 public:
-    // at_once: found when ready() is first asked, which then takes as long as it takes, or before (RoomsKept).
-    RoomsOfWorld(std::shared_ptr<const Scene> scene, const WalkBody& body, bool at_once);
-    ~RoomsOfWorld() = default;  // gives up what is not done yet
+    // at_once: found when ready() is first asked, which then takes as long as it takes, or before
+    // (RoomsKept). kept_in: the file in which they are kept, in whose place no RoomsKept is asked; what holds there is taken, and what was found anew is kept after ready(); empty: nowhere.
+    RoomsOfWorld(std::shared_ptr<const Scene> scene, const WalkBody& body, bool at_once,
+                 std::filesystem::path kept_in = {});
+    ~RoomsOfWorld() = default;  // gives up what is not done yet, and waits for that
     RoomsOfWorld(const RoomsOfWorld&) = delete;
     RoomsOfWorld& operator=(const RoomsOfWorld&) = delete;
 
@@ -28,7 +33,10 @@ public:
     bool done() { return at_once_ ? done_.load() : ready(); }             // ready(), without making it so
     bool told_ready() const { return at_once_ ? done_.load() : known_; }  // ready() has said so, without asking it
     bool found() const { return navigation_ != nullptr; }
+    bool kept() const { return kept_; }                      // they were not found but taken from the file
     const std::string& problem() const { return problem_; }  // a sentence; empty: none
+    // It is not wanted any more: ready() may never be true.
+    void give_up() { worker_.request_stop(); }
     // See unreachable_rooms().
     const std::vector<std::string>& out_of_reach() const { return out_of_reach_; }
     // As it was given.
@@ -41,10 +49,12 @@ public:
 private:
     void find(const std::stop_token& stop);
     void find_once();
+    void find_or_take(const WaysFrom& from, const std::stop_token& stop);
 
     std::shared_ptr<const Scene> scene_;
     WalkBody body_;
-    bool at_once_;
+    bool at_once_, kept_ = false;
+    std::filesystem::path kept_in_;
     std::shared_ptr<Navigation> navigation_;
     RoomGraph graph_;
     std::vector<std::string> out_of_reach_;

@@ -2,6 +2,7 @@
 // feels first. Pure; any thread.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <stop_token>
 #include <vector>
@@ -21,7 +22,8 @@ struct EnteringWorld {
     double heading_rad = 0.0;
     std::unique_ptr<BodyWorld> body;
     std::shared_ptr<const HapticScene>
-        sharp;  // felt until it has been rounded and simplified; null: that is done on entering
+        sharp;                      // felt until it has been rounded and simplified; null: that is done on entering
+    std::filesystem::path ways_in;  // where its ways and rooms are kept (worlds/stored/stored_ways.h); empty: nowhere
 };
 
 // At the base (or first) start of the scene.

@@ -2,12 +2,15 @@
 // and when asked.
 #include <chrono>
 #include <filesystem>
+#include <thread>
 
 #include "app/core/whereabouts/rooms_of_world.h"
 #include "app/core/world/walker.h"
 #include "tests/support/map_text.h"
 #include "tests/support/spoken_language.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/unit/core/app_session.h"
+#include "worlds/stored/stored_ways.h"
 
 namespace handrail {
 namespace rooms_session_test {
@@ -276,6 +279,46 @@ TEST(RoomsKept, are_as_if_they_were_found_anew_and_the_sessions_own) {
     RoomsOfWorld in_german(world, body, true);
     ASSERT_TRUE(in_german.ready() && in_german.found());
     EXPECT_EQ(in_german.graph().language, "de");
+}
+
+TEST(RoomsOfAWorld, are_taken_from_what_was_kept_and_are_the_same) {
+    const test::TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "house.map.handrail.ways";
+    const auto scene = house();
+    const WalkBody body = walk_body(*scene, 0.25, 1.8, 0.25);
+    struct Known {
+        bool kept = false;
+        std::string ways;
+        std::vector<Vec3> way_m;
+        std::vector<std::string> out_of_reach;
+    };
+    const auto look = [&](bool at_once) {
+        Known known;
+        RoomsOfWorld rooms(scene, body, at_once, file);
+        while (!rooms.ready()) std::this_thread::yield();
+        EXPECT_TRUE(rooms.found());
+        if (!rooms.found()) return known;
+        known.kept = rooms.kept();
+        known.ways = stored_ways(ways_made_of(*scene, body), rooms.navigation().space(), rooms.graph());
+        known.way_m = rooms.navigation().plan(scene->starts[0].feet_m, rooms.graph().rooms.back().middle_m).points_m;
+        known.out_of_reach = rooms.out_of_reach();
+        return known;  // which waits until it is kept
+    };
+    const Known first = look(false), second = look(false), third = look(true);
+    EXPECT_FALSE(first.kept);
+    EXPECT_GT(first.way_m.size(), 2U);
+    for (const Known& again : {second, third}) {
+        EXPECT_TRUE(again.kept);
+        EXPECT_EQ(again.ways, first.ways);
+        EXPECT_EQ(again.way_m, first.way_m);
+        EXPECT_EQ(again.out_of_reach, first.out_of_reach);
+    }
+    const std::string whole = test::content_of(file);
+    folder.write("house.map.handrail.ways", whole.substr(0, whole.size() / 2));
+    const Known anew = look(true);
+    EXPECT_FALSE(anew.kept);
+    EXPECT_EQ(anew.ways, first.ways);
+    EXPECT_EQ(test::content_of(file), whole) << "mended";
 }
 
 }  // namespace rooms_session_test

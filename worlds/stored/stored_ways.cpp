@@ -1,0 +1,289 @@
+#include "worlds/stored/stored_ways.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+
+#include "worlds/base/files.h"
+#include "worlds/navigation/validate_ways.h"
+#include "worlds/stored/stored_basics.h"
+
+namespace handrail {
+
+template <>
+inline constexpr int kLastOf<PassageKind> = static_cast<int>(PassageKind::Teleporter);
+template <>
+inline constexpr int kLastOf<RoomKind> = static_cast<int>(RoomKind::Niche);
+template <>
+inline constexpr int kLastOf<RoomLook> = static_cast<int>(RoomLook::Hall);
+
+template <class A, Is<SceneSum> T>
+void fields(A& a, T& v) {
+    auto& [bytes, sum] = v;
+    a(bytes, sum);
+}
+template <class A, Is<WalkBody> T>
+void fields(A& a, T& v) {
+    auto& [radius, height, step_up, most_drop, cell] = v;
+    a(radius, height, step_up, most_drop, cell);
+}
+template <class A, Is<WaysFrom> T>
+void fields(A& a, T& v) {
+    auto& [version, scene, body] = v;
+    a(version, scene, body);
+}
+template <class A, Is<WalkLink> T>
+void fields(A& a, T& v) {
+    auto& [kind, from, to, both_ways, feature] = v;
+    a(kind, from, to, both_ways, feature);
+}
+template <class A, Is<MadeRoomName> T>
+void fields(A& a, T& v) {
+    auto& [thing, thing_made, thing_in, with_thing, look, wide, deep, side, level, levels] = v;
+    a(thing, thing_made, thing_in, with_thing, look, wide, deep, side, level, levels);
+}
+template <class A, Is<Room> T>
+void fields(A& a, T& v) {
+    auto& [kind, name, given, map_name, map_name_in, made, same_name, level, area, floor, bounds, middle] = v;
+    a(kind, name, given, map_name, map_name_in, made, same_name, level, area, floor, bounds, middle);
+}
+template <class A, Is<Portal> T>
+void fields(A& a, T& v) {
+    auto& [kind, rooms, place, width, feature, one_way] = v;
+    a(kind, rooms[0], rooms[1], place, width, feature, one_way);
+}
+template <class A, Is<RoomGraph> T>
+void fields(A& a, T& v) {
+    auto& [rooms, portals, room_of_span, language] = v;
+    a(rooms, portals, room_of_span, language);
+}
+
+namespace {
+
+constexpr std::string_view kWaysBegin = "handrail-ways\n";
+constexpr std::size_t kMostKept_bytes = std::size_t{512} << 20;  // unpacked; two million spans are 90 MB
+constexpr std::size_t kPacked_bytes = 1 << 18;                   // at once
+constexpr std::uint8_t kEdge = 1, kLiquid = 2, kStairs = 4;
+
+// Spans lie value by value, which packs well; who is next to whom as the how manyth of the column there, from 1.
+struct SpanColumns {
+    std::vector<std::uint8_t> counts;  // of each cell
+    std::vector<float> floors, ceilings, clearances;
+    std::vector<std::uint32_t> ground, doors, beside;
+    std::array<std::vector<std::uint8_t>, 4> next;
+    std::vector<std::uint8_t> flags;
+};
+template <class A, Is<SpanColumns> T>
+void fields(A& a, T& v) {
+    auto& [counts, floors, ceilings, clearances, ground, doors, beside, next, flags] = v;
+    a(counts, floors, ceilings, clearances, ground, doors, beside, next[0], next[1], next[2], next[3], flags);
+}
+
+// Of a cell the one beside it, east, north, west or south; kNothing: outside.
+std::uint32_t cell_beside(const WalkSpace& space, std::uint32_t cell, std::size_t way) {
+    const std::uint32_t x = cell % space.width, y = cell / space.width;
+    if (way == 0) return x + 1 < space.width ? cell + 1 : kNothing;
+    if (way == 1) return y + 1 < space.depth ? cell + space.width : kNothing;
+    if (way == 2) return x > 0 ? cell - 1 : kNothing;
+    return y > 0 ? cell - space.width : kNothing;
+}
+
+std::optional<SpanColumns> columns_of(const WalkSpace& space) {
+    SpanColumns columns;
+    const std::size_t cells = static_cast<std::size_t>(space.width) * space.depth, count = space.spans.size();
+    columns.counts.reserve(cells);
+    for (std::size_t cell = 0; cell < cells; ++cell) {
+        const std::uint32_t here = space.first[cell + 1] - space.first[cell];
+        if (here > 254) return std::nullopt;
+        columns.counts.push_back(static_cast<std::uint8_t>(here));
+    }
+    for (auto* each : {&columns.floors, &columns.ceilings, &columns.clearances}) each->reserve(count);
+    for (auto* each : {&columns.ground, &columns.doors, &columns.beside}) each->reserve(count);
+    for (auto& each : columns.next) each.reserve(count);
+    columns.flags.reserve(count);
+    for (const WalkSpan& span : space.spans) {
+        const auto& [floor, ceiling, cell, next, ground, door, clearance, beside, near_edge, liquid, stairs] = span;
+        columns.floors.push_back(floor);
+        columns.ceilings.push_back(ceiling);
+        columns.clearances.push_back(clearance);
+        columns.ground.push_back(ground);
+        columns.doors.push_back(door);
+        columns.beside.push_back(beside);
+        columns.flags.push_back(
+            static_cast<std::uint8_t>((near_edge ? kEdge : 0) | (liquid ? kLiquid : 0) | (stairs ? kStairs : 0)));
+        for (std::size_t way = 0; way < 4; ++way) {
+            if (next[way] == kNothing) {
+                columns.next[way].push_back(0);
+                continue;
+            }
+            const std::uint32_t there = cell_beside(space, cell, way);
+            if (there == kNothing || next[way] < space.first[there] || next[way] >= space.first[there + 1])
+                return std::nullopt;
+            columns.next[way].push_back(static_cast<std::uint8_t>(next[way] - space.first[there] + 1));
+        }
+    }
+    return columns;
+}
+
+// False: they are none of a space of that width and depth.
+bool put(const SpanColumns& columns, WalkSpace& space) {
+    const std::size_t cells = static_cast<std::size_t>(space.width) * space.depth, count = columns.floors.size();
+    if (columns.counts.size() != cells) return false;
+    for (const auto* each : {&columns.ceilings, &columns.clearances})
+        if (each->size() != count) return false;
+    for (const auto* each : {&columns.ground, &columns.doors, &columns.beside})
+        if (each->size() != count) return false;
+    for (const auto* each : {&columns.next[0], &columns.next[1], &columns.next[2], &columns.next[3], &columns.flags})
+        if (each->size() != count) return false;
+    space.first.resize(cells + 1);
+    std::uint32_t sum = 0;
+    for (std::size_t cell = 0; cell < cells; ++cell) {
+        space.first[cell] = sum;
+        sum += columns.counts[cell];
+    }
+    space.first[cells] = sum;
+    if (sum != count) return false;
+    space.spans.resize(count);
+    for (std::uint32_t cell = 0; cell < cells; ++cell)
+        for (std::uint32_t s = space.first[cell]; s < space.first[cell + 1]; ++s) {
+            WalkSpan& span = space.spans[s];
+            span.floor_m = columns.floors[s];
+            span.ceiling_m = columns.ceilings[s];
+            span.cell = cell;
+            span.ground = columns.ground[s];
+            span.door = columns.doors[s];
+            span.clearance_m = columns.clearances[s];
+            span.beside = columns.beside[s];
+            span.near_edge = (columns.flags[s] & kEdge) != 0;
+            span.liquid = (columns.flags[s] & kLiquid) != 0;
+            span.stairs = (columns.flags[s] & kStairs) != 0;
+            for (std::size_t way = 0; way < 4; ++way) {
+                const std::uint8_t place = columns.next[way][s];
+                if (place == 0) continue;
+                const std::uint32_t there = cell_beside(space, cell, way);
+                if (there == kNothing || place > columns.counts[there]) return false;
+                span.next[way] = space.first[there] + place - 1;
+            }
+        }
+    return true;
+}
+
+// Empty: stopped.
+std::string deflated(std::string_view bytes, const std::stop_token& stop) {
+    z_stream stream{};
+    if (::deflateInit(&stream, 1) != Z_OK) return {};
+    std::string packed;
+    std::vector<Bytef> piece(kPacked_bytes);
+    int end = Z_OK;
+    while (end == Z_OK && !stop.stop_requested()) {
+        if (stream.avail_in == 0) {
+            const std::size_t size = std::min(bytes.size(), kPacked_bytes);
+            stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+            stream.avail_in = static_cast<uInt>(size);
+            bytes.remove_prefix(size);
+        }
+        stream.next_out = piece.data();
+        stream.avail_out = static_cast<uInt>(piece.size());
+        end = ::deflate(&stream, bytes.empty() ? Z_FINISH : Z_NO_FLUSH);
+        packed.append(reinterpret_cast<const char*>(piece.data()), piece.size() - stream.avail_out);
+    }
+    ::deflateEnd(&stream);
+    return end == Z_STREAM_END ? packed : std::string();
+}
+
+bool inflate_into(std::string& bytes, std::string_view packed) {
+    auto size = static_cast<uLongf>(bytes.size());
+    return ::uncompress(reinterpret_cast<Bytef*>(bytes.data()), &size, reinterpret_cast<const Bytef*>(packed.data()),
+                        static_cast<uLong>(packed.size())) == Z_OK &&
+           size == bytes.size();
+}
+
+template <class A, Is<WalkSpace> T>
+void all_but_spans(A& a, T& space) {
+    a(space.origin_m, space.cell_m, space.width, space.depth, space.body, space.links, space.obstacle_features);
+}
+
+// What is not seen without the scene, and what no space of that body can be.
+bool belong_to(const Scene& scene, const WalkBody& asked, const WalkSpace& space, const RoomGraph& graph) {
+    const auto known = [&](FeatureId id) { return !id || id.value < scene.features.size(); };
+    WalkBody body = space.body;
+    if (space.cell_m != body.cell_m || !(body.cell_m >= asked.cell_m) || !(body.cell_m <= 1.0)) return false;
+    body.cell_m = asked.cell_m;
+    return body == asked && std::all_of(space.obstacle_features.begin(), space.obstacle_features.end(), known) &&
+           std::all_of(space.links.begin(), space.links.end(),
+                       [&](const WalkLink& link) { return known(link.feature); }) &&
+           std::all_of(
+               space.spans.begin(), space.spans.end(),
+               [&](const WalkSpan& span) { return span.door == kNothing || span.door < scene.movers.size(); }) &&
+           std::all_of(graph.portals.begin(), graph.portals.end(),
+                       [&](const Portal& portal) { return known(portal.feature); }) &&
+           std::none_of(graph.rooms.begin(), graph.rooms.end(), [](const Room& room) { return room.given; });
+}
+
+}  // namespace
+
+WaysFrom ways_made_of(const Scene& scene, const WalkBody& body) { return {kWaysVersion, sum_of(scene), body}; }
+
+std::string stored_ways(const WaysFrom& from, const WalkSpace& space, const RoomGraph& graph,
+                        const std::stop_token& stop) {
+    const std::optional<SpanColumns> columns = columns_of(space);
+    if (!columns || graph.room_of_span.size() != space.spans.size()) return {};
+    Packer all;
+    all_but_spans(all, space);
+    all(*columns, graph);
+    const std::string unpacked = all.take();
+    const std::string packed = unpacked.size() > kMostKept_bytes ? std::string() : deflated(unpacked, stop);
+    if (packed.empty()) return {};
+    Packer head;
+    head.raw(kWaysBegin.data(), kWaysBegin.size());
+    head(from, static_cast<std::uint64_t>(unpacked.size()));
+    const std::string begin = head.take();
+    Packer sums;
+    sums(checksum(checksum(0, begin), packed), static_cast<std::uint64_t>(begin.size() + packed.size()));
+    return sums.take() + begin + packed;
+}
+
+std::optional<FoundWays> ways_from(std::string_view bytes, const WaysFrom& from, const Scene& scene) {
+    Unpacker outer(bytes);
+    std::uint32_t sum = 0;
+    std::uint64_t size = 0;
+    outer(sum, size);
+    const std::string_view after = outer.rest();
+    if (!outer.good() || after.size() != size || !after.starts_with(kWaysBegin)) return std::nullopt;
+    Unpacker head(after.substr(kWaysBegin.size()));
+    WaysFrom made_of;
+    std::uint64_t unpacked_size = 0;
+    head(made_of, unpacked_size);
+    if (!head.good() || made_of != from || unpacked_size > kMostKept_bytes || checksum(0, after) != sum)
+        return std::nullopt;
+    std::string unpacked(unpacked_size, '\0');
+    if (!inflate_into(unpacked, head.rest())) return std::nullopt;
+    Unpacker all(unpacked);
+    FoundWays found;
+    SpanColumns columns;
+    all_but_spans(all, found.space);
+    all(columns, found.graph);
+    if (!all.good() || !all.rest().empty() || !put(columns, found.space)) return std::nullopt;
+    if (!belong_to(scene, from.body, found.space, found.graph) || !validate(found.space) ||
+        !validate(found.graph, found.space))
+        return std::nullopt;
+    found.space.said = said_of(found.space, from.body);
+    number_room_names(found.graph);  // in what is spoken now, which may be a person's own words
+    return found;
+}
+
+std::optional<FoundWays> take_ways(const std::filesystem::path& file, const WaysFrom& from, const Scene& scene,
+                                   const std::stop_token& stop) {
+    const Result<std::string> bytes = read_whole_file(file, kMostKept_bytes, stop);
+    return bytes ? ways_from(*bytes, from, scene) : std::nullopt;
+}
+
+void keep_ways_in(const std::filesystem::path& file, const WaysFrom& from, const Scene& scene, const WalkSpace& space,
+                  const RoomGraph& graph, const std::stop_token& stop) {
+    if (space.spans.size() < kLeastKeptSpans && scene.solids.size() + scene.triangles.size() < kLeastKeptShapes) return;
+    const std::string bytes = stored_ways(from, space, graph, stop);
+    if (!bytes.empty() && !stop.stop_requested()) (void)write_file_atomically(file, bytes);
+}
+
+}  // namespace handrail
