@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "tests/support/map_text.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/words/other_forms.h"
 #include "tests/unit/words/words_text.h"
@@ -13,8 +12,6 @@
 
 namespace handrail {
 namespace words_five_forms_test {
-
-constexpr double kUnits = 32.0;  // of a map in a metre
 
 std::string ifc_text(const std::string& name) {
     return test::content_of(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "tests/unit/ifc/worlds" / name);
@@ -25,28 +22,6 @@ Scene world_of(Result<Scene> read) {
     if (!read) return {};
     EXPECT_TRUE(validate(*read).has_value());
     return std::move(*read);
-}
-
-// All solids of that house are boxes.
-std::string map_of(const Scene& scene) {
-    std::string walls, rest;
-    for (const Solid& solid : scene.solids) {
-        const Vec3 least = solid.shape.bounds_m.min_m * kUnits, most = solid.shape.bounds_m.max_m * kUnits;
-        const std::string brush = test::box_brush(least.x, least.y, least.z, most.x, most.y, most.z);
-        const Feature* feature = scene.find(solid.feature);
-        if (solid.role == SolidRole::Mover)
-            rest += test::entity("func_door",
-                                 test::key("name", feature->name) + test::key("hinge", feature->hinge) +
-                                     test::key("handle", feature->handle),
-                                 brush);
-        else if (solid.role == SolidRole::Solid) walls += brush;
-    }
-    for (const StatedRoom& room : scene.stated->rooms)
-        rest += test::entity("info_room", test::key("name", room.name) +
-                                              test::key("origin", fmt::format("{} {} {}", room.at_m.x * kUnits,
-                                                                              room.at_m.y * kUnits, 16)));
-    rest += test::entity("info_player_start", test::key("origin", fmt::format("{} {} 24", 2 * kUnits, 2 * kUnits)));
-    return test::entity("worldspawn", test::key("message", "House") + test::key("building", "1"), walls) + rest;
 }
 
 // What joins two of the places, in order of these.
@@ -133,7 +108,7 @@ TEST(FiveForms, of_one_house_have_the_same_rooms_doors_ways_and_distances) {
     };
     std::vector<Form> forms;
     forms.push_back({"millimetres", world_of(read_ifc(ifc_text("small_house_millimetres.ifc"), "house.ifc"))});
-    forms.push_back({"map", world_of(read_quake_map(map_of(ifc), "house.map"))});
+    forms.push_back({"map", world_of(read_quake_map(test::map_of(ifc), "house.map"))});
     forms.push_back(
         {"OpenStreetMap", osm, true, Vec3(corner - least_corner(house.rooms[0].rings[0]), 0.0), kThinWalls_m});
     forms.push_back({"mesh", world_of(read_gltf(test::glb_of(ifc), "house.glb")), false});

@@ -10,9 +10,11 @@
 #include <optional>
 #include <string>
 
+#include "tests/support/map_text.h"
 #include "worlds/drawn/local_plane.h"
 #include "worlds/exports/as_words.h"
 #include "worlds/scene/scene.h"
+#include "worlds/scene/stated_building.h"
 
 namespace handrail::test {
 
@@ -21,6 +23,42 @@ inline void append(std::string& bytes, Value value) {
     std::array<char, sizeof(Value)> raw{};
     std::memcpy(raw.data(), &value, sizeof(Value));
     bytes.append(raw.data(), raw.size());
+}
+
+// Walls as brushes, leaves as doors, and the names of rooms where they are: those that the file states unless others
+// are given.
+inline std::string map_of(const Scene& scene, std::vector<RoomName> names = {}) {
+    constexpr double kUnits = 32.0;  // in a metre
+    std::string walls, rest;
+    for (const Solid& solid : scene.solids) {
+        std::string brush = "{\n";
+        for (std::size_t f = 0; f < solid.shape.faces.size(); ++f) {
+            std::array<Vec3, 3> p{};
+            for (std::size_t i = 0; i < 3; ++i) p[i] = solid.shape.faces[f].points_m[i] * kUnits;
+            if (glm::dot(glm::cross(p[0] - p[1], p[2] - p[1]), solid.shape.planes[f].normal) < 0.0)
+                std::swap(p[0], p[2]);
+            for (const Vec3& point : p) brush += fmt::format("( {:.9f} {:.9f} {:.9f} ) ", point.x, point.y, point.z);
+            brush += "plain 0 0 0 1 1\n";
+        }
+        brush += "}\n";
+        const Feature* feature = scene.find(solid.feature);
+        if (solid.role == SolidRole::Mover)
+            rest += entity("func_door",
+                           key("name", feature->name) + key("hinge", feature->hinge) + key("handle", feature->handle),
+                           brush);
+        else if (solid.role == SolidRole::Solid) walls += brush;
+    }
+    const auto origin = [](const Vec3& at_m) {
+        const Vec3 at = at_m * kUnits;
+        return key("origin", fmt::format("{} {} {}", at.x, at.y, at.z));
+    };
+    if (names.empty())
+        for (const StatedRoom& room : scene.stated->rooms) names.push_back({room.at_m, room.name, {}});
+    for (const RoomName& name : names)
+        rest += entity("info_room", key("name", name.name) + origin(name.at_m + Vec3(0.0, 0.0, 0.5)));
+    for (const Start& start : scene.starts)
+        rest += entity("info_player_start", origin(start.feet_m + Vec3(0.0, 0.0, 0.75)));
+    return entity("worldspawn", key("message", "House") + key("building", "1"), walls) + rest;
 }
 
 // Boxes as meshes of twelve triangles, y up; a mesh knows no doors, so leaves are left out.
