@@ -50,6 +50,7 @@ public:
             add_sheets(i, sorted.rest[i], TouchSide::Both);
         }
         start_within();
+        if (scene_.starts.empty()) start_upon();
         if (scene_.solids.empty() && scene_.triangles.empty())
             return nothing_to_touch(diagnostics_, scene_.source_file, "mesh");
         if (!scene_.solids.empty()) derive_surfaces(scene_, looks_, kSurfaceUnit_m, options_.stop);
@@ -182,13 +183,57 @@ private:
                 }
             if (best) break;
         }
-        if (!best) return;
+        if (best) start_at(*best, pieces_[shell]);
+    }
+
+    // Where no shell holds others, as in a building of slabs: on the widest of them with room for a body above it, the
+    // lower of two alike, at the free place nearest to its middle. Else one would stand beside the mesh and fall.
+    void start_upon() {
+        constexpr Vec3 kBody_m{0.6, 0.6, 1.9};
+        constexpr std::size_t kTried = 12;
+        constexpr int kPlaces = 21;  // each way
+        std::vector<std::size_t> widest;
+        for (std::size_t i = 0; i < std::min(pieces_.size(), kMostShells); ++i)
+            if (const Vec3 size = pieces_[i].box.size_m(); pieces_[i].solids > 0 && std::min(size.x, size.y) >= 1.2)
+                widest.push_back(i);
+        const auto wide_m2 = [&](std::size_t i) {
+            return std::round(pieces_[i].box.size_m().x * pieces_[i].box.size_m().y);
+        };
+        std::stable_sort(widest.begin(), widest.end(), [&](std::size_t a, std::size_t b) {
+            return std::pair(wide_m2(b), pieces_[a].box.max_m.z) < std::pair(wide_m2(a), pieces_[b].box.max_m.z);
+        });
+        if (widest.size() > kTried) widest.resize(kTried);
+        for (const std::size_t i : widest) {
+            const Aabb& floor = pieces_[i].box;
+            const Vec3 middle = floor.centre_m(), step = (floor.size_m() - kBody_m) / double{kPlaces - 1};
+            std::optional<Vec3> best;
+            for (int x = 0; x < kPlaces; ++x)
+                for (int y = 0; y < kPlaces; ++y) {
+                    const Vec3 feet(floor.min_m.x + 0.5 * kBody_m.x + x * step.x,
+                                    floor.min_m.y + 0.5 * kBody_m.y + y * step.y, floor.max_m.z + 1e-3);
+                    const Aabb body{feet - Vec3(0.5 * kBody_m.x, 0.5 * kBody_m.y, 0.0),
+                                    feet + Vec3(0.5 * kBody_m.x, 0.5 * kBody_m.y, kBody_m.z)};
+                    if ((!best || glm::length(Vec2(feet - middle)) < glm::length(Vec2(*best - middle))) &&
+                        is_solid_at(pieces_[i], feet - Vec3(0.0, 0.0, 0.01)) && is_free(body, i))
+                        best = feet;
+                }
+            if (best) return start_at(*best, pieces_[i]);
+        }
+    }
+
+    bool is_solid_at(const Piece& piece, const Vec3& at_m) const {
+        const auto solids = std::span(scene_.solids).subspan(piece.first_solid, piece.solids);
+        return std::any_of(solids.begin(), solids.end(),
+                           [&](const Solid& solid) { return contains(solid.shape, at_m); });
+    }
+
+    void start_at(const Vec3& feet_m, const Piece& in) {
         Start start;
-        start.feet_m = *best;
+        start.feet_m = feet_m;
         start.base = true;
         scene_.starts.push_back(std::move(start));
         scene_.report.starts = 1;
-        const FeatureId of_room = thing_of(file_.parts[pieces_[shell].part]);
+        const FeatureId of_room = thing_of(file_.parts[in.part]);
         scene_.report.guessed.push_back(phrase("mesh.start", {{"room", scene_.features[of_room.value].name}}));
     }
 
