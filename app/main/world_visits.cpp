@@ -83,7 +83,9 @@ void WorldVisits::enter(EnteringWorld world, const std::filesystem::path& path, 
                     {{"count", report.warnings_in_all}, {"first", report.warnings.front().sentence()}}),
              asked_s);
     SideFile side_file = additions_to(path);
-    if (arguments_.common.unit_m && arguments_.world && path == *arguments_.world) {
+    // The unit said on the command line is kept when the world is first entered; from then on what is kept holds.
+    const bool unit_said = arguments_.world && path == *arguments_.world && !std::exchange(unit_kept_, true);
+    if (arguments_.common.unit_m && unit_said) {
         keep_unit(side_file, *arguments_.common.unit_m);
         if (const auto saved = side_file.save(); !saved) say_(saved.error().sentence(), asked_s);
     }
@@ -94,7 +96,7 @@ void WorldVisits::enter(EnteringWorld world, const std::filesystem::path& path, 
     std::error_code ec;
     path_ = std::filesystem::absolute(path, ec);
     CommonArguments common = arguments_.common;
-    if (!arguments_.world || path != *arguments_.world) common.unit_m.reset();
+    if (!unit_said) common.unit_m.reset();
     const ReadOptions read = common.read_options(path);
     app_.apply(WorldEntered{std::move(world),
                             std::move(side_file),
@@ -132,8 +134,10 @@ void WorldVisits::change(double now_s) {
         begin_reading(*wanted, common);
     }
     if (app_.requests().take_read_again() && !next_ && !path_.empty()) {
-        next_place_ = LastPlace{path_, app_.feet_m(), app_.heading_rad()};
-        begin_reading(path_, arguments_.common);
+        if (!app_.requests().take_begin_anew()) next_place_ = LastPlace{path_, app_.feet_m(), app_.heading_rad()};
+        CommonArguments common = arguments_.common;
+        common.unit_m.reset();  // kept by now, and perhaps mended
+        begin_reading(path_, common);
     }
     if (const auto last = app_.requests().take_last_place(); last && !next_) {
         std::error_code ec;

@@ -64,6 +64,7 @@ private:
     std::optional<CrashSignal> crash_signal_;
     std::optional<CrashNotes> notes_;
     std::uint64_t notes_kept_ = 0;
+    bool unit_kept_ = false;               // that of the command line, beside its world
     std::filesystem::path path_;           // of the world that was entered, absolute
     std::optional<LastPlace> next_place_;  // where to go on in the world that is read
     std::unique_ptr<WorldLoading> next_;

@@ -1,7 +1,9 @@
 // A door that is missing in a world's file: made from the list of faults, walked through in the same session and the
 // next, and taken away again; the file itself stays as it is.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <array>
 #include <filesystem>
 
 #include "tests/support/run_program.h"
@@ -55,6 +57,47 @@ TEST_F(MadeDoor, is_there_at_once_and_in_the_next_session_until_it_is_taken_away
     EXPECT_THAT(gone, HasSubstr("is a wall again."));
     EXPECT_THAT(gone, HasSubstr("No exits."));
     EXPECT_THAT(said_of("describe kitchen\n"), Not(HasSubstr("opening to Hall")));
+}
+
+// A terrace with a bench on it, in a mesh that states no unit and was drawn in millimetres.
+std::string terrace_in_millimetres() {
+    std::string text = "solid terrace\n";
+    const auto block = [&](const std::array<int, 3>& least, const std::array<int, 3>& most) {
+        const auto corner = [&](int which) {
+            return fmt::format("vertex {} {} {}\n", (which & 1 ? most : least)[0], (which & 2 ? most : least)[1],
+                               (which & 4 ? most : least)[2]);
+        };
+        for (const auto& [a, b, c] :
+             {std::array{0, 2, 1}, std::array{1, 2, 3}, std::array{4, 5, 6}, std::array{5, 7, 6}, std::array{0, 1, 4},
+              std::array{1, 5, 4}, std::array{2, 6, 3}, std::array{3, 6, 7}, std::array{0, 4, 2}, std::array{2, 4, 6},
+              std::array{1, 3, 5}, std::array{3, 7, 5}})
+            text += "facet normal 0 0 0\nouter loop\n" + corner(a) + corner(b) + corner(c) + "endloop\nendfacet\n";
+    };
+    block({0, 0, -100}, {6200, 4000, 0});
+    block({200, 200, 1}, {1700, 600, 450});
+    return text + "endsolid terrace\n";
+}
+
+TEST(MendedUnit, is_kept_beside_the_world_and_holds_at_once_and_in_the_next_session) {
+    const TemporaryFolder folder;
+    const std::filesystem::path world = folder.write("terrace.stl", terrace_in_millimetres());
+    const auto said_of = [&](const std::string& lines) {
+        ProgramCall call;
+        call.program = HANDRAIL_PROGRAM;
+        call.arguments = {world.string(), "--no-window", "--device", "none"};
+        call.input = lines + "quit\n";
+        const ProgramRun run = run_program(call);
+        EXPECT_EQ(run.exit_status, 0) << run.err;
+        return run.out;
+    };
+    const std::string moment = "back 1\nforward 1\n";
+    const std::string mended = said_of("faults\n" + moment + "no unit\none unit is a millimetre\n" + moment);
+    EXPECT_THAT(mended, HasSubstr("the world is 6.2 metres wide"));
+    EXPECT_THAT(mended, HasSubstr("That unit is kept."));
+    EXPECT_THAT(content_of(folder.path() / "terrace.stl.handrail.toml"), HasSubstr("metres = 0.001"));
+    const std::string next = said_of("faults\n" + moment);
+    EXPECT_THAT(next, Not(HasSubstr("no unit of length")));
+    EXPECT_THAT(next, Not(HasSubstr("6,200")));
 }
 
 }  // namespace made_door_test

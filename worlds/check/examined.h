@@ -65,6 +65,7 @@ private:
 
 void find_room_faults(const Examined& world, std::vector<WorldFault>& faults);
 void find_outline_faults(const Examined& world, std::vector<WorldFault>& faults);
+void find_unlike_faults(const Examined& world, std::vector<WorldFault>& faults);
 void find_door_faults(const Examined& world, std::vector<WorldFault>& faults);
 void find_shell_faults(const Examined& world, std::vector<WorldFault>& faults);
 void find_thing_faults(const Examined& world, std::vector<WorldFault>& faults);

@@ -26,6 +26,7 @@ constexpr std::array kRows{
     FaultRow{FaultKind::OpenRoof, "open_roof", false},
     FaultRow{FaultKind::Crack, "crack", false},
     FaultRow{FaultKind::DoorToNoRoom, "door_to_no_room", false},
+    FaultRow{FaultKind::UnlikeFile, "unlike_file", false},
     FaultRow{FaultKind::OddName, "odd_name", false},
     FaultRow{FaultKind::DoorCutFree, "door_cut_free", false},
     FaultRow{FaultKind::AlikeMaterials, "alike_materials", false},
@@ -83,6 +84,7 @@ std::vector<WorldFault> find_faults(const Scene& scene, const WalkSpace* space, 
     else faults.push_back({FaultKind::NowhereToStand, scene.starts.empty() ? Vec3(0.0) : scene.starts.front().feet_m});
     find_outline_faults(world, faults);
     find_door_faults(world, faults);
+    find_unlike_faults(world, faults);
     find_shell_faults(world, faults);
     find_thing_faults(world, faults);
     for (const Diagnostic& warning : scene.report.warnings) {

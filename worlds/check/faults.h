@@ -28,6 +28,7 @@ enum class FaultKind : std::uint8_t {
     OpenRoof,          // a part of a covered room lies under the sky
     Crack,             // two walls or floors that nearly touch
     DoorToNoRoom,      // the file's rooms lie on neither side of it
+    UnlikeFile,        // the file joins two rooms there, and nobody walks from one to the other
     OddName,           // the room holds stairs and its name does not say so
     DoorCutFree,       // something stood in it
     AlikeMaterials,    // a hand cannot tell them apart

@@ -202,7 +202,34 @@ void add_threshold(Scene& scene, const Doorway& box) {
     scene.solids.push_back(std::move(solid));
 }
 
-void state_opening(StatedBuilding& stated, const MadeDoor& door, const Doorway& box) {
+// Nothing stands in the doorway any more where a body goes through.
+bool is_free(const Scene& scene, const Doorway& box) {
+    for (double along = -1.0; along <= 1.0; along += 0.1)
+        for (const double across : {-0.8, 0.0, 0.8})
+            for (const double up : {0.3, 1.0, 1.8})
+                if (anything_at(scene, box.middle_m + box.along * (along * box.deep_m) +
+                                           box.across * (across * box.half_m) + Vec3(0.0, 0.0, up)))
+                    return false;
+    return true;
+}
+
+// The doors of the file that stand in it.
+std::vector<StatedPortal*> stated_in(StatedBuilding& stated, const Doorway& box) {
+    std::vector<StatedPortal*> in;
+    for (StatedPortal& portal : stated.portals) {
+        const Vec3 off = portal.place_m - box.middle_m;
+        if (std::abs(glm::dot(off, box.along)) <= box.deep_m && std::abs(glm::dot(off, box.across)) <= box.half_m &&
+            std::abs(off.z) < 0.5 * kMadeDoorHigh_m)
+            in.push_back(&portal);
+    }
+    return in;
+}
+
+void state_opening(const Scene& scene, StatedBuilding& stated, const MadeDoor& door, const Doorway& box) {
+    if (const std::vector<StatedPortal*> there = stated_in(stated, box); !there.empty()) {
+        for (StatedPortal* portal : there) portal->passable = portal->passable || is_free(scene, box);
+        return;
+    }
     StatedPortal portal;
     portal.kind = StatedPortalKind::Opening;
     portal.name = door.name;
@@ -233,7 +260,7 @@ Scene with_made_doors(Scene scene, std::span<const MadeDoor> doors) {
         add_threshold(scene, box);
         if (!scene.stated) continue;
         if (!stated) stated = std::make_shared<StatedBuilding>(*scene.stated);
-        state_opening(*stated, door, box);
+        state_opening(scene, *stated, door, box);
     }
     if (stated) scene.stated = std::move(stated);
     return scene;

@@ -22,8 +22,10 @@ struct OwnerRequests {
     bool take_devices() { return std::exchange(devices, false); }
     // To be read and entered.
     std::optional<std::filesystem::path> take_world() { return std::exchange(world, std::nullopt); }
-    // The world one is in, which a person has mended: to be read again and gone on in at the same place.
+    // The world one is in, which a person has mended: to be read again and gone on in at the same place, or begun anew
+    // where no place in it is where it was.
     bool take_read_again() { return std::exchange(read_again, false); }
+    bool take_begin_anew() { return std::exchange(begin_anew, false); }
     // To be gone on at: the owner reads that world where it is another one.
     std::optional<LastPlace> take_last_place() { return std::exchange(last_place, std::nullopt); }
 
@@ -33,7 +35,7 @@ struct OwnerRequests {
     std::optional<std::size_t> take_learner() { return std::exchange(learner, std::nullopt); }
     std::optional<LessonDraft> take_lesson_draft() { return std::exchange(lesson_draft, std::nullopt); }
 
-    bool read_again = false;
+    bool read_again = false, begin_anew = false;
     bool set_up = false, first_set_up = false, offered_hand = false, devices = false;
     std::optional<std::filesystem::path> world;
     std::optional<LastPlace> last_place;

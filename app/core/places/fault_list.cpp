@@ -1,9 +1,12 @@
 #include "app/core/places/fault_list.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/core/context/telling.h"
 #include "app/core/dialogue/words.h"
+#include "app/core/kept/kept_unit.h"
 #include "app/core/kept/landmarks.h"
 #include "app/core/kept/made_doors.h"
 #include "worlds/base/contract.h"
@@ -12,6 +15,17 @@
 
 namespace handrail {
 namespace {
+
+struct UnitOffered {
+    const char* word;
+    double metres;
+};
+constexpr UnitOffered kUnitsOffered[] = {{"mm", 0.001}, {"cm", 0.01}, {"m", 1.0}, {"inch", 0.0254}, {"foot", 0.3048}};
+
+// What a reader says of a file that states no unit and would be a very large or small world.
+bool is_of_the_unit(const WorldFault& fault) {
+    return fault.kind == FaultKind::DamagedInFile && fault.source.line == 0 && fault.other == phrase("reader.say_unit");
+}
 
 // A list ends no item with a stop of its own.
 std::string unstopped(std::string sentence) {
@@ -52,17 +66,23 @@ void FaultList::tell_unreadable(double now_s) const {
 }
 
 void FaultList::open(double now_s) {
-    if (!rooms_.have(now_s)) return;
+    // Where there are no rooms and ways, what keeps them from being there is what should be mended.
+    const bool known = rooms_.known();
+    if (known || rooms_.awaited() || !rooms_.looked_for())
+        if (!rooms_.have(now_s)) return;
     std::vector<bool> landmarks;
     for (const Feature& feature : world_.scene->features) landmarks.push_back(feature.landmark);
     Beside<std::shared_ptr<const Found>>::Work work = [file = rooms_.file_scene(),
-                                                       navigation = rooms_.navigation_kept(), graph = rooms_.graph(),
+                                                       navigation = known ? rooms_.navigation_kept() : nullptr,
+                                                       graph = known ? rooms_.graph() : RoomGraph(),
                                                        landmarks = std::move(landmarks),
                                                        feet_m = context_.body.feet_m()](const std::stop_token&) {
         auto found = std::make_shared<Found>();
         found->scene = with_landmarks_of(file, landmarks);
-        found->faults = find_faults(*found->scene, &navigation->space(), &graph);
+        found->faults = navigation ? find_faults(*found->scene, &navigation->space(), &graph)
+                                   : find_faults(*found->scene, nullptr, nullptr);
         for (const WorldFault& fault : found->faults) {
+            found->doorways.push_back(doorway_cut_free(*found->scene, fault));
             const bool no_way = fault.kind == FaultKind::RoomOutOfReach && fault.room < graph.rooms.size();
             found->doors.push_back(no_way ? missing_doors(*found->scene, navigation->space(), graph, fault.room, feet_m)
                                           : std::vector<MissingDoor>{});
@@ -107,8 +127,17 @@ void FaultList::show_one(const std::shared_ptr<const Found>& found, std::size_t 
         list.items.push_back({std::move(name), {}});
         acts.push_back(std::move(act));
     };
+    if (is_of_the_unit(fault))
+        for (const auto& [word, metres] : kUnitsOffered)
+            if (const double now = found->scene->metres_per_unit; std::abs(metres - now) > 1e-9 * metres) {
+                const Vec3 size = found->scene->bounds_m.size_m();
+                add(phrase("faults.unit", {{"unit", word}, {"wide", std::max(size.x, size.y) / now * metres}}),
+                    [this, metres = metres](double then_s) { take_unit(metres, then_s); });
+            }
+    const RoomGraph none;
+    const RoomGraph& graph = rooms_.found() ? rooms_.graph() : none;
     if (fault.kind == FaultKind::UnnamedRoom || fault.kind == FaultKind::OddName)
-        if (fault.room < rooms_.graph().rooms.size())
+        if (fault.room < graph.rooms.size())
             add(phrase("faults.name"), [this, room = fault.room](double then_s) {
                 rooms_.ask_name(
                     room, [this](double named_s) { open(named_s); }, then_s);
@@ -116,7 +145,6 @@ void FaultList::show_one(const std::shared_ptr<const Found>& found, std::size_t 
     for (const FeatureId id : fault.candidates)
         add(phrase("faults.mark", {{"name", one_line(spoken_name(found->scene->features[id.value]))}}),
             [this, id](double then_s) { mark_landmark(id, then_s); });
-    const RoomGraph& graph = rooms_.graph();
     for (const MissingDoor& missing : found->doors[which]) {
         if (missing.to >= graph.rooms.size() || fault.room >= graph.rooms.size()) continue;
         MadeDoor door = missing.door;
@@ -124,6 +152,9 @@ void FaultList::show_one(const std::shared_ptr<const Found>& found, std::size_t 
         add(phrase("faults.make_door", {{"room", graph.rooms[missing.to].name}}),
             [this, door](double then_s) { make_door(door, then_s); });
     }
+    if (const auto& doorway = found->doorways[which])
+        add(phrase("faults.cut_free", {{"door", one_line(fault.name)}}),
+            [this, door = *doorway](double then_s) { make_door(door, then_s); });
     if (has_place(fault))
         add(phrase("faults.find"),
             [this, goal = Goal{unstopped(what), point_box(fault.at_m)}](double then_s) { on_find(goal, then_s); });
@@ -150,6 +181,14 @@ void FaultList::make_door(const MadeDoor& door, double now_s) {
     context_.asks.save_additions(now_s);
     context_.requests.read_again = true;
     context_.answer(phrase("faults.door_made", {{"between", one_line(door.name)}}), now_s);
+}
+
+// Nothing is where it was: one begins anew.
+void FaultList::take_unit(double metres, double now_s) {
+    keep_unit(context_.additions, metres);
+    context_.asks.save_additions(now_s);
+    context_.requests.read_again = context_.requests.begin_anew = true;
+    context_.answer(phrase("faults.unit_taken"), now_s);
 }
 
 void FaultList::take_door_away(const MadeDoor& door, double now_s) {

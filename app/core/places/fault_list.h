@@ -1,11 +1,12 @@
 // What should be mended in the world one is in (worlds/check), as a list: from one fault to the next, to its place, and
-// mended there where a name, a landmark or a door is all that is missing. Found on a thread beside everything else
-// where rooms are; what is mended is kept in the side file, and doors that were made can be taken away again in the
-// list. App thread only.
+// mended there where a name, a landmark, a door or a unit is all that is missing. Found on a thread beside everything
+// else where rooms are; what is mended is kept in the side file, and doors that were made can be taken away again in
+// the list. App thread only.
 #pragma once
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/core/context/session_part.h"
@@ -37,7 +38,8 @@ private:
     struct Found {
         std::shared_ptr<const Scene> scene;  // as its file has it, with the landmarks of now
         std::vector<WorldFault> faults;
-        std::vector<std::vector<MissingDoor>> doors;  // of each fault: where a door would mend it
+        std::vector<std::vector<MissingDoor>> doors;    // of each fault: where a door would mend it
+        std::vector<std::optional<MadeDoor>> doorways;  // and which door, cut free, one could pass
     };
     void show(const std::shared_ptr<const Found>& found, double now_s);
     void show_one(const std::shared_ptr<const Found>& found, std::size_t which, double now_s);
@@ -45,6 +47,7 @@ private:
     void mark_landmark(FeatureId feature, double now_s);
     void make_door(const MadeDoor& door, double now_s);
     void take_door_away(const MadeDoor& door, double now_s);
+    void take_unit(double metres, double now_s);
 
     WorldState& world_;
     Rooms& rooms_;

@@ -10,6 +10,7 @@
 #include "haptic/render/touch.h"
 #include "tests/support/map_text.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/unit/ifc/ifc_text.h"
 #include "worlds/check/faults.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/navigation/reach.h"
@@ -110,6 +111,99 @@ TEST(MissingDoors, are_where_one_stands_at_such_a_wall) {
     ASSERT_FALSE(doors.empty());
     EXPECT_EQ(world.graph.rooms[doors[0].to].name, "Hall");
     EXPECT_NEAR(doors[0].door.place_m.y, 1.0, 0.06);
+}
+
+// The small house of an architect, turned, its inner door forgotten.
+Scene shut_house(double degrees) {
+    std::string text = test::small_house();
+    for (const char* instance : {"#122=", "#123=", "#124=", "#125="}) {
+        const std::size_t at = text.find(std::string("\n") + instance) + 1;
+        text.erase(at, text.find('\n', at) + 1 - at);
+    }
+    text = test::replaced(text, ",#108,#124,", ",#108,");
+    text = test::replaced(text, "#12=IFCAXIS2PLACEMENT3D(#11,$,$)", "#12=IFCAXIS2PLACEMENT3D(#11,#2,#90001)");
+    const double angle = radians_from_degrees(degrees);
+    text = test::with_instances(
+        text, fmt::format("#90001=IFCDIRECTION(({:.12f},{:.12f},0.));\n", std::cos(angle), std::sin(angle)));
+    Result<Scene> scene = read_ifc(text, "house.ifc");
+    EXPECT_TRUE(scene) << scene.error().sentence();
+    return scene ? std::move(*scene) : Scene{};
+}
+
+TEST(MissingDoors, are_found_and_made_in_walls_of_any_direction) {
+    for (const double degrees : {17.0, 135.0}) {
+        SCOPED_TRACE(degrees);
+        const double angle = radians_from_degrees(degrees);
+        const auto turned = [&](const Vec3& p) {
+            return Vec3(std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y,
+                        p.z);
+        };
+        const World before(shut_house(degrees));
+        EXPECT_THAT(before.out_of_reach(), testing::ElementsAre("Living room"));
+        const std::uint32_t living = before.room("Living room"), kitchen = before.room("Küche");
+        const std::vector<MissingDoor> doors = missing_doors(before.scene, before.space, before.graph, living);
+        ASSERT_GE(doors.size(), 1U);
+        ASSERT_EQ(doors[0].to, kitchen) << "rooms before the ground outside";
+        const MadeDoor& door = doors[0].door;
+        // The wall between has its middle 4 m east of the house's corner and is 4 m long, 0.1 m thick.
+        const Vec3 off = door.place_m - turned({4.0, 2.0, 0.0});
+        EXPECT_NEAR(glm::dot(off, turned({1.0, 0.0, 0.0})), 0.0, 0.06);
+        EXPECT_LT(std::abs(glm::dot(off, turned({0.0, 1.0, 0.0}))), 1.0);
+        EXPECT_NEAR(std::abs(glm::dot(Vec3(std::sin(door.heading_rad), std::cos(door.heading_rad), 0.0),
+                                      turned({1.0, 0.0, 0.0}))),
+                    1.0, 1e-6);
+        EXPECT_NEAR(door.width_m, 0.9, 1e-9);
+        EXPECT_LE(door.through_m, 0.35);
+        const World after(with_made_doors(before.scene, std::vector{door}));
+        EXPECT_THAT(after.out_of_reach(), testing::IsEmpty());
+        EXPECT_TRUE(after.joined(after.room("Living room"), after.room("Küche")));
+        const Vec3 along(std::sin(door.heading_rad), std::cos(door.heading_rad), 0.0);
+        EXPECT_TRUE(after.space.straight(door.place_m - along * 0.8, door.place_m + along * 0.8));
+        // Stood at, the door is there.
+        const Vec3 stood_m = turned({4.4, 3.2, 0.0});
+        const auto near = missing_doors(before.scene, before.space, before.graph, living, stood_m, 1);
+        ASSERT_EQ(near.size(), 1U);
+        EXPECT_LT(glm::length(near[0].door.place_m - turned({4.0, 3.2, 0.0})), 0.1);
+    }
+}
+
+TEST(ImpassableDoors, of_the_file_are_cut_free_where_a_wall_stands_in_them) {
+    Scene scene = three_rooms();
+    auto stated = std::make_shared<StatedBuilding>(*scene.stated);
+    StatedPortal walled;
+    walled.kind = StatedPortalKind::Door;
+    walled.name = "kitchen door";
+    walled.place_m = {4.0, 2.0, 0.0};
+    walled.width_m = 0.9;
+    walled.height_m = 2.0;
+    walled.rooms = {0, 1};
+    walled.passable = false;
+    walled.source.line = 3;
+    stated->portals.push_back(walled);
+    scene.stated = stated;
+    const auto impassable = [](const World& world) {
+        for (const WorldFault& fault : find_faults(world.scene, &world.space, &world.graph))
+            if (fault.kind == FaultKind::ImpassableDoor) return std::optional(fault);
+        return std::optional<WorldFault>();
+    };
+    const World before(scene);
+    const auto fault = impassable(before);
+    ASSERT_TRUE(fault.has_value());
+    const std::optional<MadeDoor> door = doorway_cut_free(before.scene, *fault);
+    ASSERT_TRUE(door.has_value());
+    EXPECT_NEAR(std::abs(std::sin(door->heading_rad)), 1.0, 1e-9);
+    EXPECT_GE(door->through_m, 0.2);
+    const World after(with_made_doors(before.scene, std::vector{*door}));
+    EXPECT_FALSE(impassable(after).has_value());
+    EXPECT_THAT(after.out_of_reach(), testing::IsEmpty());
+    EXPECT_EQ(after.scene.stated->portals.size(), scene.stated->portals.size()) << "it is the same door";
+    // Where a thing stands in it, or where it is no such fault, nothing is offered.
+    WorldFault other = *fault;
+    other.other = "Cupboard";
+    EXPECT_FALSE(doorway_cut_free(before.scene, other).has_value());
+    other = *fault;
+    other.kind = FaultKind::DoorOnNoWall;
+    EXPECT_FALSE(doorway_cut_free(before.scene, other).has_value());
 }
 
 TEST(MadeDoors, open_the_wall_to_body_and_hand_and_to_nobody_beside_them) {

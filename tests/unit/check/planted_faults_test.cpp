@@ -12,6 +12,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 #include "worlds/check/faults.h"
+#include "worlds/check/missing_doors.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/readers/reader.h"
 #include "worlds/scene/stated_building.h"
@@ -228,6 +229,22 @@ const std::vector<Planted> kPlanted{
          std::swap(stated->rooms[0].rings[0][1], stated->rooms[0].rings[0][2]);
          scene.stated = stated;
      }},
+    {"a door of the file where a wall is", FaultKind::UnlikeFile, "Room 5 and Study", [](MapCopy map) { return map; },
+     [](Scene& scene, const RoomGraph& graph) {
+         auto stated = std::make_shared<StatedBuilding>();
+         stated->rooms = {stated_room("Room 5", {0.0, 11.2}, {7.3, 18.8}, 0.0), {}};
+         for (const Room& room : graph.rooms)
+             if (room.name == "Library")
+                 stated->rooms[1] =
+                     stated_room("Study", Vec2(room.middle_m) - 0.5, Vec2(room.middle_m) + 0.5, room.floor_m);
+         StatedPortal door;
+         door.name = "forgotten door";
+         door.rooms = {0, 1};
+         door.place_m = {7.5, 15.0, 0.0};
+         door.source.line = 9;
+         stated->portals.push_back(door);
+         scene.stated = stated;
+     }},
     {"materials that feel alike", FaultKind::AlikeMaterials, "cannot be told apart",
      [](MapCopy map) {
          return map
@@ -293,6 +310,24 @@ std::vector<Planted> planted_here() {
 INSTANTIATE_TEST_SUITE_P(Planted, CopyOfTheSchool, testing::ValuesIn(planted_here()));
 
 TEST(CopyOfTheSchool, is_planted_with_thirty_faults_and_more) { EXPECT_GE(kPlanted.size(), 30U); }
+
+TEST(CopyOfTheSchool, has_a_doorway_that_is_half_walled_up_cut_free) {
+    const Found found = faults_of(MapCopy(school())
+                                      .add(wall(test::box_brush(160, 349, 0, 180, 355, 67)))
+                                      .add(wall(test::box_brush(180, 349, 48, 194, 355, 68)))
+                                      .text());
+    const auto fault = std::find_if(found.faults.begin(), found.faults.end(),
+                                    [](const WorldFault& one) { return one.kind == FaultKind::ImpassableDoor; });
+    ASSERT_NE(fault, found.faults.end()) << listed(found);
+    const std::optional<MadeDoor> door = doorway_cut_free(found.scene, *fault);
+    ASSERT_TRUE(door.has_value());
+    const Scene mended = with_made_doors(found.scene, std::vector{*door});
+    const auto navigation = Navigation::make(mended, walk_body(mended, 0.25, 1.8, 0.25));
+    ASSERT_TRUE(navigation.has_value());
+    const RoomGraph graph = make_rooms(mended, (*navigation)->space());
+    const std::vector<WorldFault> left = find_faults(mended, &(*navigation)->space(), &graph);
+    EXPECT_TRUE(std::none_of(left.begin(), left.end(), [](const WorldFault& one) { return blocks(one); }));
+}
 
 TEST(WorldFaults, have_a_sentence_and_advice_in_each_language) {
     for (const LanguageName& language : bundled_languages()) {
