@@ -274,14 +274,20 @@ void tell(const Scene& scene, const TouchModel& touch, const Cost& cost, std::os
     if (cost.kept) line(phrase("info.kept"));
 }
 
-// A look at a world of ours leaves nothing in the person's folder.
+// A look at a world of ours, or at a small file, leaves nothing behind.
+std::filesystem::path ways_looked_for(const std::filesystem::path& world) {
+    std::error_code ec;
+    const std::uintmax_t bytes = std::filesystem::file_size(world, ec);
+    return ec || bytes < kLeastKept_bytes || is_shipped(world) ? std::filesystem::path() : ways_kept_of(world);
+}
+
 // The rooms that are found where the file states none, as a session finds them; why not, where it finds none.
 // `unreachable`: a sentence about those one cannot walk to, or empty.
 RoomGraph rooms_of(const std::shared_ptr<const Scene>& scene, const std::filesystem::path& world,
                    std::string& unreachable, std::vector<std::string>& left_out) {
     const BodySize size = body_size(*scene, Settings{}.walk.body_radius_m);
     RoomsOfWorld rooms(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), true,
-                       is_shipped(world) ? std::filesystem::path() : ways_kept_of(world));
+                       ways_looked_for(world));
     if (!rooms.ready() || !rooms.found()) {
         if (!rooms.problem().empty()) left_out.push_back(rooms.problem());
         return {};
