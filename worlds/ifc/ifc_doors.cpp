@@ -118,7 +118,7 @@ StatedPortal IfcScene::portal_of(std::size_t i, const WallGap& gap) {
         for (const std::string& name : freed->second) names += (names.empty() ? "" : ", ") + name;
         warn(part.line, phrase("ifc.door_blocked", {{"door", part.name}, {"names", names}}), phrase("ifc.then_opened"));
     }
-    portal.passable = can_pass(building_, gap);
+    portal.passable = !impassable_.contains(i);  // the parts have given their bodies away by now
     return portal;
 }
 
@@ -159,6 +159,82 @@ void IfcScene::join_flights() {
         stated_->portals.push_back(std::move(portal));
         if (part.role == PartRole::Stairs) note_stairwell(box);
     }
+}
+
+// Rooms between which the file has a border but no wall: where their outlines run along each other, both have such a
+// border, and a body goes through.
+std::vector<StatedPortal> IfcScene::open_borders() const {
+    constexpr double kLeast_m = 0.5, kBeside_m = 0.05, kOneFloor_m = 0.3, kStep_m = 0.25, kBody_m = 0.6,
+                     kFarthest_m = 200.0;
+    std::vector<StatedPortal> borders;
+    std::map<std::uint32_t, int> open;  // rooms, with the line that says so
+    for (const auto& [space, boundary] : relations_.open_at)
+        if (const auto room = building_.room_of_id.find(space); room != building_.room_of_id.end())
+            open.emplace(room->second, model_.line(boundary));
+    const auto edges_of = [](const StatedRoom& room) {
+        std::vector<std::array<Vec2, 2>> edges;
+        for (const Ring& ring : room.rings)
+            for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
+        return edges;
+    };
+    for (const auto& [a, line] : open) {
+        const StatedRoom& room = stated_->rooms[a];
+        Aabb around;
+        for (const auto& edge : edges_of(room)) around.include({edge[0].x, edge[0].y, room.floor_m});
+        if (around.empty()) continue;
+        for (const std::uint32_t b : rooms_.near(grown(around, 0.2))) {
+            const StatedRoom& other = stated_->rooms[b];
+            if (b <= a || !open.contains(b) || std::abs(other.floor_m - room.floor_m) > kOneFloor_m) continue;
+            StatedPortal portal;
+            portal.kind = StatedPortalKind::Opening;
+            for (const auto& [from, to] : edges_of(room)) {
+                const double length = glm::length(to - from);
+                if (!(length >= kLeast_m && length <= kFarthest_m)) continue;
+                const Vec2 way = (to - from) / length, left(-way.y, way.x);
+                for (const auto& [p, q] : edges_of(other)) {
+                    const double first = std::max(0.0, std::min(glm::dot(p - from, way), glm::dot(q - from, way))),
+                                 last = std::min(length, std::max(glm::dot(p - from, way), glm::dot(q - from, way)));
+                    if (std::abs(glm::dot(p - from, left)) > kBeside_m ||
+                        std::abs(glm::dot(q - from, left)) > kBeside_m || last - first < kLeast_m ||
+                        last - first < portal.width_m)
+                        continue;
+                    // The place nearest to its middle at which a body goes through.
+                    const double middle_m = 0.5 * (first + last), reach_m = 0.5 * (last - first - kBody_m);
+                    for (double off = 0.0; off <= std::max(reach_m, 0.0); off += kStep_m)
+                        for (const double at : {middle_m - off, middle_m + off}) {
+                            WallGap gap;
+                            gap.axes = {{way.x, way.y, 0.0}, {left.x, left.y, 0.0}, {0.0, 0.0, 1.0}, {}};
+                            const Vec2 place = from + way * at;
+                            gap.axes.origin_m = {place.x, place.y, std::max(room.floor_m, other.floor_m)};
+                            gap.least_m = {-0.5 * kBody_m, -kBeside_m, 0.0};
+                            gap.most_m = {0.5 * kBody_m, kBeside_m, std::min(room.height_m, other.height_m)};
+                            if (!can_pass(building_, gap)) continue;
+                            portal.place_m = gap.axes.origin_m;
+                            portal.width_m = last - first;
+                            off = reach_m + 1.0;
+                            break;
+                        }
+                }
+            }
+            if (portal.width_m <= 0.0) continue;
+            portal.name = room.name + ", " + other.name;
+            portal.height_m = std::min(room.height_m, other.height_m);
+            portal.rooms = {a, b};
+            portal.by_boundaries = true;
+            portal.source = {line, 0};
+            borders.push_back(std::move(portal));
+        }
+    }
+    return borders;
+}
+
+// Those between rooms that no door joins already.
+void IfcScene::join_open_rooms(std::vector<StatedPortal> borders) {
+    for (StatedPortal& border : borders)
+        if (std::none_of(stated_->portals.begin(), stated_->portals.end(), [&](const StatedPortal& known) {
+                return known.kind == StatedPortalKind::Door && known.rooms == border.rooms;
+            }))
+            stated_->portals.push_back(std::move(border));
 }
 
 // The room that stairs all but fill.

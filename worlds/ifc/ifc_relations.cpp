@@ -100,6 +100,7 @@ IfcRelations::IfcRelations(const IfcModel& model) {
         } else if (instance.name.starts_with("IFCRELSPACEBOUNDARY")) {
             const std::uint64_t space = reference_at(v, 4), at = reference_at(v, 5);
             std::vector<std::uint64_t>& spaces = spaces_at[at];
+            if (space && word_at(v, 7) == "VIRTUAL") open_at.emplace(space, instance.id);
             if (space && at && std::find(spaces.begin(), spaces.end(), space) == spaces.end()) spaces.push_back(space);
         }
     }

@@ -45,6 +45,8 @@ struct IfcRelations {
     std::map<std::uint64_t, std::uint64_t> type_of, material_of;  // of elements, and materials of types too
     std::map<std::uint64_t, std::vector<std::uint64_t>>
         spaces_at;  // of a door, window, or virtual element: the spaces that it bounds
+    std::map<std::uint64_t, std::uint64_t>
+        open_at;  // of a space with a border that is no wall: the first such boundary
     std::map<std::string, int, std::less<>> skipped;  // classes that are no building, with how many
 
     // Up the aggregates to the first of that class; 0: none.

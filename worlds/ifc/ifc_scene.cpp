@@ -65,6 +65,7 @@ Result<Scene> IfcScene::build(const std::string& file_name) {
     scene_.report.format = "ifc";
     scene_.metres_per_unit = model_.metres_per_unit();
     prove_doors();
+    std::vector<StatedPortal> borders = open_borders();  // while the parts still have their bodies
     add_parts();
     if (scene_.solids.empty() && scene_.triangles.empty()) return fail(phrase("ifc.nothing_to_touch"), file_name);
     if (scene_.solids.size() > kMostSolids || scene_.triangles.size() > kMostTriangles || building_.too_large)
@@ -75,6 +76,7 @@ Result<Scene> IfcScene::build(const std::string& file_name) {
     derive_surfaces(scene_, looks_, kSurfaceUnit_m, options_.stop);
     if (options_.stop.stop_requested()) return fail(phrase("files.stopped"), file_name);
     join_flights();
+    join_open_rooms(std::move(borders));
     add_starts();
     write_report();
     scene_.stated = stated_;
@@ -85,7 +87,9 @@ void IfcScene::prove_doors() {
     for (const auto& [i, gap] : building_.gaps) {
         if (building_.parts[i].role != PartRole::Door) continue;
         if (options_.stop.stop_requested()) return;
-        if (!can_pass(building_, gap)) freed_[i] = free_the_way(building_, gap);
+        if (can_pass(building_, gap)) continue;
+        freed_[i] = free_the_way(building_, gap);
+        if (!can_pass(building_, gap)) impassable_.insert(i);
     }
 }
 

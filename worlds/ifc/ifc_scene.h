@@ -28,6 +28,8 @@ private:
     std::string touch_material(const IfcPart& part);
     StatedPortal portal_of(std::size_t part, const WallGap& gap);
     void join_flights();
+    std::vector<StatedPortal> open_borders() const;
+    void join_open_rooms(std::vector<StatedPortal> borders);
     void note_stairwell(const Aabb& stairs);
     void add_ground();
     void add_starts();
@@ -43,8 +45,9 @@ private:
     std::vector<std::vector<std::uint32_t>> looks_;
     std::map<std::size_t, FeatureId> thing_;  // of wholes
     std::map<std::string, std::set<std::string>> guessed_from_;
-    std::map<std::string, int> prefabs_;  // that stand for parts without a form
+    std::map<std::string, int> prefabs_;                     // that stand for parts without a form
     std::map<std::size_t, std::vector<std::string>> freed_;  // what was cut to open a door, by its part
+    std::set<std::size_t> impassable_;                       // doors that nobody comes through even then
     struct OuterDoor {
         std::size_t portal = 0;  // its place in stated_->portals
         std::size_t part = 0;    // in building_.parts

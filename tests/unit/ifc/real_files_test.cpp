@@ -46,6 +46,16 @@ TEST(Duplex, is_what_its_makers_say_it_is) {
     EXPECT_EQ(doors, (std::multiset<std::string>{"A101", "B101", "A102", "B102", "A101 A104", "B104 B101", "A201 A202",
                                                  "A201 A203", "A201 A204", "A205 A204", "B201 B202", "B201 B203",
                                                  "B201 B204", "B205 B204"}));
+    // Where a flat is open plan its rooms are joined by borders that are no walls, so that each flat is one whole.
+    int openings = 0;
+    for (const StatedPortal& portal : stated.portals)
+        if (portal.kind == StatedPortalKind::Opening) {
+            ++openings;
+            EXPECT_EQ(portal.rooms.size(), 2U);
+            EXPECT_EQ(rooms_of(*scene, portal)[0], rooms_of(*scene, portal)[5]) << "of one flat: " << portal.name;
+        }
+    EXPECT_EQ(openings, 8);
+    EXPECT_EQ(largest_connected(stated), 10);
     // The stair of flat B lies in a space that calls itself Room.
     std::vector<std::string> odd;
     for (const Diagnostic& warning : scene->report.warnings) odd.push_back(warning.sentence());

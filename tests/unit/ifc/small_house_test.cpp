@@ -100,6 +100,134 @@ TEST(SmallHouse, is_walked_through_by_the_rooms_of_its_file) {
     EXPECT_TRUE((*navigation)->reachable(scene.starts[0].feet_m, scene.stated->rooms[1].at_m));
 }
 
+// What is found in a building: rooms, what joins them, and ways from place to place. `shift_m`: where its zero lies.
+struct FoundInIt {
+    std::vector<std::string> rooms, joins;
+    std::vector<Vec3> doors_m;
+    std::vector<double> widths_m, ways_m;
+};
+FoundInIt found_in(const Scene& scene, const Vec3& shift_m) {
+    FoundInIt found;
+    const auto navigation = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
+    EXPECT_TRUE(navigation.has_value()) << navigation.error().sentence();
+    if (!navigation) return found;
+    const RoomGraph graph = make_rooms(scene, (*navigation)->space());
+    for (const Room& room : graph.rooms) found.rooms.push_back(room.name);
+    std::sort(found.rooms.begin(), found.rooms.end());
+    std::vector<Portal> portals = graph.portals;
+    std::sort(portals.begin(), portals.end(),
+              [](const Portal& a, const Portal& b) { return a.place_m.x < b.place_m.x; });
+    for (const Portal& portal : portals) {
+        const auto names = std::minmax(graph.rooms[portal.rooms[0]].name, graph.rooms[portal.rooms[1]].name);
+        found.joins.push_back(fmt::format("{} {} {} {}", static_cast<int>(portal.kind), names.first, names.second,
+                                          scene.find(portal.feature) ? scene.features[portal.feature.value].name : ""));
+        found.doors_m.push_back(portal.place_m - shift_m);
+        found.widths_m.push_back(portal.width_m);
+    }
+    const std::vector<Vec3> places{{1.5, -1.2, 0.0}, {1.2, 3.0, 0.0}, {7.2, 0.8, 0.0}, {7.5, 3.5, 0.0}};
+    for (std::size_t a = 0; a < places.size(); ++a)
+        for (std::size_t b = a + 1; b < places.size(); ++b) {
+            const Route route = (*navigation)->plan(places[a] + shift_m, places[b] + shift_m, RouteWish::Shortest);
+            double length = 0.0;
+            for (std::size_t i = 1; i < route.points_m.size(); ++i)
+                length += glm::length(route.points_m[i] - route.points_m[i - 1]);
+            found.ways_m.push_back(length);
+        }
+    return found;
+}
+
+// The same house as another program writes it: IFC 4 in feet, a site elsewhere, walls by their middle lines, openings
+// in the coordinates of their walls, a table as a mapped tessellation, spaces as shells with boundaries, all in another
+// order.
+TEST(SmallHouse, written_by_another_program_has_the_same_rooms_doors_joins_and_ways) {
+    constexpr double kSame_m = 0.05;
+    const Scene one = scene_of(test::small_house()),
+                other = scene_of(test::small_house("small_house_other_program.ifc"));
+    const Vec3 shift_m(1200.0, -350.0, 80.0);
+    ASSERT_TRUE(one.stated && other.stated);
+    EXPECT_EQ(other.stated->schema, "IFC4");
+    ASSERT_EQ(other.stated->rooms.size(), one.stated->rooms.size());
+    for (std::size_t r = 0; r < one.stated->rooms.size(); ++r) {
+        const StatedRoom& a = one.stated->rooms[r];
+        const auto same = std::find_if(other.stated->rooms.begin(), other.stated->rooms.end(),
+                                       [&](const StatedRoom& room) { return room.name == a.name; });
+        ASSERT_NE(same, other.stated->rooms.end()) << a.name;
+        const StatedRoom& b = *same;
+        EXPECT_EQ(b.number, a.number);
+        EXPECT_LT(glm::length(b.at_m - shift_m - a.at_m), kSame_m);
+        EXPECT_NEAR(b.area_m2, a.area_m2, 0.05);
+        EXPECT_NEAR(b.height_m, a.height_m, kSame_m);
+    }
+    ASSERT_EQ(other.stated->portals.size(), one.stated->portals.size());
+    for (const StatedPortal& door : one.stated->portals) {
+        const auto same = std::find_if(other.stated->portals.begin(), other.stated->portals.end(),
+                                       [&](const StatedPortal& portal) { return portal.name == door.name; });
+        ASSERT_NE(same, other.stated->portals.end()) << door.name;
+        EXPECT_EQ(same->kind, door.kind);
+        EXPECT_THAT(rooms_of(other, *same), testing::UnorderedElementsAreArray(rooms_of(one, door)));
+        EXPECT_LT(glm::length(same->place_m - shift_m - door.place_m), kSame_m);
+        EXPECT_NEAR(same->width_m, door.width_m, kSame_m);
+        EXPECT_TRUE(same->passable && !same->opened_by_box);
+        EXPECT_NE(same->by_boundaries, door.by_boundaries) << "one file has boundaries, the other has none";
+    }
+    EXPECT_EQ(other.stated->windows, one.stated->windows);
+    EXPECT_EQ(other.stated->furnishings, one.stated->furnishings);
+    EXPECT_EQ(other.stated->openings_cut, one.stated->openings_cut);
+    ASSERT_EQ(other.movers.size(), one.movers.size());
+    for (std::size_t m = 0; m < one.movers.size(); ++m) EXPECT_EQ(other.movers[m].swing_rad, one.movers[m].swing_rad);
+    const FoundInIt a = found_in(one, Vec3(0.0)), b = found_in(other, shift_m);
+    EXPECT_EQ(b.rooms, a.rooms);
+    EXPECT_EQ(b.joins, a.joins);
+    ASSERT_EQ(a.joins.size(), 2U);
+    ASSERT_EQ(b.doors_m.size(), a.doors_m.size());
+    for (std::size_t i = 0; i < a.doors_m.size(); ++i) {
+        EXPECT_LT(glm::length(b.doors_m[i] - a.doors_m[i]), kSame_m);
+        EXPECT_NEAR(b.widths_m[i], a.widths_m[i], kSame_m);
+    }
+    ASSERT_EQ(b.ways_m.size(), 6U);
+    for (std::size_t i = 0; i < a.ways_m.size(); ++i) {
+        EXPECT_GT(a.ways_m[i], 1.0);
+        EXPECT_NEAR(b.ways_m[i], a.ways_m[i], kSame_m);
+    }
+}
+
+TEST(SmallHouse, joins_rooms_between_which_the_file_has_a_border_but_no_wall) {
+    // Both rooms as far as the middle of the wall between, which is there or not, and a border that is none.
+    std::string walled = test::small_house();
+    for (const char* corner : {"#159=IFCCARTESIANPOINT((3.95,0.))", "#160=IFCCARTESIANPOINT((3.95,4.))",
+                               "#168=IFCCARTESIANPOINT((4.05,0.))", "#171=IFCCARTESIANPOINT((4.05,4.))"})
+        walled = test::replaced(walled, corner, std::string(corner, 24) + "4." + std::string(corner + 28));
+    walled = test::with_instances(walled,
+                                  "#90001=IFCRELSPACEBOUNDARY('b1',$,$,$,#167,$,$,.VIRTUAL.,.INTERNAL.);\n"
+                                  "#90002=IFCRELSPACEBOUNDARY('b2',$,$,$,#177,$,$,.VIRTUAL.,.INTERNAL.);\n");
+    const auto without = [](std::string text, const std::string& instance) {
+        const std::size_t at = text.find("\n" + instance) + 1;
+        return text.erase(at, text.find('\n', at) + 1 - at);
+    };
+    std::string shut = test::replaced(walled, ",#108,#124,", ",#108,");
+    for (const char* instance : {"#122=", "#123=", "#124=", "#125="}) shut = without(shut, instance);
+    std::string open = without(shut, "#67=");
+    for (const char* among : {"(#27,#37,#47,#57,#67)", "(#27,#37,#47,#57,#67,#80,"})
+        open = test::replaced(open, among, std::string(among, 16) + std::string(among + 20));
+    const auto openings = [](const Scene& scene) {
+        std::vector<StatedPortal> found;
+        for (const StatedPortal& portal : scene.stated->portals)
+            if (portal.kind == StatedPortalKind::Opening) found.push_back(portal);
+        return found;
+    };
+    const Scene scene = scene_of(open);
+    const std::vector<StatedPortal> found = openings(scene);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_THAT(rooms_of(scene, found[0]), ElementsAre("Küche", "Living room"));
+    EXPECT_NEAR(found[0].place_m.x, 4.0, 1e-9);
+    EXPECT_NEAR(found[0].place_m.y, 2.0, 0.5);
+    EXPECT_NEAR(found[0].width_m, 4.0, 1e-9);
+    EXPECT_GT(found[0].source.line, 0);
+    EXPECT_TRUE(openings(scene_of(shut)).empty()) << "nobody goes through a wall";
+    EXPECT_TRUE(openings(scene_of(walled)).empty()) << "the door joins them already";
+    EXPECT_TRUE(openings(scene_of(test::small_house())).empty());
+}
+
 TEST(SmallHouse, guesses_what_walls_are_made_of_and_says_so) {
     const Scene scene = scene_of(test::small_house());
     EXPECT_TRUE(std::any_of(scene.materials.begin(), scene.materials.end(),
