@@ -20,8 +20,9 @@ struct WaysFrom;
 
 class RoomsOfWorld {
 public:
-    // at_once: found when ready() is first asked, which then takes as long as it takes, or before
-    // (RoomsKept). kept_in: the file in which they are kept, in whose place no RoomsKept is asked; what holds there is taken, and what was found anew is kept after ready(); empty: nowhere.
+    // at_once: found when ready() is first asked, which then takes as long as it takes, or before (RoomsKept).
+    // kept_in: the file in which they are kept, in whose place no RoomsKept is asked; what holds there is taken, and
+    // what was found anew is kept after ready(); empty: nowhere.
     RoomsOfWorld(std::shared_ptr<const Scene> scene, const WalkBody& body, bool at_once,
                  std::filesystem::path kept_in = {});
     ~RoomsOfWorld() = default;  // gives up what is not done yet, and waits for that
