@@ -186,8 +186,9 @@ private:
         if (best) start_at(*best, pieces_[shell]);
     }
 
-    // Where no shell holds others, as in a building of slabs: on the widest of them with room for a body above it, the
-    // lower of two alike, at the free place nearest to its middle. Else one would stand beside the mesh and fall.
+    // Where no shell holds others, as in a building of slabs: on the widest of them with room for a body above it,
+    // under a roof where there is any, the lower of two alike, at the free place nearest to its middle. Else one would
+    // stand beside the mesh and fall.
     void start_upon() {
         constexpr Vec3 kBody_m{0.6, 0.6, 1.9};
         constexpr std::size_t kTried = 12;
@@ -203,6 +204,9 @@ private:
             return std::pair(wide_m2(b), pieces_[a].box.max_m.z) < std::pair(wide_m2(a), pieces_[b].box.max_m.z);
         });
         if (widest.size() > kTried) widest.resize(kTried);
+        const bool roofs = std::any_of(widest.begin(), widest.end(), [&](std::size_t i) {
+            return is_covered(pieces_[i].box.centre_m() * Vec3(1.0, 1.0, 0.0) + Vec3(0.0, 0.0, pieces_[i].box.max_m.z));
+        });
         for (const std::size_t i : widest) {
             const Aabb& floor = pieces_[i].box;
             const Vec3 middle = floor.centre_m(), step = (floor.size_m() - kBody_m) / double{kPlaces - 1};
@@ -214,11 +218,23 @@ private:
                     const Aabb body{feet - Vec3(0.5 * kBody_m.x, 0.5 * kBody_m.y, 0.0),
                                     feet + Vec3(0.5 * kBody_m.x, 0.5 * kBody_m.y, kBody_m.z)};
                     if ((!best || glm::length(Vec2(feet - middle)) < glm::length(Vec2(*best - middle))) &&
-                        is_solid_at(pieces_[i], feet - Vec3(0.0, 0.0, 0.01)) && is_free(body, i))
+                        (!roofs || is_covered(feet)) && is_solid_at(pieces_[i], feet - Vec3(0.0, 0.0, 0.01)) &&
+                        is_free(body, i))
                         best = feet;
                 }
             if (best) return start_at(*best, pieces_[i]);
         }
+    }
+
+    // Something wide is over the place, as high as ceilings are.
+    bool is_covered(const Vec3& feet_m) const {
+        constexpr double kLow_m = 1.9, kHigh_m = 8.0;
+        return std::any_of(pieces_.begin(), pieces_.end(), [&](const Piece& piece) {
+            const Aabb& box = piece.box;
+            return std::min(box.size_m().x, box.size_m().y) >= 1.2 && box.min_m.x <= feet_m.x &&
+                   box.max_m.x >= feet_m.x && box.min_m.y <= feet_m.y && box.max_m.y >= feet_m.y &&
+                   box.min_m.z >= feet_m.z + kLow_m && box.min_m.z <= feet_m.z + kHigh_m;
+        });
     }
 
     bool is_solid_at(const Piece& piece, const Vec3& at_m) const {
