@@ -114,7 +114,7 @@ TEST_P(RecordedUnderLoad, is_computed_again_to_the_same_lines_in_the_same_order)
     EXPECT_EQ(read->hands[1].size() > 300U, two_hands);
     std::size_t pushes = 0;
     for (const EngineRow& row : read->bodies) pushes += row.pushes[0] + row.pushes[1];
-    EXPECT_EQ(pushes > 100, free) << pushes;
+    EXPECT_EQ(pushes > 0, free) << pushes;
     EXPECT_EQ(!read->bodies.empty() && read->bodies.back().engine == 2, free) << "the labyrinth has an engine too";
     EXPECT_EQ(run.out.find("unplugged") != std::string::npos, GetParam() == kPulledOut) << run.out;
 }
