@@ -3,24 +3,25 @@
 #   tests/tidy.sh [-s SECONDS]     of the folders that pass whole, what is changed and not committed, then what the last 40 commits changed, newest first
 #   tests/tidy.sh [-s SECONDS] all     all of those folders
 #   tests/tidy.sh FILE...              these sources, each by itself
-# A header stands for the source of its name. Sources that the preset release compiles in one go are read in one go, each of them, which takes a sixth of the
+# A header stands for the source of its name. Sources that the build compiles in one go are read in one go, each of them, which takes a sixth of the
 # time. After SECONDS (120) nothing further is begun; how many were left out is said. Ends with 1 if anything was found.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 commits=40 seconds=120
 passing='app|worlds/scene'  # a folder is added once `tests/tidy.sh FOLDER/*.cpp` finds nothing in it
 if [ "${1:-}" = -s ]; then seconds=$2; shift 2; fi
-case "${1:-}" in '' | all) preset=release ;; *) preset=apart seconds=100000 ;; esac
+# A folder of its own: configuring that of the tests would take their lists away while they run.
+case "${1:-}" in '' | all) preset=release commands=build/tidy/together ;; *) preset=apart commands=build/apart seconds=100000 ;; esac
 
 # Without g++'s precompiled headers, which clang cannot read: what they hold is included instead.
 mkdir -p build/tidy
-cmake --preset $preset >build/tidy/configured.log || { cat build/tidy/configured.log; exit 1; }
+cmake --preset $preset -B $commands >build/tidy/configured.log || { cat build/tidy/configured.log; exit 1; }
 sed -E -e "s# -Winvalid-pch -include [^ ]*/handrail_test_support.dir/cmake_pch.hxx# -include $PWD/tests/support/precompiled.h#" \
     -e "s# -Winvalid-pch -include [^ ]*/cmake_pch.hxx# -include $PWD/worlds/base/precompiled.h#" -e 's/ -fpch-preprocess//' -e 's/ -Wno-subobject-linkage//' \
-    build/$preset/compile_commands.json >build/tidy/compile_commands.json
+    $commands/compile_commands.json >build/tidy/compile_commands.json
 
 # The sources in FILE, or of a name, that the build compiles: those named, or the file that includes them beside others.
-compiled() { while read -r source; do grep -rlF --include='unity_*_cxx.cxx' "#include \"$PWD/$source\"" build/$preset || echo "$source"; done | awk '!seen[$0]++'; }
+compiled() { while read -r source; do grep -rlF --include='unity_*_cxx.cxx' "#include \"$PWD/$source\"" $commands || echo "$source"; done | awk '!seen[$0]++'; }
 case "${1:-}" in
 '')
     mapfile -t files < <({ git diff --name-only HEAD; git ls-files --others --exclude-standard;
