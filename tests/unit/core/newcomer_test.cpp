@@ -246,13 +246,16 @@ TEST(ANewcomer, walks_in_the_family_house_with_a_simulated_device_to_three_rooms
 }
 
 // The only room upstairs: its spiral stairs wind below the gallery's own floor, with 1.6 m under it where they begin.
-TEST(ANewcomer, hears_in_the_family_house_that_nobody_gets_to_its_gallery) {
+TEST(ANewcomer, hears_in_the_family_house_what_is_around_and_that_nobody_gets_to_its_gallery) {
     const auto world = real("fzk-haus.ifc");
     if (!world) GTEST_SKIP() << "fzk-haus.ifc is not here";
     Newcomer n(world);
     (void)n.entries("Shift+4");
     const std::string way = n.choose("Shift+4", "Galerie");
     EXPECT_NE(way.find("No walking way found to Galerie"), std::string::npos) << way;
+    const std::string around = n.ask("2");
+    EXPECT_NE(around.find("Ahead: "), std::string::npos) << around;
+    EXPECT_EQ(around.find("round outside"), std::string::npos) << "what one stands on is no thing: " << around;
 }
 
 // To each named room in turn that is told to have a way; what is unnamed are ledges of windows.
