@@ -4,6 +4,7 @@
 #include <cmath>
 #include <new>
 #include <queue>
+#include <set>
 
 #include "worlds/base/language.h"
 #include "worlds/navigation/way_place.h"
@@ -136,6 +137,19 @@ void Navigation::block(std::span<const Aabb> boxes) {
             if (std::hypot(at.x - near.x, at.y - near.y) < reach_m) blocked_[s] = true;
         }
     }
+}
+
+// Where one is free of what is blocked, for who stands close before it: without going under the leaf of a door. Nothing:
+// nowhere.
+std::uint32_t Navigation::out_of_blocked(std::uint32_t span) const {
+    std::vector<std::uint32_t> open{span};
+    std::set<std::uint32_t> seen{span};
+    for (std::size_t i = 0; i < open.size(); ++i) {
+        if (!blocked_[open[i]]) return open[i];
+        for (const std::uint32_t n : space_.spans[open[i]].next)
+            if (n != kNothing && space_.spans[n].door == kNothing && seen.insert(n).second) open.push_back(n);
+    }
+    return kNothing;
 }
 
 bool Navigation::meets_blocked(const Way& way) const {
@@ -551,9 +565,13 @@ Route Navigation::plan(const Vec3& from_m, const Vec3& to_m, RouteWish wish) {
         }
         finish(*way, to, wish);
     }
-    if (!blocked_.empty() && !blocked_[from] && meets_blocked(*way)) {
+    if (const std::uint32_t out = blocked_.empty() || !meets_blocked(*way) ? kNothing : out_of_blocked(from);
+        out != kNothing) {
         const std::uint32_t wanted = to;
-        if (std::optional<Way> round = round_blocked(from, to, to_m, wish)) way = std::move(round);
+        if (std::optional<Way> round = round_blocked(out, to, to_m, wish)) {
+            way = std::move(round);
+            if (out != from) way->legs_m.front().insert(way->legs_m.front().begin(), space_.place_m(from));
+        }
         if (to != wanted) {
             route.reaches = false;
             route.short_of_m = glm::length(space_.place_m(to) - to_m);

@@ -68,6 +68,7 @@ private:
     double cost(const Vec3& from_m, const Vec3& to_m, RouteWish wish) const;
     double span_cost(std::uint32_t span, RouteWish wish) const;
     bool in_leaf(std::uint32_t span) const { return !leaf_marks_.empty() && leaf_marks_[span] == kInLeaf; }
+    std::uint32_t out_of_blocked(std::uint32_t span) const;
     bool meets_blocked(const Way& way) const;
     std::optional<Way> round_blocked(std::uint32_t from, std::uint32_t& to, const Vec3& to_m, RouteWish wish) const;
     std::uint32_t out_of_leaf(std::uint32_t span) const;

@@ -347,6 +347,42 @@ TEST(Routes, on_foot_take_the_stairs_where_a_lift_is_nearer) {
     EXPECT_GT(foot.length_m, near.length_m);
 }
 
+TEST(Routes, round_a_blocked_door_lead_back_from_right_before_it_and_never_through_it) {
+    const Scene scene = bundled("school.map");
+    const auto navigation = navigate(scene);
+    const RoomGraph graph = make_rooms(scene, navigation->space());
+    int looked_at = 0, doors = 0;
+    for (const Portal& portal : graph.portals) {
+        if (portal.kind != PassageKind::Door || portal.feature == kNoFeature || ++doors % 2 == 0) continue;
+        const std::vector<Aabb> boxes = door_boxes(scene, graph, portal.feature);
+        const Aabb& leaf = scene.features[portal.feature.value].bounds_m;
+        const bool thin_x = leaf.max_m.x - leaf.min_m.x < leaf.max_m.y - leaf.min_m.y;
+        for (const double off_m : {-0.7, -0.25, 0.4}) {
+            const Vec3 start = portal.place_m + (thin_x ? Vec3(off_m, 0.0, 0.0) : Vec3(0.0, off_m, 0.0));
+            const std::uint32_t here = room_at(graph, navigation->space(), start);
+            if (here == kNothing) continue;
+            navigation->block(boxes);
+            for (const std::uint32_t room : portal.rooms) {
+                // From the middle of the room it can be gone round.
+                const Vec3 goal = graph.rooms[room].middle_m;
+                if (!navigation->plan(graph.rooms[here].middle_m, goal).reaches) continue;
+                const Route round = navigation->plan(start, goal);
+                EXPECT_TRUE(round.reaches) << graph.rooms[room].name << " from " << off_m << " m";
+                ++looked_at;
+                for (std::size_t i = 1; i < round.points_m.size(); ++i)
+                    for (double part = 0.0; part <= 1.0; part += 0.01) {
+                        const Vec3 at = glm::mix(round.points_m[i - 1], round.points_m[i], part);
+                        const bool in_leaf = at.x > leaf.min_m.x && at.x < leaf.max_m.x && at.y > leaf.min_m.y &&
+                                             at.y < leaf.max_m.y && std::abs(at.z - portal.place_m.z) < 1.0;
+                        ASSERT_FALSE(in_leaf) << graph.rooms[here].name << " to " << graph.rooms[room].name << " from "
+                                              << off_m << " m before " << spoken_name(scene, portal.feature);
+                    }
+            }
+        }
+    }
+    EXPECT_GT(looked_at, 20);
+}
+
 TEST(Routes, are_the_same_every_time_and_far_from_the_origin) {
     std::mt19937 random(7);
     const Scene scene = random_world(random, Vec3(0.0));
