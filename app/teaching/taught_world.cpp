@@ -28,11 +28,33 @@ std::vector<std::string> TaughtWorld::names() const {
     return names;
 }
 
+std::vector<std::pair<std::string, FeatureId>> TaughtWorld::doors() const {
+    std::map<std::string, int> called;
+    std::vector<FeatureId> doors;
+    for (const Mover& mover : scene_->movers)
+        if (const Feature& feature = scene_->features[mover.feature.value]; feature.kind == FeatureKind::Door) {
+            doors.push_back(mover.feature);
+            ++called[spoken_name(feature)];
+        }
+    std::vector<std::pair<std::string, FeatureId>> names;
+    for (const FeatureId door : doors) {
+        const Feature& feature = scene_->features[door.value];
+        if (!feature.name.empty()) names.emplace_back(feature.name, door);
+        if (called[spoken_name(feature)] == 1) names.emplace_back(spoken_name(feature), door);
+        for (const Portal& portal : rooms_->graph().portals) {
+            if (portal.feature != door) continue;
+            const std::string one = own_name(rooms_->graph().rooms[portal.rooms[0]]),
+                              other = own_name(rooms_->graph().rooms[portal.rooms[1]]);
+            names.emplace_back(phrase("teaching.door_between", {{"one", one}, {"other", other}}), door);
+            names.emplace_back(phrase("teaching.door_between", {{"one", other}, {"other", one}}), door);
+        }
+    }
+    return names;
+}
+
 std::vector<std::string> TaughtWorld::door_names() const {
     std::vector<std::string> names;
-    for (const Mover& mover : scene_->movers)
-        if (const Feature& feature = scene_->features[mover.feature.value]; feature.kind == FeatureKind::Door)
-            names.push_back(feature.name.empty() ? spoken_name(feature) : feature.name);
+    for (const auto& [name, door] : doors()) names.push_back(name);
     return names;
 }
 
@@ -54,12 +76,8 @@ std::vector<TaughtPlace> TaughtWorld::stops_of(const LessonRoute& route) const {
 }
 
 std::optional<FeatureId> TaughtWorld::door(std::string_view name) const {
-    for (const Mover& mover : scene_->movers) {
-        const Feature& feature = scene_->features[mover.feature.value];
-        if (feature.kind == FeatureKind::Door &&
-            (same_name(feature.name, name) || same_name(spoken_name(feature), name)))
-            return mover.feature;
-    }
+    for (const auto& [known, door] : doors())
+        if (same_name(known, name)) return door;
     return std::nullopt;
 }
 

@@ -51,6 +51,8 @@ private:
     Result<void> know(const LessonPlace& place);
     Result<void> check_step(const TaughtStep& step);
     std::vector<std::string> names() const;
+    // Each by its own name, by its kind where it is the only one, and by the rooms that it joins.
+    std::vector<std::pair<std::string, FeatureId>> doors() const;
     std::vector<std::string> door_names() const;
     tl::unexpected<Error> bad(int line, const char* key, const std::string& name,
                               const std::vector<std::string>& known) const;

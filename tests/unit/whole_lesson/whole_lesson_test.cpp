@@ -1,4 +1,4 @@
-// A lesson in our school from its making to the last trace of it: an instructor prepares it by keys, a pupil takes its
+// A lesson from its making to the last trace of it, in our school and in a house that architects drew: an instructor prepares it by keys, a pupil takes its
 // three sessions, walks of three kinds are called by their names, the report reads back, the recordings say the same
 // lines again, and the pupil is forgotten. Scenario 20 of the design.
 #include <gmock/gmock.h>
@@ -20,6 +20,7 @@
 #include "app/record/compute_again.h"
 #include "app/report/report_page.h"
 #include "tests/support/environment.h"
+#include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/whole_lesson/sitting.h"
@@ -63,29 +64,39 @@ private:
     bool connected_ = false;
 };
 
+// Where it is taught, and what is said and typed of it.
+struct Building {
+    fs::path world;
+    std::vector<std::string> stops, landmarks;  // how their entries in the lists begin
+    std::string destination;                    // the last stop
+    std::string door, misspelt;                 // that is blocked in the end
+    Vec3 before_m{0.0};                         // it
+    std::string not_by = {};                    // a door that the way with help does without; empty: none
+};
+
 class WholeLesson : public testing::Test {
 protected:
+    void whole(const Building& at);
+
     void SetUp() override {
         for (const char* name : {"data", "state", "config", "run"}) fs::create_directories(home_.path() / name);
         fs::permissions(home_.path() / "run", fs::perms::owner_all);
     }
-    fs::path school() const { return world_folder() / "school.map"; }
-
     // An instructor at the keys; the file that was saved.
-    fs::path prepared() {
+    fs::path prepared(const Building& at) {
         ExploreArguments arguments;
-        arguments.world = school();
+        arguments.world = at.world;
         Sitting sitting(std::move(arguments));
         EXPECT_TRUE(sitting.know_rooms());
         sitting.hurry(false);
         const double begun_s = sitting.now_s();
-        for (const char* stop : {"lower c", "lib"}) {
+        for (const std::string& stop : at.stops) {
             sitting.key("Shift+4");
             sitting.type(stop);
             sitting.key("Enter");
         }
         for (const char* key : {"Alt+F9", "End", "Enter", "Enter"}) sitting.key(key);
-        for (const char* landmark : {"trop", "drin", "libr"}) {
+        for (const std::string& landmark : at.landmarks) {
             sitting.key("Enter");
             sitting.type(landmark);
             sitting.key("Enter");
@@ -143,13 +154,14 @@ protected:
     }
 
     // The way four times, with less help each time.
-    void second_session(const fs::path& file) {
+    void second_session(const Building& at, const fs::path& file) {
         const ExploreArguments arguments = taught(file, 2);
         TaughtWorld& world = *arguments.lesson->world;
         Sitting sitting(arguments);
         ASSERT_TRUE(sitting.know_rooms());
-        // By the stairs, which are as good a way as the lift that the pupil is told of.
-        const Route way = world.way(world.base().stand_m, {*world.place("Library")}, {*world.door("Lift door")});
+        std::vector<FeatureId> without;
+        if (!at.not_by.empty()) without.push_back(*world.door(at.not_by));
+        const Route way = world.way(world.base().stand_m, {*world.place(at.destination)}, without);
         ASSERT_TRUE(way.reaches);
         for (const char* help : {"Help: 100 percent", "Help: 60 percent", "Help: 30 percent", "Without help"}) {
             ASSERT_TRUE(sitting.hears(help)) << help << "\n" << sitting.all();
@@ -159,8 +171,8 @@ protected:
         sitting.live(3.0);
     }
 
-    // Alone, with the lift's door blocked by the instructor; then the questions.
-    void third_session(const fs::path& file) {
+    // Alone, with a door blocked by the instructor; then the questions.
+    void third_session(const Building& at, const fs::path& file) {
         const ExploreArguments arguments = taught(file, 3);
         TaughtWorld& world = *arguments.lesson->world;
         Sitting sitting(arguments);
@@ -168,16 +180,16 @@ protected:
         ASSERT_TRUE(sitting.hears("Without help")) << sitting.all();
         const DeskLine desk;
         ASSERT_TRUE(desk.connected());
-        EXPECT_THAT(desk.order(sitting, "block Lift dor"), HasSubstr("Did you mean \"Lift door\"?"));
-        EXPECT_THAT(desk.order(sitting, "block Lift door"), HasSubstr("Done."));
+        EXPECT_THAT(desk.order(sitting, "block " + at.misspelt), HasSubstr("Did you mean \"" + at.door + "\"?"));
+        EXPECT_THAT(desk.order(sitting, "block " + at.door), HasSubstr("Done."));
         EXPECT_THAT(desk.order(sitting, "summary"), HasSubstr("contact"));
-        const TaughtPlace lift{"lift", {14.1, 9.8, 0.0}, {}};
-        ASSERT_TRUE(sitting.walk(world.way(world.base().stand_m, {lift}).points_m)) << sitting.all();
+        const TaughtPlace before{"before it", at.before_m, {}};
+        ASSERT_TRUE(sitting.walk(world.way(world.base().stand_m, {before}).points_m)) << sitting.all();
         sitting.hold(Command::Forward, 0.1);
-        const Route round = world.way(sitting.app().feet_m(), {*world.place("Library")}, {*world.door("Lift door")});
+        const Route round = world.way(sitting.app().feet_m(), {*world.place(at.destination)}, {*world.door(at.door)});
         ASSERT_TRUE(round.reaches);
         ASSERT_TRUE(sitting.walk(round.points_m)) << sitting.all();
-        ASSERT_TRUE(sitting.hears("You reached Library.")) << sitting.all();
+        ASSERT_TRUE(sitting.hears("You reached " + at.destination + ".")) << sitting.all();
         for (int i = 0; i < 3; ++i) {
             ASSERT_TRUE(sitting.hears("How far is it to")) << sitting.all();
             sitting.type("20");
@@ -327,12 +339,12 @@ void expect_summaries(const Recording& recording, const std::string& words) {
         EXPECT_NE(line.json.find("contact"), std::string::npos) << line.json;
         heard = heard || line.json.find(words) != std::string::npos;
     }
-    EXPECT_GE(count, 4);
+    EXPECT_GE(count, std::max(3, static_cast<int>(recording.lines.back().t_s / 10.0) - 1));
     EXPECT_TRUE(heard) << words;
 }
 
-TEST_F(WholeLesson, is_prepared_taught_measured_played_again_and_forgotten) {
-    const fs::path file = prepared();
+void WholeLesson::whole(const Building& at) {
+    const fs::path file = prepared(at);
     ASSERT_FALSE(file.empty());
     Learners learners(user_data_folder());
     const auto pupil = learners.make(kPupil, {});
@@ -343,13 +355,9 @@ TEST_F(WholeLesson, is_prepared_taught_measured_played_again_and_forgotten) {
 
     first_session(file);
     ASSERT_FALSE(HasFatalFailure());
-    second_session(file);
+    second_session(at, file);
     ASSERT_FALSE(HasFatalFailure());
-    third_session(file);
-    ASSERT_FALSE(HasFatalFailure());
-
-    // Shares of right names are the same under a sanitizer, and walked long for.
-    if (kSanitizerScale == 1.0) expect_right_names(file, school());
+    third_session(at, file);
     ASSERT_FALSE(HasFatalFailure());
 
     // The same lines in the same order.
@@ -396,20 +404,21 @@ TEST_F(WholeLesson, is_prepared_taught_measured_played_again_and_forgotten) {
     EXPECT_GT(value_of(*rows, "1", "learn", "walls_percent"), 30.0);
     EXPECT_LT(value_of(*rows, "1", "point", "pointing_off"), 5.0);
     EXPECT_GE(value_of(*rows, "1", "session", "strategy_perimeter"), 20.0);  // of 28 s along the walls
-    EXPECT_GT(value_of(*rows, "2", "2 go Library", "led_time"), 5.0);
-    EXPECT_EQ(value_of(*rows, "2", "5 go Library", "led_time"), 0.0);
+    const std::string go = " go " + at.destination;
+    EXPECT_GT(value_of(*rows, "2", "2" + go, "led_time"), 5.0);
+    EXPECT_EQ(value_of(*rows, "2", "5" + go, "led_time"), 0.0);
     for (const char* lap : {"2 go", "3 go", "4 go", "5 go"}) {
         EXPECT_EQ(value_of(*rows, "2", lap, "reached"), 1.0);
         EXPECT_GE(value_of(*rows, "2", lap, "turns_missed"), 0.0);
-        EXPECT_GT(value_of(*rows, "2", lap, "path_ratio"), 0.95);
+        EXPECT_GT(value_of(*rows, "2", lap, "path_ratio"), 0.9);  // one is there a little before the end of a way
         EXPECT_LT(value_of(*rows, "2", lap, "path_ratio"), 1.5);
     }
-    EXPECT_EQ(value_of(*rows, "3", "go Library", "reached"), 1.0);
-    EXPECT_EQ(value_of(*rows, "3", "go Library", "detour"), 1.0);
-    EXPECT_GT(value_of(*rows, "3", "go Library", "detour_time"), 0.0);
+    EXPECT_EQ(value_of(*rows, "3", go.substr(1), "reached"), 1.0);
+    EXPECT_EQ(value_of(*rows, "3", go.substr(1), "detour"), 1.0);
+    EXPECT_GT(value_of(*rows, "3", go.substr(1), "detour_time"), 0.0);
     EXPECT_EQ(value_of(*rows, "3", "free How sure", "answer"), 6.0);
     for (const char* measure : {"time", "contacts_hand", "help_asked", "pauses", "path_ratio", "turns_missed"})
-        value_of(*rows, "3", "go Library", measure);
+        value_of(*rows, "3", go.substr(1), measure);
     EXPECT_THAT(content_of(page), HasSubstr("A door was blocked, and you found another way."));
 
     // Nothing of the pupil is left, and the instructor's lesson is.
@@ -424,6 +433,39 @@ TEST_F(WholeLesson, is_prepared_taught_measured_played_again_and_forgotten) {
     EXPECT_THAT(search.hits, testing::IsEmpty());
     EXPECT_GT(search.files, 0U);
     EXPECT_TRUE(fs::exists(file));
+}
+
+Building our_school() {
+    return {.world = world_folder() / "school.map",
+            .stops = {"lower c", "lib"},
+            .landmarks = {"trop", "drin", "libr"},
+            .destination = "Library",
+            .door = "Lift door",
+            .misspelt = "Lift dor",
+            .before_m = {14.1, 9.8, 0.0},
+            .not_by = "Lift door"};  // the stairs are as good a way as the lift that the pupil is told of
+}
+
+TEST_F(WholeLesson, is_prepared_taught_measured_played_again_and_forgotten) { whole(our_school()); }
+
+// Shares of right names are the same under a sanitizer, and walked long for.
+TEST_F(WholeLesson, calls_walks_of_three_kinds_by_their_names) {
+    if (kSanitizerScale == 1.0) expect_right_names(prepared(our_school()), our_school().world);
+}
+
+// The front door is blocked, so the way leads round the house and in by the terrace.
+TEST_F(WholeLesson, is_taught_in_a_house_that_architects_drew_from_its_making_to_the_last_trace_of_it) {
+    const auto file = test::real_world("duplex-apartment.ifc");
+    if (!file) GTEST_SKIP() << "duplex-apartment.ifc is not here.";
+    const fs::path copy = home_.path() / file->filename();  // what is kept of it lies beside it
+    fs::copy_file(*file, copy);
+    whole({.world = copy,
+           .stops = {"liv"},
+           .landmarks = {"sof", "sto", "kit"},
+           .destination = "Living Room",
+           .door = "door between Foyer and ground outside",
+           .misspelt = "door between Foier and ground outside",
+           .before_m = {9.2, -16.18, 0.0}});
 }
 
 }  // namespace whole_lesson_test
