@@ -139,8 +139,8 @@ void Navigation::block(std::span<const Aabb> boxes) {
     }
 }
 
-// Where one is free of what is blocked, for who stands close before it: without going under the leaf of a door. Nothing:
-// nowhere.
+// Where one is free of what is blocked, for who stands close before it: without going under the leaf of a door.
+// Nothing: nowhere.
 std::uint32_t Navigation::out_of_blocked(std::uint32_t span) const {
     std::vector<std::uint32_t> open{span};
     std::set<std::uint32_t> seen{span};

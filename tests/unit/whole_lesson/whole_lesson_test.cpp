@@ -1,6 +1,6 @@
-// A lesson from its making to the last trace of it, in our school and in a house that architects drew: an instructor prepares it by keys, a pupil takes its
-// three sessions, walks of three kinds are called by their names, the report reads back, the recordings say the same
-// lines again, and the pupil is forgotten. Scenario 20 of the design.
+// A lesson from its making to the last trace of it, in our school and in a house that architects drew: an instructor
+// prepares it by keys, a pupil takes its three sessions, walks of three kinds are called by their names, the report
+// reads back, the recordings say the same lines again, and the pupil is forgotten. Scenario 20 of the design.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/socket.h>
