@@ -217,7 +217,8 @@ std::vector<std::uint32_t> Navigation::over_cells(std::uint32_t from, std::uint3
     best[from] = 0.0F;
     open.emplace(0.0, from);
     while (!open.empty()) {
-        const auto [estimate, here] = open.top();
+        const double estimate = open.top().first;
+        const std::uint32_t here = open.top().second;
         open.pop();
         if (here == to) break;
         const Vec3 at = space_.place_m(here);
