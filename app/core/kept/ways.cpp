@@ -182,6 +182,21 @@ std::string fault_words(const FoundWay& found, const std::function<std::string(d
     return fmt::format("{}", fmt::join(words, "; "));
 }
 
+Route joined(Route first, const Route& then) {
+    for (RoutePassage passage : then.passages) {
+        passage.at_m += first.length_m;
+        first.passages.push_back(passage);
+    }
+    for (const Vec3& point : then.points_m)
+        if (first.points_m.empty() || glm::length(point - first.points_m.back()) > kSamePoint_m)
+            first.points_m.push_back(point);
+    first.length_m += then.length_m;
+    first.drops = first.drops || then.drops;
+    first.reaches = then.reaches;
+    first.short_of_m = then.short_of_m;
+    return first;
+}
+
 Route plan_through(Navigation& navigation, const Vec3& from_m, std::span<const Vec3> places_m,
                    std::vector<double>* at_m) {
     contract_pre(is_finite(from_m));
@@ -191,17 +206,7 @@ Route plan_through(Navigation& navigation, const Vec3& from_m, std::span<const V
     for (const Vec3& place : places_m) {
         Route leg = navigation.plan(at, place);
         if (leg.points_m.empty() && all.points_m.empty()) return leg;
-        for (RoutePassage& passage : leg.passages) {
-            passage.at_m += all.length_m;
-            all.passages.push_back(passage);
-        }
-        for (const Vec3& point : leg.points_m)
-            if (all.points_m.empty() || glm::length(point - all.points_m.back()) > kSamePoint_m)
-                all.points_m.push_back(point);
-        all.length_m += leg.length_m;
-        all.drops = all.drops || leg.drops;
-        all.reaches = leg.reaches;
-        all.short_of_m = leg.short_of_m;
+        all = joined(std::move(all), leg);
         if (at_m) at_m->push_back(all.length_m);
         if (!leg.reaches) break;
         at = place;

@@ -66,6 +66,9 @@ FoundWay look_up(const SavedWay& way, const Scene& scene, const SideFile& file, 
 // "Desk is gone; no way on foot from Hall to Kitchen". Empty when all fits.
 std::string fault_words(const FoundWay& found, const std::function<std::string(double)>& distance);
 
+// One route and then the other, which begins where it ends.
+Route joined(Route first, const Route& then);
+
 // The way on foot through one place after the other. It ends before the first that cannot be reached. at_m, if given,
 // gets where along it each place is.
 Route plan_through(Navigation& navigation, const Vec3& from_m, std::span<const Vec3> places_m,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/core/kept/ways.h"
 #include "app/core/wayfinding/leg.h"
 #include "app/core/wayfinding/way_words.h"
 #include "worlds/base/language.h"

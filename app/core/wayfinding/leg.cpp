@@ -33,19 +33,4 @@ Route rest_of(const Route& route, double along_m) {
     return rest;
 }
 
-Route joined(Route first, const Route& then) {
-    for (RoutePassage passage : then.passages) {
-        passage.at_m += first.length_m;
-        first.passages.push_back(passage);
-    }
-    for (const Vec3& point : then.points_m)
-        if (first.points_m.empty() || glm::length(point - first.points_m.back()) > 1e-3)
-            first.points_m.push_back(point);
-    first.length_m += then.length_m;
-    first.reaches = then.reaches;
-    first.short_of_m = then.short_of_m;
-    first.drops = first.drops || then.drops;
-    return first;
-}
-
 }  // namespace handrail

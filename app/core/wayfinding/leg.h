@@ -18,7 +18,5 @@ std::optional<Leg> next_leg(Route route, const Vec3& from_m, double least_m);
 
 // What is left of a route from so far along it.
 Route rest_of(const Route& route, double along_m);
-// One after the other.
-Route joined(Route first, const Route& then);
 
 }  // namespace handrail
