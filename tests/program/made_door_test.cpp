@@ -19,17 +19,20 @@ constexpr const char* kText =
     "Building: Two rooms.\n\nRoom: Hall, 4 by 6 metres. Door outside in the south wall.\n\n"
     "Room: Kitchen, 4 by 4 metres, east of Hall. Stove in the north-east corner, landmark.\n";
 
+// What the program says of these lines, and then leaves.
+std::string said_in(const std::filesystem::path& world, const std::string& lines) {
+    ProgramCall call;
+    call.program = HANDRAIL_PROGRAM;
+    call.arguments = {world.string(), "--no-window", "--device", "none"};
+    call.input = lines + "quit\n";
+    const ProgramRun run = run_program(call);
+    EXPECT_EQ(run.exit_status, 0) << run.err;
+    return run.out;
+}
+
 class MadeDoor : public testing::Test {
 protected:
-    std::string said_of(const std::string& lines) const {
-        ProgramCall call;
-        call.program = HANDRAIL_PROGRAM;
-        call.arguments = {world_.string(), "--no-window", "--device", "none"};
-        call.input = lines + "quit\n";
-        const ProgramRun run = run_program(call);
-        EXPECT_EQ(run.exit_status, 0) << run.err;
-        return run.out;
-    }
+    std::string said_of(const std::string& lines) const { return said_in(world_, lines); }
     // The list opens once it is known what is in it.
     static std::string a_moment() { return "back 2\nforward 2\n"; }
     int check() const {
@@ -81,21 +84,12 @@ std::string terrace_in_millimetres() {
 TEST(MendedUnit, is_kept_beside_the_world_and_holds_at_once_and_in_the_next_session) {
     const TemporaryFolder folder;
     const std::filesystem::path world = folder.write("terrace.stl", terrace_in_millimetres());
-    const auto said_of = [&](const std::string& lines) {
-        ProgramCall call;
-        call.program = HANDRAIL_PROGRAM;
-        call.arguments = {world.string(), "--no-window", "--device", "none"};
-        call.input = lines + "quit\n";
-        const ProgramRun run = run_program(call);
-        EXPECT_EQ(run.exit_status, 0) << run.err;
-        return run.out;
-    };
     const std::string moment = "back 1\nforward 1\n";
-    const std::string mended = said_of("faults\n" + moment + "no unit\none unit is a millimetre\n" + moment);
+    const std::string mended = said_in(world, "faults\n" + moment + "no unit\none unit is a millimetre\n" + moment);
     EXPECT_THAT(mended, HasSubstr("the world is 6.2 metres wide"));
     EXPECT_THAT(mended, HasSubstr("That unit is kept."));
     EXPECT_THAT(content_of(folder.path() / "terrace.stl.handrail.toml"), HasSubstr("metres = 0.001"));
-    const std::string next = said_of("faults\n" + moment);
+    const std::string next = said_in(world, "faults\n" + moment);
     EXPECT_THAT(next, Not(HasSubstr("no unit of length")));
     EXPECT_THAT(next, Not(HasSubstr("6,200")));
 }

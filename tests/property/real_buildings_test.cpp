@@ -12,6 +12,7 @@
 #include "haptic/render/touch.h"
 #include "tests/property/stiff_ball.h"
 #include "tests/support/real_worlds.h"
+#include "tests/support/way_through.h"
 #include "worlds/geometry/box_index.h"
 #include "worlds/readers/reader.h"
 #include "worlds/scene/stated_building.h"
@@ -116,24 +117,6 @@ TEST(RealBuildings, a_hand_never_enters_a_solid) {
     if (buildings.empty()) GTEST_SKIP() << "no real building is here; set HANDRAIL_REAL_WORLDS";
 }
 
-// The way through a leaf: square to its largest upright face.
-std::optional<Vec3> way_through(const Scene& scene, FeatureId leaf) {
-    std::optional<Vec3> way;
-    double largest_m2 = 0.0;
-    for (const Solid& solid : scene.solids) {
-        if (solid.feature != leaf) continue;
-        for (std::size_t f = 0; f < solid.shape.faces.size(); ++f) {
-            const std::vector<Vec3>& p = solid.shape.faces[f].points_m;
-            Vec3 area{0.0};
-            for (std::size_t k = 1; k + 1 < p.size(); ++k) area += 0.5 * glm::cross(p[k] - p[0], p[k + 1] - p[0]);
-            if (std::abs(solid.shape.planes[f].normal.z) > 0.1 || glm::length(area) <= largest_m2) continue;
-            largest_m2 = glm::length(area);
-            way = solid.shape.planes[f].normal;
-        }
-    }
-    return way;
-}
-
 // At Room scale the ball is as wide as a fist of the building: 0.1 m.
 bool ball_passes(const HapticScene& haptic, const Vec3& from_m, const Vec3& to_m) {
     TouchState state;
@@ -171,7 +154,7 @@ TEST(RealBuildings, body_and_ball_pass_every_open_door_of_the_file) {
         std::string shut;
         for (const StatedPortal& portal : scene->stated->portals) {
             if (portal.kind != StatedPortalKind::Door || !portal.passable || portal.rooms.empty()) continue;
-            const std::optional<Vec3> way = way_through(*scene, portal.feature);
+            const std::optional<Vec3> way = test::way_through(*scene, portal.feature);
             if (!way) continue;
             ++doors;
             const bool body = body_passes(solids, portal.place_m, *way);

@@ -9,6 +9,7 @@
 #include "app/core/world/walker.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
+#include "tests/support/way_through.h"
 #include "worlds/readers/reader.h"
 #include "worlds/scene/stated_building.h"
 
@@ -16,24 +17,6 @@ namespace handrail {
 namespace real_doors_test {
 
 constexpr double kBefore_m = 0.45;  // of the middle of the body, from the middle of the leaf
-
-// The way through a shut leaf: level, along its thin side.
-std::optional<Vec3> through(const Scene& scene, FeatureId leaf) {
-    std::optional<Vec3> way;
-    double largest_m2 = 0.0;
-    for (const Solid& solid : scene.solids) {
-        if (solid.feature != leaf) continue;
-        for (std::size_t f = 0; f < solid.shape.faces.size(); ++f) {
-            const std::vector<Vec3>& p = solid.shape.faces[f].points_m;
-            Vec3 area{0.0};
-            for (std::size_t k = 1; k + 1 < p.size(); ++k) area += 0.5 * glm::cross(p[k] - p[0], p[k + 1] - p[0]);
-            if (std::abs(solid.shape.planes[f].normal.z) > 0.1 || glm::length(area) <= largest_m2) continue;
-            largest_m2 = glm::length(area);
-            way = solid.shape.planes[f].normal;
-        }
-    }
-    return way;
-}
 
 bool walks(const BodyWorld& world, const BodySize& size, const Vec3& middle_m, const Vec3& way) {
     Walker walker(world, size);
@@ -60,7 +43,7 @@ TEST(RealDoors, are_walked_through_both_ways_by_the_body_of_a_session) {
         std::string names;
         for (const StatedPortal& portal : scene->stated->portals) {
             if (portal.kind != StatedPortalKind::Door || !portal.passable || portal.rooms.empty()) continue;
-            const std::optional<Vec3> way = through(*scene, portal.feature);
+            const std::optional<Vec3> way = test::way_through(*scene, portal.feature);
             if (!way) continue;
             ++doors;
             const bool there = walks(world, size, portal.place_m, *way),
