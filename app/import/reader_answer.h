@@ -9,7 +9,7 @@ namespace handrail {
 
 inline constexpr int kAnswerFd = 3, kTellFd = 4;
 inline constexpr int kReaderWords = 11;  // with the program's own name
-inline constexpr int kWrongUse = 2, kNoMemory = 3, kNoRoom = 4;
+inline constexpr int kWrongUse = 2, kNoMemory = 3, kNoRoom = 4, kCutMeanwhile = 5;
 inline constexpr std::size_t kMostHandedOver_bytes = std::size_t{1} << 30;
 
 // Before the bytes of the scene, which follow where it was read.

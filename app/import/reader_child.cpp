@@ -50,6 +50,17 @@ T number(const char* word) {
     return value;
 }
 
+// What is looked at in a mapped file that ends before by now.
+void end_where_the_file_was_cut() {
+    struct sigaction act {};
+    act.sa_sigaction = [](int, siginfo_t* info, void*) {
+        if (info->si_code == BUS_ADRERR) ::_exit(kCutMeanwhile);
+        ::signal(SIGBUS, SIG_DFL);  // anything else is met again, and told as what it is
+    };
+    act.sa_flags = SA_SIGINFO;
+    ::sigaction(SIGBUS, &act, nullptr);
+}
+
 int answer(int fd, const Result<Scene>& scene, const std::vector<BesideFile>& beside) {
     ReaderAnswer told;
     told.read = scene.has_value();
@@ -76,6 +87,7 @@ int reader_process(int argc, char** argv) {
 #ifndef HANDRAIL_SANITIZED
     limit(RLIMIT_AS, number<rlim_t>(argv[4]));
 #endif
+    end_where_the_file_was_cut();
     std::set_new_handler([] { ::_exit(kNoMemory); });
     (void)speak_language(argv[1], argv[2]);
 
@@ -87,6 +99,7 @@ int reader_process(int argc, char** argv) {
     options.guess_materials = argv[9][1] == '1';
     options.solid_meshes = argv[9][2] == '1';
     options.building = argv[10];
+    options.mapped = true;
     std::vector<BesideFile> beside;
     options.read_beside = [&](const std::string& name) {
         Result<std::string> bytes = read_file_beside(path, name, {});

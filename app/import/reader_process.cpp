@@ -94,6 +94,7 @@ std::string end_words(int status, const ReaderLimits& limits, double cpu_s) {
         return phrase("import.broke_down", {{"reason", ::strsignal(signal)}});
     }
     if (WEXITSTATUS(status) == kNoMemory) return too_much();
+    if (WEXITSTATUS(status) == kCutMeanwhile) return phrase("import.cut_meanwhile");
     if (WEXITSTATUS(status) == kNoRoom) return phrase("import.too_large");
     return phrase("import.broke_down", {{"reason", phrase("import.status", {{"status", WEXITSTATUS(status)}})}});
 }

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -28,6 +29,26 @@ auto again(Call&& call) {
         const auto result = call();
         if (result >= 0 || errno != EINTR) return result;
     }
+}
+
+// An ordinary file, open for reading, and how large it is.
+struct OpenFile {
+    Descriptor file;
+    std::size_t size = 0;
+};
+
+Result<OpenFile> opened(const fs::path& path) {
+    const std::string name = path.filename().string();
+    // Not waiting: a pipe that nobody writes would never open.
+    Descriptor file(again([&] { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY); }));
+    if (file.get() < 0 && errno == ENXIO) return fail(phrase("files.no_file"), name);  // a socket
+    if (file.get() < 0) return fail(phrase("files.cannot_open", {{"reason", reason_of(errno)}}), name);
+    struct stat info {};
+    if (::fstat(file.get(), &info) != 0)
+        return fail(phrase("files.cannot_read", {{"reason", reason_of(errno)}}), name);
+    if (S_ISDIR(info.st_mode)) return fail(phrase("files.folder"), name);
+    if (!S_ISREG(info.st_mode)) return fail(phrase("files.no_file"), name);
+    return OpenFile{std::move(file), static_cast<std::size_t>(info.st_size)};
 }
 
 // Who replaces a file holds a lock on what it writes beside it, and loses it by dying. So what is old and not locked
@@ -74,25 +95,34 @@ std::string reason_of(int error) {
 
 Result<std::string> read_whole_file(const fs::path& path, std::size_t max_bytes, const std::stop_token& stop) {
     const std::string name = path.filename().string();
-    // Not waiting: a pipe that nobody writes would never open.
-    const Descriptor file(again([&] { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY); }));
-    if (file.get() < 0 && errno == ENXIO) return fail(phrase("files.no_file"), name);  // a socket
-    if (file.get() < 0) return fail(phrase("files.cannot_open", {{"reason", reason_of(errno)}}), name);
-    struct stat info {};
-    if (::fstat(file.get(), &info) != 0) return fail(phrase("files.cannot_read", {{"reason", reason_of(errno)}}), name);
-    if (S_ISDIR(info.st_mode)) return fail(phrase("files.folder"), name);
-    if (!S_ISREG(info.st_mode)) return fail(phrase("files.no_file"), name);
+    const Result<OpenFile> from = opened(path);
+    if (!from) return tl::unexpected(from.error());
     std::string content;
     char block[1 << 16];
     for (;;) {
         if (stop.stop_requested()) return fail(phrase("files.stopped"), name);
-        const ssize_t got = again([&] { return ::read(file.get(), block, sizeof block); });
+        const ssize_t got = again([&] { return ::read(from->file.get(), block, sizeof block); });
         if (got < 0) return fail(phrase("files.cannot_read", {{"reason", reason_of(errno)}}), name);
         if (got == 0) return content;
         if (content.size() + static_cast<std::size_t>(got) > max_bytes)
             return fail(phrase("files.too_large", {{"megabytes", max_bytes >> 20}}), name);
         content.append(block, static_cast<std::size_t>(got));
     }
+}
+
+MappedFile::~MappedFile() {
+    if (!bytes_.empty()) ::munmap(const_cast<char*>(bytes_.data()), bytes_.size());
+}
+
+Result<MappedFile> map_file(const fs::path& path, std::size_t max_bytes) {
+    const std::string name = path.filename().string();
+    const Result<OpenFile> from = opened(path);
+    if (!from) return tl::unexpected(from.error());
+    if (from->size > max_bytes) return fail(phrase("files.too_large", {{"megabytes", max_bytes >> 20}}), name);
+    if (from->size == 0) return MappedFile({});
+    void* const at = ::mmap(nullptr, from->size, PROT_READ, MAP_PRIVATE, from->file.get(), 0);
+    if (at == MAP_FAILED) return fail(phrase("files.cannot_read", {{"reason", reason_of(errno)}}), name);
+    return MappedFile({static_cast<const char*>(at), from->size});
 }
 
 Result<void> write_file_atomically(const fs::path& path, std::string_view content) {

@@ -7,6 +7,7 @@
 #include <stop_token>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "worlds/base/result.h"
 
@@ -20,6 +21,26 @@ std::string reason_of(int error);
 // folder, a pipe, a socket, a device), and when it is stopped, which is looked at every 64 KiB.
 Result<std::string> read_whole_file(const std::filesystem::path& path, std::size_t max_bytes = std::size_t{1} << 30,
                                     const std::stop_token& stop = {});
+
+// The bytes of a file as the system lays them into memory when they are looked at, and drops them again when memory is
+// short; nothing is copied. Whoever looks at what somebody cuts off the file meanwhile gets SIGBUS, so this is for
+// processes that may end by that.
+class MappedFile {
+public:
+    explicit MappedFile(std::string_view bytes) noexcept : bytes_(bytes) {}
+    MappedFile(MappedFile&& other) noexcept : bytes_(std::exchange(other.bytes_, {})) {}
+    MappedFile(const MappedFile&) = delete;
+    MappedFile& operator=(const MappedFile&) = delete;
+    ~MappedFile();
+
+    std::string_view bytes() const { return bytes_; }
+
+private:
+    std::string_view bytes_;
+};
+
+// Fails as read_whole_file does.
+Result<MappedFile> map_file(const std::filesystem::path& path, std::size_t max_bytes = std::size_t{1} << 30);
 
 // Replaces `path` with `content`, or leaves it exactly as it was and says why. Creates missing parent folders.
 // A symbolic link is followed, so that the link stays a link. Keeps the permission bits of an existing file. What

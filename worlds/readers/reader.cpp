@@ -78,25 +78,36 @@ Result<std::string> read_file_beside(const fs::path& world, const std::string& o
     return read_whole_file(world.parent_path() / name, kLargestBeside_bytes, stop);
 }
 
-Result<Scene> read_world(const fs::path& path, const ReadOptions& options) {
-    const Result<std::string> bytes = read_whole_file(path, kLargestWorld_bytes, options.stop);
-    if (!bytes) return tl::unexpected(bytes.error());
+namespace {
+
+Result<Scene> read_bytes(const fs::path& path, std::string_view bytes, const ReadOptions& options) {
     const std::string name = path.filename().string();
-    if (bytes->empty()) return fail(phrase("reader.empty"), name);
-    const bool ours = osm_form(*bytes, name) != OsmForm::None || is_imdf(*bytes) || is_ifczip(path, *bytes);
+    if (bytes.empty()) return fail(phrase("reader.empty"), name);
+    const bool ours = osm_form(bytes, name) != OsmForm::None || is_imdf(bytes) || is_ifczip(path, bytes);
     for (const ForeignFile& foreign : kForeign)
-        if (!ours && bytes->starts_with(foreign.first_bytes)) return fail(phrase(foreign.says), name);
-    if (is_rmf(*bytes)) return fail(phrase("reader.worldcraft"), name);
+        if (!ours && bytes.starts_with(foreign.first_bytes)) return fail(phrase(foreign.says), name);
+    if (is_rmf(bytes)) return fail(phrase("reader.worldcraft"), name);
     ReadOptions with_folder = options;
     if (!with_folder.read_beside)
         with_folder.read_beside = [&](const std::string& other) { return read_file_beside(path, other, options.stop); };
     for (const MapReader& reader : kReaders)
-        if (reader.accepts(path, *bytes)) {
-            Result<Scene> scene = reader.read(*bytes, name, with_folder);
+        if (reader.accepts(path, bytes)) {
+            Result<Scene> scene = reader.read(bytes, name, with_folder);
             if (scene && !options.unit_is_known) ask_about_unit(*scene);
             return scene;
         }
     return fail(phrase("reader.other_ending"), name);
+}
+
+}  // namespace
+
+Result<Scene> read_world(const fs::path& path, const ReadOptions& options) {
+    if (options.mapped) {
+        const Result<MappedFile> file = map_file(path, kLargestWorld_bytes);
+        return file ? read_bytes(path, file->bytes(), options) : tl::unexpected(file.error());
+    }
+    const Result<std::string> bytes = read_whole_file(path, kLargestWorld_bytes, options.stop);
+    return bytes ? read_bytes(path, *bytes, options) : tl::unexpected(bytes.error());
 }
 
 }  // namespace handrail

@@ -254,6 +254,32 @@ TEST(ReaderProcess, ends_at_once_when_it_is_not_wanted_any_more) {
     EXPECT_NE(::kill(process, 0), 0) << "it is gone and waited for";
 }
 
+// Nothing is copied, so whoever writes the file anew cuts off what is still to be looked at. A reader may be quicker
+// than the hand that stops it, and has then read all of it.
+TEST(ReaderProcess, says_so_where_the_file_is_cut_short_meanwhile) {
+    const test::TemporaryFolder folder;
+    bool said = false;
+    for (int attempt = 0; attempt < 50 && !said; ++attempt) {
+        const fs::path path = folder.write("house.ifc", large_house());
+        ReadOptions options;
+        bool stopped = false;
+        options.stage = [&](std::string_view) {
+            if (std::exchange(stopped, true)) return;
+            const std::string children = test::content_of(fmt::format("/proc/self/task/{}/children", ::getpid()));
+            const auto reader = static_cast<pid_t>(std::stoi(children));
+            ::kill(reader, SIGSTOP);
+            fs::resize_file(path, 0);
+            ::kill(reader, SIGCONT);
+        };
+        const auto read = read_apart(path, options, find_reader_program());
+        ASSERT_TRUE(stopped);
+        if (read) continue;
+        EXPECT_THAT(read.error().sentence(), HasSubstr("cut short while it was being read"));
+        said = true;
+    }
+    EXPECT_TRUE(said);
+}
+
 // Gone, or dead and not yet waited for by whoever inherited it.
 bool is_dead(pid_t process) {
     const std::string stat = test::content_of(fmt::format("/proc/{}/stat", process));
