@@ -20,6 +20,76 @@ constexpr std::size_t kMostCellars = 2'000;  // rooms that the ground is cut awa
 
 double middle(double a, double b) { return 0.5 * (a + b); }
 
+// Of an outline seen from above.
+struct Edge {
+    Vec2 from{0.0}, to{0.0};
+};
+
+std::vector<Edge> edges_of(const StatedRoom& room) {
+    std::vector<Edge> edges;
+    for (const Ring& ring : room.rings)
+        for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
+    return edges;
+}
+
+constexpr double kLeastBorder_m = 0.5, kFarthestBorder_m = 200.0, kBesideBorder_m = 0.05, kOneFloor_m = 0.3;
+constexpr double kBorderStep_m = 0.25, kBorderBody_m = 0.6;
+
+// The stretch of an edge that another runs along; nothing where that is no border.
+std::optional<Reach> shared_stretch(const Edge& edge, const Edge& other) {
+    const double length = glm::length(edge.to - edge.from);
+    if (!(length >= kLeastBorder_m && length <= kFarthestBorder_m)) return std::nullopt;
+    const Vec2 way = (edge.to - edge.from) / length, left(-way.y, way.x);
+    const Vec2 p = other.from - edge.from, q = other.to - edge.from;
+    const Reach shared{std::max(0.0, std::min(glm::dot(p, way), glm::dot(q, way))),
+                       std::min(length, std::max(glm::dot(p, way), glm::dot(q, way)))};
+    if (std::abs(glm::dot(p, left)) > kBesideBorder_m || std::abs(glm::dot(q, left)) > kBesideBorder_m ||
+        shared.most - shared.least < kLeastBorder_m)
+        return std::nullopt;
+    return shared;
+}
+
+// The place of a stretch nearest to its middle at which a body goes through, under a ceiling that high over the floor.
+std::optional<Vec3> way_across(const IfcBuilding& building, const Edge& edge, const Reach& shared, double floor_m,
+                               double height_m) {
+    const Vec2 way = (edge.to - edge.from) / glm::length(edge.to - edge.from), left(-way.y, way.x);
+    const double middle_m = middle(shared.least, shared.most);
+    const double reach_m = std::max(0.5 * (shared.most - shared.least - kBorderBody_m), 0.0);
+    WallGap gap;
+    gap.axes = {{way.x, way.y, 0.0}, {left.x, left.y, 0.0}, {0.0, 0.0, 1.0}, {}};
+    gap.least_m = {-0.5 * kBorderBody_m, -kBesideBorder_m, 0.0};
+    gap.most_m = {0.5 * kBorderBody_m, kBesideBorder_m, height_m};
+    for (double off = 0.0; off <= reach_m; off += kBorderStep_m)
+        for (const double at : {middle_m - off, middle_m + off}) {
+            const Vec2 place = edge.from + way * at;
+            gap.axes.origin_m = {place.x, place.y, floor_m};
+            if (can_pass(building, gap)) return gap.axes.origin_m;
+        }
+    return std::nullopt;
+}
+
+// The widest passage between two rooms of one floor where their outlines run along each other; its width is 0 where
+// there is none.
+StatedPortal open_border(const IfcBuilding& building, const StatedRoom& room, const StatedRoom& other) {
+    StatedPortal portal;
+    portal.kind = StatedPortalKind::Opening;
+    portal.name = room.name + ", " + other.name;
+    portal.by_boundaries = true;
+    portal.height_m = std::min(room.height_m, other.height_m);
+    if (std::abs(other.floor_m - room.floor_m) > kOneFloor_m) return portal;
+    const double floor_m = std::max(room.floor_m, other.floor_m);
+    for (const Edge& edge : edges_of(room))
+        for (const Edge& beside : edges_of(other)) {
+            const std::optional<Reach> shared = shared_stretch(edge, beside);
+            if (!shared || shared->most - shared->least < portal.width_m) continue;
+            if (const std::optional<Vec3> place = way_across(building, edge, *shared, floor_m, portal.height_m)) {
+                portal.place_m = *place;
+                portal.width_m = shared->most - shared->least;
+            }
+        }
+    return portal;
+}
+
 }  // namespace
 
 void IfcScene::add_leaf(const WallGap& gap, double from, double to, bool hinge_at_least, std::size_t i,
@@ -164,63 +234,21 @@ void IfcScene::join_flights() {
 // Rooms between which the file has a border but no wall: where their outlines run along each other, both have such a
 // border, and a body goes through.
 std::vector<StatedPortal> IfcScene::open_borders() const {
-    constexpr double kLeast_m = 0.5, kBeside_m = 0.05, kOneFloor_m = 0.3, kStep_m = 0.25, kBody_m = 0.6,
-                     kFarthest_m = 200.0;
-    std::vector<StatedPortal> borders;
     std::map<std::uint32_t, int> open;  // rooms, with the line that says so
     for (const auto& [space, boundary] : relations_.open_at)
         if (const auto room = building_.room_of_id.find(space); room != building_.room_of_id.end())
             open.emplace(room->second, model_.line(boundary));
-    const auto edges_of = [](const StatedRoom& room) {
-        std::vector<std::array<Vec2, 2>> edges;
-        for (const Ring& ring : room.rings)
-            for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
-        return edges;
-    };
+    std::vector<StatedPortal> borders;
     for (const auto& [a, line] : open) {
         const StatedRoom& room = stated_->rooms[a];
         Aabb around;
-        for (const auto& edge : edges_of(room)) around.include({edge[0].x, edge[0].y, room.floor_m});
+        for (const Edge& edge : edges_of(room)) around.include({edge.from.x, edge.from.y, room.floor_m});
         if (around.empty()) continue;
         for (const std::uint32_t b : rooms_.near(grown(around, 0.2))) {
-            const StatedRoom& other = stated_->rooms[b];
-            if (b <= a || !open.contains(b) || std::abs(other.floor_m - room.floor_m) > kOneFloor_m) continue;
-            StatedPortal portal;
-            portal.kind = StatedPortalKind::Opening;
-            for (const auto& [from, to] : edges_of(room)) {
-                const double length = glm::length(to - from);
-                if (!(length >= kLeast_m && length <= kFarthest_m)) continue;
-                const Vec2 way = (to - from) / length, left(-way.y, way.x);
-                for (const auto& [p, q] : edges_of(other)) {
-                    const double first = std::max(0.0, std::min(glm::dot(p - from, way), glm::dot(q - from, way))),
-                                 last = std::min(length, std::max(glm::dot(p - from, way), glm::dot(q - from, way)));
-                    if (std::abs(glm::dot(p - from, left)) > kBeside_m ||
-                        std::abs(glm::dot(q - from, left)) > kBeside_m || last - first < kLeast_m ||
-                        last - first < portal.width_m)
-                        continue;
-                    // The place nearest to its middle at which a body goes through.
-                    const double middle_m = 0.5 * (first + last), reach_m = 0.5 * (last - first - kBody_m);
-                    for (double off = 0.0; off <= std::max(reach_m, 0.0); off += kStep_m)
-                        for (const double at : {middle_m - off, middle_m + off}) {
-                            WallGap gap;
-                            gap.axes = {{way.x, way.y, 0.0}, {left.x, left.y, 0.0}, {0.0, 0.0, 1.0}, {}};
-                            const Vec2 place = from + way * at;
-                            gap.axes.origin_m = {place.x, place.y, std::max(room.floor_m, other.floor_m)};
-                            gap.least_m = {-0.5 * kBody_m, -kBeside_m, 0.0};
-                            gap.most_m = {0.5 * kBody_m, kBeside_m, std::min(room.height_m, other.height_m)};
-                            if (!can_pass(building_, gap)) continue;
-                            portal.place_m = gap.axes.origin_m;
-                            portal.width_m = last - first;
-                            off = reach_m + 1.0;
-                            break;
-                        }
-                }
-            }
+            if (b <= a || !open.contains(b)) continue;
+            StatedPortal portal = open_border(building_, room, stated_->rooms[b]);
             if (portal.width_m <= 0.0) continue;
-            portal.name = room.name + ", " + other.name;
-            portal.height_m = std::min(room.height_m, other.height_m);
             portal.rooms = {a, b};
-            portal.by_boundaries = true;
             portal.source = {line, 0};
             borders.push_back(std::move(portal));
         }
