@@ -49,7 +49,7 @@ TEST(RecordedSession, holds_every_line_that_was_said_in_order) {
 // What somebody does who is in a hurry: commands, lists, typed text, another world, settings.
 constexpr const char* kBusy[] = {
     "forward 3\nwhere\nexits\nescape\nverbosity\nfind\nkitchen\nexits\n1\nscale-up\nscale-down\nwhat\nahead\n",
-    "world quake\nforward 9\nright 4\nforward 5\naround\nmark\nmy \"first\" mark\nmarks\nescape\nmenu\n2\n"
+    "menu\nWorlds\nhouse\nforward 9\nright 4\nforward 5\naround\nmark\nmy \"first\" mark\nmarks\nescape\nmenu\n2\n"
     "escape\nforward 4\nbackward 2\nwhere\nrepeat\n",
     "hand-left\nfind\nstairs\ntake-me\nleft 3\nforward 12\nname-room\nMy "
     "hall\nwhere\nlost\n"
