@@ -44,8 +44,7 @@ Result<OpenFile> opened(const fs::path& path) {
     if (file.get() < 0 && errno == ENXIO) return fail(phrase("files.no_file"), name);  // a socket
     if (file.get() < 0) return fail(phrase("files.cannot_open", {{"reason", reason_of(errno)}}), name);
     struct stat info {};
-    if (::fstat(file.get(), &info) != 0)
-        return fail(phrase("files.cannot_read", {{"reason", reason_of(errno)}}), name);
+    if (::fstat(file.get(), &info) != 0) return fail(phrase("files.cannot_read", {{"reason", reason_of(errno)}}), name);
     if (S_ISDIR(info.st_mode)) return fail(phrase("files.folder"), name);
     if (!S_ISREG(info.st_mode)) return fail(phrase("files.no_file"), name);
     return OpenFile{std::move(file), static_cast<std::size_t>(info.st_size)};

@@ -28,9 +28,7 @@ struct OurPart {
     bool solid = false;  // wholly
 };
 
-Aabb moved(const Aabb& box, const Vec3& by_m) {
-    return box.empty() ? box : Aabb{box.min_m + by_m, box.max_m + by_m};
-}
+Aabb moved(const Aabb& box, const Vec3& by_m) { return box.empty() ? box : Aabb{box.min_m + by_m, box.max_m + by_m}; }
 
 std::map<std::string, OurPart> parts_of(const IfcBuilding& building) {
     std::map<std::string, OurPart> parts;
@@ -71,8 +69,8 @@ double apart_m(const Aabb& a, const Aabb& b) {
 
 // What a building for touch has no use for, and a rafter or a stud that belongs to nothing.
 bool is_left_out(const std::string& kind) {
-    static const std::set<std::string> kinds{"IfcSite", "IfcBuilding", "IfcBuildingStorey", "IfcAnnotation",
-                                             "IfcVirtualElement", "IfcGrid", "IfcMember", "IfcPlate"};
+    static const std::set<std::string> kinds{"IfcSite",           "IfcBuilding", "IfcBuildingStorey", "IfcAnnotation",
+                                             "IfcVirtualElement", "IfcGrid",     "IfcMember",         "IfcPlate"};
     return kinds.contains(kind);
 }
 

@@ -326,9 +326,7 @@ double value_of(const std::vector<ResultRow>& rows, const std::string& session, 
 
 // The line of how it stands every ten seconds from the lesson's begin on, in words. It begins when the ways are known.
 void expect_summaries(const Recording& recording, const std::string& words) {
-    const auto is = [](const RecordedLine& line, const char* act) {
-        return line.json.find(act) != std::string::npos;
-    };
+    const auto is = [](const RecordedLine& line, const char* act) { return line.json.find(act) != std::string::npos; };
     const auto begun = std::find_if(recording.lines.begin(), recording.lines.end(),
                                     [&](const RecordedLine& line) { return is(line, "\"act\":\"begin\""); });
     ASSERT_NE(begun, recording.lines.end());
