@@ -57,6 +57,8 @@ std::string say(const Scene& scene, const WorldFault& fault, std::string_view ke
                         {"with", other.empty() ? "no" : "yes"},
                         {"metres", fault.amount},
                         {"centimetres", fault.amount * 100.0},
+                        {"needed", fault.needed_m},
+                        {"lack", std::string(word_of(fault.lack))},
                         {"known", fault.amount > 0.0 ? "yes" : "no"},
                         {"candidates", candidates},
                         {"any", candidates.empty() ? "no" : "yes"}});

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "worlds/check/way_lacks.h"
 #include "worlds/navigation/rooms.h"
 #include "worlds/scene/scene.h"
 
@@ -51,12 +52,15 @@ std::vector<FaultKind> all_fault_kinds();
 
 struct WorldFault {
     FaultKind kind = FaultKind::UnnamedRoom;
-    Vec3 at_m{0.0};                          // world metres; on the floor where it concerns a place to walk
+    Vec3 at_m{0.0};                          // world metres; on the floor where it concerns a place to walk; of a room
+                                             // out of reach where the way to it lacks something
     SourcePlace source = {};                 // 0: unknown
     FeatureId feature = kNoFeature;          // the door or thing
     std::uint32_t room = kNothing;           // of the graph, where it concerns one or lies in one
     std::string name = {}, other = {};       // what it concerns, as it is spoken: the room, the thing; and a second
-    double amount = 0.0;                     // metres: of a crack, a drop, a door's width
+    double amount = 0.0;                     // metres: of a crack, a drop, a door's width, what a way has
+    Lack lack = Lack::Nothing;               // of the way to a room out of reach
+    double needed_m = 0.0;                   // what it would have to have
     std::vector<FeatureId> candidates = {};  // for a landmark, the best first; at most 3
 };
 

@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <set>
 
 #include "worlds/base/language.h"
 #include "worlds/check/examined.h"
+#include "worlds/check/missing_doors.h"
 #include "worlds/navigation/reach.h"
 #include "worlds/scene/honest_report.h"
 
@@ -52,8 +55,48 @@ std::vector<bool> walked_into(const Examined& world) {
     return rooms;
 }
 
+// What is over a place and takes its headroom; null: a sheet.
+const Solid* above(const Examined& world, const Vec3& at_m, double headroom_m) {
+    constexpr double kInto_m = 0.02;
+    return world.solid_at(at_m + Vec3(0.0, 0.0, headroom_m + kInto_m), world.space->body.radius_m);
+}
+
+// Its name, or that of its under side.
+std::string name_from_below(const Scene& scene, const Solid& solid) {
+    if (solid.feature != kNoFeature) return spoken_name(scene.features[solid.feature.value]);
+    for (std::size_t i = 0; i < std::min(solid.shape.planes.size(), solid.face_features.size()); ++i)
+        if (solid.shape.planes[i].normal.z < -0.5 && solid.face_features[i] != kNoFeature)
+            return spoken_name(scene.features[solid.face_features[i].value]);
+    return {};
+}
+
+// Puts into faults, each of a room out of reach, what the best ways to them lack, of these kinds. Headroom that things
+// take is not their lack.
+void tell_lacks(const Examined& world, std::span<WorldFault> faults, std::span<const Lack> kinds) {
+    const std::vector<Start>& starts = world.scene.starts;
+    const auto base = std::find_if(starts.begin(), starts.end(), [](const Start& start) { return start.base; });
+    if (base == starts.end()) return;
+    std::vector<Vec3> places_m;
+    for (const WorldFault& fault : faults) places_m.push_back(fault.at_m);
+    const std::vector<WayLacks> lacks = way_lacks(world.scene, *world.space, base->feet_m, places_m, kinds);
+    for (std::size_t i = 0; i < lacks.size(); ++i) {
+        const WayLacks& found = lacks[i];
+        if (found.lack == Lack::Nothing) continue;
+        if (found.lack == Lack::Headroom)
+            if (const Solid* solid = above(world, found.at_m, found.has_m)) {
+                if (solid->feature != kNoFeature && world.is_thing(solid->feature)) continue;
+                faults[i].other = name_from_below(world.scene, *solid);
+            }
+        faults[i].lack = found.lack;
+        faults[i].at_m = found.at_m;
+        faults[i].amount = found.has_m;
+        faults[i].needed_m = found.needs_m;
+    }
+}
+
 void blocked_by_things(const Examined& world, std::vector<WorldFault>& faults) {
     const std::vector<bool> reached = walked_into(world);
+    std::vector<WorldFault> found;
     for (std::uint32_t r = 0; r < reached.size(); ++r) {
         const Room& room = world.graph->rooms[r];
         const bool told = std::any_of(faults.begin(), faults.end(), [&](const WorldFault& fault) {
@@ -64,19 +107,36 @@ void blocked_by_things(const Examined& world, std::vector<WorldFault>& faults) {
         WorldFault fault{FaultKind::RoomOutOfReach, room.middle_m, world.room_source(r)};
         fault.room = r;
         fault.name = room.name;
-        faults.push_back(std::move(fault));
+        fault.lack = Lack::Things;
+        found.push_back(std::move(fault));
     }
+    // Stairs stand about too, and may lead under a floor.
+    constexpr std::array kKinds{Lack::Headroom};
+    tell_lacks(world, found, kKinds);
+    std::move(found.begin(), found.end(), std::back_inserter(faults));
 }
 
 void out_of_reach(const Examined& world, std::vector<WorldFault>& faults) {
+    std::vector<WorldFault> walled, others;
     for (const RoomOutOfReach& room : rooms_out_of_reach(world.scene, *world.space, *world.graph)) {
         if (room.room != kNothing && world.is_ground(room.room)) continue;
         WorldFault fault{FaultKind::RoomOutOfReach, room.at_m,
                          room.room == kNothing ? world.ground_source(room.at_m) : world.room_source(room.room)};
         fault.room = room.room;
         fault.name = room.name;
-        faults.push_back(std::move(fault));
+        if (room.room != kNothing) {
+            const std::vector<MissingDoor> doors =
+                missing_doors(world.scene, *world.space, *world.graph, room.room, std::nullopt, 1);
+            if (!doors.empty()) fault.other = world.room_name(doors[0].to);
+        }
+        (fault.other.empty() ? others : walled).push_back(std::move(fault));
     }
+    constexpr std::array kKinds{Lack::Headroom, Lack::Step, Lack::Width};
+    tell_lacks(world, others, kKinds);
+    std::move(others.begin(), others.end(), std::back_inserter(walled));
+    std::stable_sort(walled.begin(), walled.end(),
+                     [](const WorldFault& a, const WorldFault& b) { return a.room < b.room; });
+    std::move(walled.begin(), walled.end(), std::back_inserter(faults));
 }
 
 // No landing of stairs, which is a part of them, and no ground.

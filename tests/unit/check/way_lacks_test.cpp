@@ -1,0 +1,233 @@
+// What the best way to a place lacks: on small worlds with one lack each, and against bodies that are tried one by one.
+#include "worlds/check/way_lacks.h"
+
+#include <gmock/gmock.h>
+
+#include <random>
+
+#include "tests/support/box_scene.h"
+#include "tests/support/random_families.h"
+#include "tests/support/real_worlds.h"
+#include "tests/support/scale.h"
+#include "worlds/check/faults.h"
+#include "worlds/navigation/navigation.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail {
+namespace way_lacks_test {
+
+using ::testing::HasSubstr;
+
+// Two rooms of 4 by 4 metres side by side; what stands between x = 4 and x = 5 joins or parts them. The second room's
+// floor lies `up_m` higher.
+test::SceneBuilder two_rooms(const Vec3& at, double up_m = 0.0) {
+    test::SceneBuilder b;
+    const auto wall = [&](const Vec3& from, const Vec3& to) {
+        b.box(at + from, at + to, "wall", SolidRole::Solid, {}, FeatureKind::Wall);
+    };
+    b.box(at + Vec3(0, 0, -0.2), at + Vec3(5, 4, 0), "floor", SolidRole::Solid, {}, FeatureKind::Floor);
+    b.box(at + Vec3(5, 0, -0.2), at + Vec3(9, 4, up_m), "floor", SolidRole::Solid, {}, FeatureKind::Floor);
+    wall({-0.2, -0.2, -0.2}, {9.2, 0, 4});
+    wall({-0.2, 4, -0.2}, {9.2, 4.2, 4});
+    wall({-0.2, 0, -0.2}, {0, 4, 4});
+    wall({9, 0, -0.2}, {9.2, 4, 4});
+    b.start(at + Vec3(1, 2, 0), 0.0);
+    return b;
+}
+
+constexpr std::array kKinds{Lack::Headroom, Lack::Step, Lack::Width};
+
+WayLacks lacks_in(const Scene& scene, const Vec3& to_m) {
+    const WalkBody body = walk_body(scene, 0.25, 1.8, 0.25);
+    const Result<WalkSpace> space = make_walk_space(scene, body);
+    EXPECT_TRUE(space.has_value());
+    const std::array places{to_m};
+    return way_lacks(scene, *space, scene.starts[0].feet_m, places, kKinds)[0];
+}
+
+TEST(WayLacks, are_what_stands_in_the_way_of_a_body_and_how_much_there_is) {
+    for (const Vec3& at : {Vec3(0.0), Vec3(52'428.8, -26'214.4, 102.4)}) {
+        const Vec3 there = at + Vec3(7, 2, 0);
+        {  // A beam at 1.3 m.
+            test::SceneBuilder b = two_rooms(at);
+            b.box(at + Vec3(4, 0, 1.3), at + Vec3(5, 4, 4), "Beam", SolidRole::Solid, {}, FeatureKind::Wall);
+            const WayLacks found = lacks_in(*b.share(), there);
+            EXPECT_EQ(found.lack, Lack::Headroom);
+            EXPECT_NEAR(found.has_m, 1.3, 1e-3);
+            EXPECT_NEAR(found.needs_m, 1.8, 1e-9);
+            EXPECT_GE(found.at_m.x, at.x + 3.7);
+            EXPECT_LE(found.at_m.x, at.x + 5.3);
+        }
+        {  // A ledge of half a metre.
+            const WayLacks found = lacks_in(*two_rooms(at, 0.5).share(), there + Vec3(0, 0, 0.5));
+            EXPECT_EQ(found.lack, Lack::Step);
+            EXPECT_NEAR(found.has_m, 0.5, 1e-3);
+            EXPECT_NEAR(found.needs_m, 0.25, 1e-9);
+            EXPECT_NEAR(found.at_m.x, at.x + 5.0, 0.35);
+        }
+        {  // A gap of 0.3 m.
+            test::SceneBuilder b = two_rooms(at);
+            b.box(at + Vec3(4, 0, 0), at + Vec3(5, 1.85, 4), "wall", SolidRole::Solid, {}, FeatureKind::Wall);
+            b.box(at + Vec3(4, 2.15, 0), at + Vec3(5, 4, 4), "wall", SolidRole::Solid, {}, FeatureKind::Wall);
+            const WayLacks found = lacks_in(*b.share(), there);
+            EXPECT_EQ(found.lack, Lack::Width);
+            EXPECT_NEAR(found.has_m, 0.3, 0.06) << "as columns of 5 cm have it";
+            EXPECT_NEAR(found.needs_m, 0.5, 1e-9);
+            EXPECT_NEAR(found.at_m.y, at.y + 2.0, 0.1);
+        }
+        {  // A wall all across.
+            test::SceneBuilder b = two_rooms(at);
+            b.box(at + Vec3(4, 0, 0), at + Vec3(5, 4, 4), "wall", SolidRole::Solid, {}, FeatureKind::Wall);
+            EXPECT_EQ(lacks_in(*b.share(), there).lack, Lack::Nothing);
+        }
+        {  // A beam at 1.3 m over a ledge of half a metre: two lacks, of which neither alone is in the way.
+            test::SceneBuilder b = two_rooms(at, 0.5);
+            b.box(at + Vec3(4, 0, 1.8), at + Vec3(6, 4, 4), "Beam", SolidRole::Solid, {}, FeatureKind::Wall);
+            EXPECT_EQ(lacks_in(*b.share(), there + Vec3(0, 0, 0.5)).lack, Lack::Nothing);
+        }
+    }
+}
+
+// Of two ways the better is told, and the worst place of it.
+TEST(WayLacks, are_those_of_the_best_way_at_its_worst_place) {
+    test::SceneBuilder b = two_rooms(Vec3(0.0));
+    b.box({4, 0, 1.0}, {5, 2, 4}, "Beam", SolidRole::Solid, {}, FeatureKind::Wall);
+    b.box({4, 2, 1.5}, {4.5, 4, 4}, "Beam", SolidRole::Solid, {}, FeatureKind::Wall);
+    b.box({4.5, 2, 1.4}, {5, 4, 4}, "Beam", SolidRole::Solid, {}, FeatureKind::Wall);
+    const WayLacks found = lacks_in(*b.share(), {7, 2, 0});
+    EXPECT_EQ(found.lack, Lack::Headroom);
+    EXPECT_NEAR(found.has_m, 1.4, 1e-3);
+    EXPECT_GT(found.at_m.y, 2.0);
+    EXPECT_GT(found.at_m.x, 4.2);
+}
+
+// Such a body comes from the start to a place: by a plain flood of its own space.
+bool flooded(const Scene& scene, const WalkBody& body, const Vec3& there_m) {
+    const Result<WalkSpace> space = make_walk_space(scene, body);
+    if (!space) return false;
+    const std::uint32_t first = space->nearest(scene.starts[0].feet_m, 1.0, 0.6, 1.0),
+                        last = space->nearest(there_m, 1.0, 0.6, 1.0);
+    if (first == kNothing || last == kNothing) return false;
+    std::vector<bool> seen(space->spans.size(), false);
+    std::vector<std::uint32_t> open{first};
+    seen[first] = true;
+    const auto go = [&](std::uint32_t next) {
+        if (next == kNothing || seen[next]) return;
+        seen[next] = true;
+        open.push_back(next);
+    };
+    while (!open.empty()) {
+        const std::uint32_t here = open.back();
+        open.pop_back();
+        for (const std::uint32_t next : space->spans[here].next) go(next);
+        for (const WalkLink& link : space->links)
+            if (link.from == here) go(link.to);
+            else if (link.both_ways && link.to == here) go(link.from);
+    }
+    return seen[last];
+}
+
+// As much as is told is just what a body may need: one that is a little smaller comes there, one a little larger does
+// not.
+TEST(WayLacks, agree_with_bodies_that_are_tried_one_by_one) {
+    std::mt19937_64 random(test::seed_of_run());
+    const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+    int told = 0;
+    for (int run = 0; run < test::scaled(30); ++run) {
+        test::SceneBuilder b = two_rooms(Vec3(0.0), run % 2 == 0 ? 0.0 : between(0.0, 0.7));
+        for (double y = 0.0; y < 4.0; y += 1.0) {
+            const double x = between(3.9, 4.4);
+            b.box({x, y, between(0.8, 2.2)}, {x + 0.6, y + 1.0, 4}, "Beam", SolidRole::Solid, {}, FeatureKind::Wall);
+        }
+        for (int i = 0; i < 6; ++i) {
+            const Vec3 from(between(2.0, 5.0), between(0.0, 3.2), 0.0);
+            b.box(from, from + Vec3(between(0.1, 0.4), between(0.2, 0.8), between(0.3, 2.5)), "block");
+        }
+        const auto scene = b.share();
+        const Vec3 there(7, 2, scene->solids[1].shape.bounds_m.max_m.z);
+        const WalkBody body = walk_body(*scene, 0.25, 1.8, 0.25);
+        const auto comes = [&](const WalkBody& tried) { return flooded(*scene, tried, there); };
+        if (comes(body)) continue;
+        const Result<WalkSpace> space = make_walk_space(*scene, body);
+        ASSERT_TRUE(space.has_value());
+        const std::array places{there};
+        for (const Lack kind : {Lack::Headroom, Lack::Step}) {
+            const std::array kinds{kind};
+            const WayLacks found = way_lacks(*scene, *space, scene->starts[0].feet_m, places, kinds)[0];
+            WalkBody most = body, less = body, more = body;
+            if (kind == Lack::Headroom) {
+                most.height_m *= 0.5;
+                less.height_m = found.has_m - 0.01;
+                more.height_m = found.has_m + 0.01;
+            } else {
+                most.step_up_m += 0.6;
+                less.step_up_m = found.has_m + 0.005;
+                more.step_up_m = found.has_m - 0.005;
+            }
+            EXPECT_EQ(found.lack == kind, comes(most)) << "run " << run << ", " << word_of(kind);
+            if (found.lack != kind) continue;
+            ++told;
+            EXPECT_TRUE(comes(less)) << "run " << run << ", " << word_of(kind) << " of " << found.has_m;
+            EXPECT_FALSE(comes(more)) << "run " << run << ", " << word_of(kind) << " of " << found.has_m;
+        }
+    }
+    EXPECT_GE(told, test::scaled(5));
+}
+
+// Stairs that lead up under a floor without enough room for a head, as in many an architect's model.
+TEST(RoomOutOfReach, says_that_stairs_to_it_lead_under_a_floor) {
+    test::SceneBuilder b;
+    b.box({0, 0, -0.2}, {10, 4, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
+    for (const auto& [from, to] :
+         {std::pair(Vec3(-0.2, -0.2, -0.2), Vec3(10.2, 0, 6)), std::pair(Vec3(-0.2, 4, -0.2), Vec3(10.2, 4.2, 6)),
+          std::pair(Vec3(-0.2, 0, -0.2), Vec3(0, 4, 6)), std::pair(Vec3(10, 0, -0.2), Vec3(10.2, 4, 6))})
+        b.box(from, to, "wall", SolidRole::Solid, {}, FeatureKind::Wall);
+    for (int step = 0; step < 14; ++step) {
+        const double top = 0.2 * (step + 1);
+        b.box({3 + 0.3 * step, 0, top - 0.2}, {3 + 0.3 * (step + 1), 4, top}, "stairs");
+    }
+    b.box({7.2, 0, 2.6}, {10, 4, 2.8}, "Upper floor", SolidRole::Solid, {}, FeatureKind::Floor);
+    b.box({0, 0, 2.8}, {5.0, 4, 6.0}, "Ceiling", SolidRole::Solid, {}, FeatureKind::Floor);
+    b.start({1, 2, 0}, 0.0);
+    const auto scene = b.share();
+    const Result<WalkSpace> space = make_walk_space(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
+    ASSERT_TRUE(space.has_value());
+    const RoomGraph graph = make_rooms(*scene, *space);
+    std::string said, advice;
+    for (const WorldFault& fault : find_faults(*scene, &*space, &graph))
+        if (fault.kind == FaultKind::RoomOutOfReach) {
+            said = fault_words(*scene, fault);
+            advice = fault_advice(*scene, fault);
+        }
+    EXPECT_THAT(said, HasSubstr("metres of headroom under")) << said;
+    EXPECT_THAT(said, HasSubstr("eiling"));
+    EXPECT_THAT(advice, HasSubstr("at least 1.8 metres of headroom"));
+}
+
+// A spiral stair whose upper turns lie under the edge of the floor that they lead to.
+TEST(RoomOutOfReach, says_why_nobody_gets_to_the_gallery_of_a_family_house) {
+    const auto path = test::real_world("fzk-haus.ifc");
+    if (!path) GTEST_SKIP() << "../shared/worlds is not there";
+    const Result<Scene> scene = read_world(*path);
+    ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
+    const Result<WalkSpace> space = make_walk_space(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
+    ASSERT_TRUE(space.has_value());
+    const RoomGraph graph = make_rooms(*scene, *space);
+    int told = 0;
+    for (const WorldFault& fault : find_faults(*scene, &*space, &graph)) {
+        if (fault.kind != FaultKind::RoomOutOfReach) continue;
+        ++told;
+        EXPECT_THAT(fault_words(*scene, fault), HasSubstr("Galerie"));
+        EXPECT_THAT(fault_words(*scene, fault), HasSubstr("metres of headroom under ceiling"));
+        EXPECT_EQ(fault.lack, Lack::Headroom);
+        EXPECT_LT(fault.amount, 1.0);
+        // On the stair, below the floor upstairs.
+        EXPECT_NEAR(fault.at_m.x, 7.46, 0.85);
+        EXPECT_NEAR(fault.at_m.y, 3.10, 0.85);
+        EXPECT_LT(fault.at_m.z, 2.5);
+    }
+    EXPECT_EQ(told, 1);
+}
+
+}  // namespace way_lacks_test
+}  // namespace handrail

@@ -1,0 +1,182 @@
+#include "worlds/check/way_lacks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+namespace handrail {
+namespace {
+
+constexpr double kTallEnough = 0.5, kThinEnough = 0.2, kHigher_m = 0.6;
+
+// The best way from one place to each other: what its worst place is worth, and which that is.
+struct BestWays {
+    std::vector<double> worth;
+    std::vector<std::uint32_t> worst;  // kNothing: no way
+};
+
+// `worth_of(from, to)`: what going from one span to the next is worth.
+template <class Worth>
+BestWays best_ways(const WalkSpace& space, std::uint32_t first, const Worth& worth_of) {
+    BestWays best{std::vector<double>(space.spans.size(), -std::numeric_limits<double>::infinity()),
+                  std::vector<std::uint32_t>(space.spans.size(), kNothing)};
+    std::vector<std::vector<std::uint32_t>> leads_to(space.links.empty() ? 0 : space.spans.size());
+    for (const WalkLink& link : space.links) {
+        leads_to[link.from].push_back(link.to);
+        if (link.both_ways) leads_to[link.to].push_back(link.from);
+    }
+    struct Open {
+        double worth;
+        std::uint32_t span;
+        // The most worth first, of equals the first.
+        bool operator<(const Open& other) const {
+            return worth < other.worth || (worth == other.worth && span > other.span);
+        }
+    };
+    std::priority_queue<Open> open;
+    best.worth[first] = std::numeric_limits<double>::infinity();
+    best.worst[first] = first;
+    open.push({best.worth[first], first});
+    while (!open.empty()) {
+        const Open here = open.top();
+        open.pop();
+        if (here.worth < best.worth[here.span]) continue;
+        const auto go = [&](std::uint32_t next, double step) {
+            const double worth = std::min(here.worth, step);
+            if (!(worth > best.worth[next])) return;
+            best.worth[next] = worth;
+            best.worst[next] = step < here.worth ? next : best.worst[here.span];
+            open.push({worth, next});
+        };
+        for (const std::uint32_t next : space.spans[here.span].next)
+            if (next != kNothing) go(next, worth_of(here.span, next));
+        if (!leads_to.empty())
+            for (const std::uint32_t next : leads_to[here.span]) go(next, here.worth);
+    }
+    return best;
+}
+
+std::uint32_t place_in(const WalkSpace& space, const Vec3& at_m) { return space.nearest(at_m, 1.0, 0.6, 1.0); }
+
+// What the best ways of a body that would come through lack for the body that walks, for the places still without an
+// answer.
+class Search {
+public:
+    Search(const Scene& scene, const WalkBody& body, const Vec3& from_m, std::span<const Vec3> places_m)
+        : scene_(scene), body_(body), from_m_(from_m), places_m_(places_m), found_(places_m.size()) {}
+
+    std::vector<WayLacks> find(std::span<const Lack> kinds) {
+        WalkBody any = low();
+        any.radius_m = thin().radius_m;
+        any.step_up_m = climbing().step_up_m;
+        // Whoever is kept away by walls is so in this space too, which then is the only one.
+        if (kinds.size() > 1 && !comes_to_any(any)) return std::move(found_);
+        for (const Lack kind : kinds) look(kind);
+        return std::move(found_);
+    }
+
+private:
+    WalkBody low() const {
+        WalkBody body = body_;
+        body.height_m *= kTallEnough;
+        return body;
+    }
+    WalkBody thin() const {
+        WalkBody body = body_;
+        body.radius_m *= kThinEnough;
+        return body;
+    }
+    WalkBody climbing() const {
+        WalkBody body = body_;
+        body.step_up_m += kHigher_m;
+        return body;
+    }
+
+    // Places that such a body comes to.
+    bool comes_to_any(const WalkBody& body) const {
+        const Result<WalkSpace> space = make_walk_space(scene_, body);
+        const std::uint32_t first = space ? place_in(*space, from_m_) : kNothing;
+        if (first == kNothing) return false;
+        const BestWays ways = best_ways(*space, first, [](std::uint32_t, std::uint32_t) { return 0.0; });
+        return std::any_of(places_m_.begin(), places_m_.end(), [&](const Vec3& at_m) {
+            const std::uint32_t span = place_in(*space, at_m);
+            return span != kNothing && ways.worst[span] != kNothing;
+        });
+    }
+
+    void look(Lack kind) {
+        switch (kind) {
+            case Lack::Headroom:
+                // Over a step the ceiling of the lower place hangs over the floor of the higher.
+                return look(kind, low(), body_.height_m,
+                            [](const WalkSpace& space, std::uint32_t from, std::uint32_t to) {
+                                const WalkSpan &a = space.spans[from], &b = space.spans[to];
+                                return static_cast<double>(std::min(a.ceiling_m, b.ceiling_m)) -
+                                       static_cast<double>(std::max(a.floor_m, b.floor_m)) + space.body.height_m;
+                            });
+            case Lack::Step:
+                return look(kind, climbing(), -body_.step_up_m,
+                            [](const WalkSpace& space, std::uint32_t from, std::uint32_t to) {
+                                return -std::abs(static_cast<double>(space.spans[from].floor_m) -
+                                                 static_cast<double>(space.spans[to].floor_m));
+                            });
+            case Lack::Width:
+                return look(kind, thin(), 2.0 * body_.radius_m,
+                            [](const WalkSpace& space, std::uint32_t, std::uint32_t to) {
+                                return 2.0 * (space.body.radius_m + static_cast<double>(space.spans[to].clearance_m));
+                            });
+            case Lack::Nothing:
+            case Lack::Things:
+                return;
+        }
+    }
+
+    template <class Worth>
+    void look(Lack lack, const WalkBody& body, double least, const Worth& worth_in) {
+        if (std::all_of(found_.begin(), found_.end(), [](const WayLacks& f) { return f.lack != Lack::Nothing; }))
+            return;
+        const Result<WalkSpace> space = make_walk_space(scene_, body);
+        const std::uint32_t first = space ? place_in(*space, from_m_) : kNothing;
+        if (first == kNothing) return;
+        const BestWays ways =
+            best_ways(*space, first, [&](std::uint32_t from, std::uint32_t to) { return worth_in(*space, from, to); });
+        for (std::size_t i = 0; i < places_m_.size(); ++i) {
+            const std::uint32_t span = place_in(*space, places_m_[i]);
+            if (found_[i].lack != Lack::Nothing || span == kNothing || ways.worst[span] == kNothing) continue;
+            if (ways.worth[span] >= least) continue;
+            found_[i] = {lack, std::abs(ways.worth[span]), std::abs(least), space->place_m(ways.worst[span])};
+        }
+    }
+
+    const Scene& scene_;
+    WalkBody body_;
+    Vec3 from_m_;
+    std::span<const Vec3> places_m_;
+    std::vector<WayLacks> found_;
+};
+
+}  // namespace
+
+std::string_view word_of(Lack lack) {
+    switch (lack) {
+        case Lack::Headroom:
+            return "headroom";
+        case Lack::Step:
+            return "step";
+        case Lack::Width:
+            return "width";
+        case Lack::Things:
+            return "things";
+        case Lack::Nothing:
+            break;
+    }
+    return "nothing";
+}
+
+std::vector<WayLacks> way_lacks(const Scene& scene, const WalkSpace& space, const Vec3& from_m,
+                                std::span<const Vec3> places_m, std::span<const Lack> kinds) {
+    if (places_m.empty()) return {};
+    return Search(scene, space.body, from_m, places_m).find(kinds);
+}
+
+}  // namespace handrail
