@@ -12,6 +12,7 @@
 #include "haptic/render/touch.h"
 #include "tests/property/stiff_ball.h"
 #include "tests/support/real_worlds.h"
+#include "tests/support/scale.h"
 #include "tests/support/way_through.h"
 #include "worlds/geometry/box_index.h"
 #include "worlds/readers/reader.h"
@@ -71,6 +72,7 @@ void read_buildings(std::vector<Building>& buildings) {
 
 // A hand at 1 m/s that starts in one room after the other and mostly presses on what it has met.
 TEST(RealBuildings, a_hand_never_enters_a_solid) {
+    if (test::kThreadSanitizer) GTEST_SKIP() << "unit_osm starts the threads that read OpenStreetMap";
     const int ticks = std::getenv("HANDRAIL_LONG_WALKS") ? 200'000 : 20'000;
     std::vector<Building> buildings;
     ASSERT_NO_FATAL_FAILURE(read_buildings(buildings));
@@ -141,6 +143,7 @@ bool body_passes(const Solids& solids, const Vec3& middle_m, const Vec3& way) {
 }
 
 TEST(RealBuildings, body_and_ball_pass_every_open_door_of_the_file) {
+    if (test::kThreadSanitizer) GTEST_SKIP() << "unit_osm starts the threads that read OpenStreetMap";
     std::vector<Building> buildings;
     ASSERT_NO_FATAL_FAILURE(read_buildings(buildings));
     for (const auto& [name, scene] : buildings) {

@@ -11,6 +11,13 @@ inline constexpr double kSanitizerScale = 0.1;
 inline constexpr double kSanitizerScale = 1.0;
 #endif
 
+// The thread sanitizer is told of each kind of threads once: a test that starts the same as a shorter one skips there.
+#if defined(__SANITIZE_THREAD__)
+inline constexpr bool kThreadSanitizer = true;
+#else
+inline constexpr bool kThreadSanitizer = false;
+#endif
+
 // `count` under the factor, at least 1.
 inline constexpr int scaled(int count) {
     return static_cast<int>(count * kSanitizerScale) > 0 ? static_cast<int>(count * kSanitizerScale) : 1;

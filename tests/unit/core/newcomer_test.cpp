@@ -130,6 +130,7 @@ TEST(ANewcomer, reaches_three_things_in_other_rooms_of_the_office_that_it_found_
 // Named on two storeys: "E008" is at the ground, "1022" one flight up. From the main entrance to each and out again, by
 // the stairs: the lifts are out of order.
 TEST(ANewcomer, walks_in_the_university_to_three_rooms_on_two_storeys_and_out_again) {
+    if (test::kThreadSanitizer) GTEST_SKIP() << "unit_osm starts the threads that read OpenStreetMap";
     const auto read = real("apb-tu-dresden.osm");
     if (!read) GTEST_SKIP() << "apb-tu-dresden.osm is not here";
     const auto world = std::make_shared<Scene>(*read);

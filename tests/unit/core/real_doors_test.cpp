@@ -26,6 +26,7 @@ bool walks(const BodyWorld& world, const BodySize& size, const Vec3& middle_m, c
 }
 
 TEST(RealDoors, are_walked_through_both_ways_by_the_body_of_a_session) {
+    if (test::kThreadSanitizer) GTEST_SKIP() << "unit_osm starts the threads that read OpenStreetMap";
     bool any = false;
     for (const char* file : {"duplex-apartment.ifc", "fzk-haus.ifc", "institute.ifczip", "apb-tu-dresden.osm"}) {
         const auto path = test::real_world(file);

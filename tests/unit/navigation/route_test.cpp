@@ -99,7 +99,7 @@ TEST(Routes, agree_with_a_grid_search_between_all_landmarks_of_every_bundled_wor
          std::filesystem::directory_iterator(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps")) {
         if (entry.path().extension() != ".map") continue;
         SCOPED_TRACE(entry.path().filename().string());
-        if (!test::tried(entry.path().filename() == "school.map" ? 0 : 1, 2)) continue;
+        if (!test::tried(entry.path().filename() == "house.map" ? 0 : 1, 2)) continue;
         const Scene scene = bundled(entry.path().filename().string());
         const auto navigation = navigate(scene);
         ASSERT_TRUE(navigation);
@@ -353,7 +353,9 @@ TEST(Routes, round_a_blocked_door_lead_back_from_right_before_it_and_never_throu
     const RoomGraph graph = make_rooms(scene, navigation->space());
     int looked_at = 0, doors = 0;
     for (const Portal& portal : graph.portals) {
-        if (portal.kind != PassageKind::Door || portal.feature == kNoFeature || ++doors % 2 == 0) continue;
+        if (portal.kind != PassageKind::Door || portal.feature == kNoFeature || ++doors % 2 == 0 ||
+            !test::tried(static_cast<std::size_t>(doors / 2), 6))
+            continue;
         const std::vector<Aabb> boxes = door_boxes(scene, graph, portal.feature);
         const Aabb& leaf = scene.features[portal.feature.value].bounds_m;
         const bool thin_x = leaf.max_m.x - leaf.min_m.x < leaf.max_m.y - leaf.min_m.y;
@@ -380,7 +382,7 @@ TEST(Routes, round_a_blocked_door_lead_back_from_right_before_it_and_never_throu
             }
         }
     }
-    EXPECT_GT(looked_at, 20);
+    EXPECT_GT(looked_at, test::scaled(20));
 }
 
 TEST(Routes, are_the_same_every_time_and_far_from_the_origin) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "tests/support/scale.h"
 #include "tests/unit/words/other_forms.h"
 #include "tests/unit/words/words_text.h"
 #include "worlds/exports/as_words.h"
@@ -159,6 +160,7 @@ std::string bare_house() {
 }
 
 TEST(HouseForms, carry_what_each_can) {
+    if (test::kThreadSanitizer) GTEST_SKIP() << "unit_osm starts the threads that read OpenStreetMap";
     const Result<Scene> scene = read_quake_map(bare_house(), "house.map");
     ASSERT_TRUE(scene.has_value());
     const Seen house = seen_in(*scene);
@@ -229,6 +231,7 @@ TEST(HouseForms, carry_what_each_can) {
 
 // A house with stairs as words and plans lay them, so that each form can carry all of it.
 TEST(HouseForms, of_a_house_with_two_storeys_are_equal_in_rooms_doors_and_ways_over_the_stairs) {
+    if (test::kThreadSanitizer) GTEST_SKIP() << "unit_osm starts the threads that read OpenStreetMap";
     const std::string text =
         "Building: House.\n"
         "Storey: Ground floor.\n"
