@@ -141,7 +141,8 @@ void IfcScene::add_door(std::size_t i, const WallGap& gap) {
         add_leaf(gap, gap.least_m.x, gap.most_m.x, part.operation.find("RIGHT") == std::string::npos, i, group);
     }
     if (scene_.features.size() > before) portal.feature = {static_cast<std::uint32_t>(before)};
-    if (portal.rooms.size() == 1) outer_doors_.push_back({stated_->portals.size(), i});
+    // In a file without rooms any door may lead out.
+    if (portal.rooms.size() == 1 || stated_->rooms.empty()) outer_doors_.push_back({stated_->portals.size(), i});
     stated_->portals.push_back(std::move(portal));
 }
 
@@ -323,7 +324,7 @@ void IfcScene::add_ground() {
 }
 
 // Before each outer door, looking at it; the first is where most storeys' doors are. Without one in the largest room of
-// the lowest storey that has any.
+// the lowest storey that has any; without rooms on the ground to the south, looking at the building.
 void IfcScene::add_starts() {
     for (const OuterDoor& door : outer_doors_) {
         const StatedPortal& portal = stated_->portals[door.portal];
@@ -334,7 +335,7 @@ void IfcScene::add_starts() {
         Start start;
         start.feet_m = portal.place_m + out * kBeforeDoor_m;
         start.heading_rad = std::atan2(-out.x, -out.y);
-        start.name = stated_->rooms[portal.rooms[0]].name;
+        start.name = portal.rooms.empty() ? portal.name : stated_->rooms[portal.rooms[0]].name;
         start.source = portal.source;
         scene_.starts.push_back(std::move(start));
     }
@@ -348,6 +349,18 @@ void IfcScene::add_starts() {
                                         (room.floor_m < best->floor_m + 1.0 && room.area_m2 > best->area_m2)))
                 best = &room;
         if (best) scene_.starts.push_back({best->at_m, 0.0, false, best->name, best->source});
+    }
+    if (scene_.starts.empty()) {
+        const auto ground = std::find_if(scene_.features.begin(), scene_.features.end(), is_outer_ground);
+        if (ground != scene_.features.end() && !ground->bounds_m.empty()) {
+            const Aabb& box = ground->bounds_m;
+            scene_.starts.push_back(
+                {{box.centre_m().x, middle(box.min_m.y, box.min_m.y + kGroundAround_m), box.max_m.z},
+                 0.0,
+                 false,
+                 {},
+                 {}});
+        }
     }
     if (!scene_.starts.empty()) scene_.starts.front().base = true;
 }

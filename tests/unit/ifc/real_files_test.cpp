@@ -97,6 +97,13 @@ TEST(RealIfc, houses_of_ifc_4_and_4x3_come_out_whole) {
     EXPECT_EQ(few->stated->schema.substr(0, 6), "IFC4X3");
     EXPECT_EQ(few->report.doors, 1);
     EXPECT_GE(few->report.brushes, 3);
+    // No room is stated, so any door may be one to begin before.
+    ASSERT_EQ(few->starts.size(), 1U);
+    const auto ways = Navigation::make(*few, walk_body(*few, 0.25, 1.8, 0.25));
+    ASSERT_TRUE(ways.has_value()) << ways.error().sentence();
+    const StatedPortal& door = few->stated->portals[0];
+    EXPECT_LT(glm::length(few->starts[0].feet_m - door.place_m), 2.0);
+    EXPECT_TRUE((*ways)->reachable(few->starts[0].feet_m, door.place_m));
 }
 
 }  // namespace real_files_test

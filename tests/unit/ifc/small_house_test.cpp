@@ -228,6 +228,35 @@ TEST(SmallHouse, joins_rooms_between_which_the_file_has_a_border_but_no_wall) {
     EXPECT_TRUE(openings(scene_of(test::small_house())).empty());
 }
 
+// Many a file has walls and doors and states no room.
+TEST(SmallHouse, without_rooms_is_begun_before_a_door_and_without_doors_on_the_ground) {
+    const auto without = [](std::string text, const std::string& kind) {
+        for (std::size_t at = text.find(kind); at != std::string::npos; at = text.find(kind)) {
+            const std::size_t line = text.rfind('\n', at) + 1;
+            text.erase(line, text.find('\n', at) + 1 - line);
+        }
+        return text;
+    };
+    const std::string no_rooms = without(test::small_house(), "=IFCSPACE(");
+    for (const bool doors : {true, false}) {
+        const Result<Scene> scene = read_ifc(doors ? no_rooms : without(no_rooms, "=IFCDOOR("), "house.ifc");
+        ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
+        EXPECT_TRUE(scene->stated->rooms.empty());
+        EXPECT_EQ(scene->report.doors, doors ? 2 : 0);
+        ASSERT_FALSE(scene->starts.empty());
+        const Start& start = scene->starts.front();
+        EXPECT_TRUE(start.base);
+        EXPECT_FALSE(test::in_a_solid(*scene, start.feet_m + Vec3(0, 0, 0.1)));
+        EXPECT_TRUE(test::in_a_solid(*scene, start.feet_m - Vec3(0, 0, 0.05)));
+        const auto ways = Navigation::make(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
+        ASSERT_TRUE(ways.has_value()) << ways.error().sentence();
+        EXPECT_TRUE((*ways)->reachable(start.feet_m, {6, 2, 0})) << "through the front door into the hall";
+        if (doors) {
+            EXPECT_EQ(start.name, "front door");
+        }
+    }
+}
+
 TEST(SmallHouse, guesses_what_walls_are_made_of_and_says_so) {
     const Scene scene = scene_of(test::small_house());
     EXPECT_TRUE(std::any_of(scene.materials.begin(), scene.materials.end(),
