@@ -21,29 +21,10 @@ constexpr std::size_t kMostCandidates = 3;
 // strip before a blocked door may count to the room behind.
 std::vector<bool> walked_into(const Examined& world) {
     const WalkSpace& space = *world.space;
-    const std::vector<Start>& starts = world.scene.starts;
-    const auto base = std::find_if(starts.begin(), starts.end(), [](const Start& start) { return start.base; });
-    const std::uint32_t first = base == starts.end() ? kNothing : space.nearest(base->feet_m, 0.5, 0.4, 1.0);
+    const Start* const base = base_of(world.scene);
+    const std::uint32_t first = base ? space.nearest(base->feet_m, 0.5, 0.4, 1.0) : kNothing;
     if (first == kNothing) return {};
-    std::vector<std::vector<std::uint32_t>> leads_to(space.spans.size());
-    for (const WalkLink& link : space.links) {
-        leads_to[link.from].push_back(link.to);
-        if (link.both_ways) leads_to[link.to].push_back(link.from);
-    }
-    std::vector<bool> seen(space.spans.size(), false);
-    std::vector<std::uint32_t> open{first};
-    seen[first] = true;
-    const auto go = [&](std::uint32_t next) {
-        if (next == kNothing || seen[next]) return;
-        seen[next] = true;
-        open.push_back(next);
-    };
-    while (!open.empty()) {
-        const std::uint32_t here = open.back();
-        open.pop_back();
-        for (const std::uint32_t next : space.spans[here].next) go(next);
-        for (const std::uint32_t next : leads_to[here]) go(next);
-    }
+    const std::vector<bool> seen = spans_reached(space, first);
     std::vector<std::size_t> all(world.graph->rooms.size(), 0), walked(all);
     for (std::uint32_t s = 0; s < space.spans.size(); ++s)
         if (const std::uint32_t room = world.graph->room_of_span[s]; room != kNothing) {
@@ -70,27 +51,32 @@ std::string name_from_below(const Scene& scene, const Solid& solid) {
     return {};
 }
 
-// Puts into faults, each of a room out of reach, what the best ways to them lack, of these kinds. Headroom that things
-// take is not their lack.
+// Puts into faults, each of a room out of reach, what the best ways to those lack that nothing is told of yet. Headroom
+// that things take is not their lack.
 void tell_lacks(const Examined& world, std::span<WorldFault> faults, std::span<const Lack> kinds) {
-    const std::vector<Start>& starts = world.scene.starts;
-    const auto base = std::find_if(starts.begin(), starts.end(), [](const Start& start) { return start.base; });
-    if (base == starts.end()) return;
+    const Start* const base = base_of(world.scene);
+    if (!base) return;
+    std::vector<WorldFault*> untold;
     std::vector<Vec3> places_m;
-    for (const WorldFault& fault : faults) places_m.push_back(fault.at_m);
+    for (WorldFault& fault : faults)
+        if (fault.other.empty()) {
+            untold.push_back(&fault);
+            places_m.push_back(fault.at_m);
+        }
     const std::vector<WayLacks> lacks = way_lacks(world.scene, *world.space, base->feet_m, places_m, kinds);
     for (std::size_t i = 0; i < lacks.size(); ++i) {
         const WayLacks& found = lacks[i];
+        WorldFault& fault = *untold[i];
         if (found.lack == Lack::Nothing) continue;
         if (found.lack == Lack::Headroom)
             if (const Solid* solid = above(world, found.at_m, found.has_m)) {
                 if (solid->feature != kNoFeature && world.is_thing(solid->feature)) continue;
-                faults[i].other = name_from_below(world.scene, *solid);
+                fault.other = name_from_below(world.scene, *solid);
             }
-        faults[i].lack = found.lack;
-        faults[i].at_m = found.at_m;
-        faults[i].amount = found.has_m;
-        faults[i].needed_m = found.needs_m;
+        fault.lack = found.lack;
+        fault.at_m = found.at_m;
+        fault.amount = found.has_m;
+        fault.needed_m = found.needs_m;
     }
 }
 
@@ -117,7 +103,7 @@ void blocked_by_things(const Examined& world, std::vector<WorldFault>& faults) {
 }
 
 void out_of_reach(const Examined& world, std::vector<WorldFault>& faults) {
-    std::vector<WorldFault> walled, others;
+    std::vector<WorldFault> found;
     for (const RoomOutOfReach& room : rooms_out_of_reach(world.scene, *world.space, *world.graph)) {
         if (room.room != kNothing && world.is_ground(room.room)) continue;
         WorldFault fault{FaultKind::RoomOutOfReach, room.at_m,
@@ -129,14 +115,11 @@ void out_of_reach(const Examined& world, std::vector<WorldFault>& faults) {
                 missing_doors(world.scene, *world.space, *world.graph, room.room, std::nullopt, 1);
             if (!doors.empty()) fault.other = world.room_name(doors[0].to);
         }
-        (fault.other.empty() ? others : walled).push_back(std::move(fault));
+        found.push_back(std::move(fault));
     }
     constexpr std::array kKinds{Lack::Headroom, Lack::Step, Lack::Width};
-    tell_lacks(world, others, kKinds);
-    std::move(others.begin(), others.end(), std::back_inserter(walled));
-    std::stable_sort(walled.begin(), walled.end(),
-                     [](const WorldFault& a, const WorldFault& b) { return a.room < b.room; });
-    std::move(walled.begin(), walled.end(), std::back_inserter(faults));
+    tell_lacks(world, found, kKinds);
+    std::move(found.begin(), found.end(), std::back_inserter(faults));
 }
 
 // No landing of stairs, which is a part of them, and no ground.

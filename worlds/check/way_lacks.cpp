@@ -1,8 +1,11 @@
 #include "worlds/check/way_lacks.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <queue>
+
+#include "worlds/navigation/reach.h"
 
 namespace handrail {
 namespace {
@@ -20,11 +23,7 @@ template <class Worth>
 BestWays best_ways(const WalkSpace& space, std::uint32_t first, const Worth& worth_of) {
     BestWays best{std::vector<double>(space.spans.size(), -std::numeric_limits<double>::infinity()),
                   std::vector<std::uint32_t>(space.spans.size(), kNothing)};
-    std::vector<std::vector<std::uint32_t>> leads_to(space.links.empty() ? 0 : space.spans.size());
-    for (const WalkLink& link : space.links) {
-        leads_to[link.from].push_back(link.to);
-        if (link.both_ways) leads_to[link.to].push_back(link.from);
-    }
+    const std::vector<std::vector<std::uint32_t>> leads_to = spans_led_to(space);
     struct Open {
         double worth;
         std::uint32_t span;
@@ -50,8 +49,7 @@ BestWays best_ways(const WalkSpace& space, std::uint32_t first, const Worth& wor
         };
         for (const std::uint32_t next : space.spans[here.span].next)
             if (next != kNothing) go(next, worth_of(here.span, next));
-        if (!leads_to.empty())
-            for (const std::uint32_t next : leads_to[here.span]) go(next, here.worth);
+        for (const std::uint32_t next : leads_to[here.span]) go(next, here.worth);
     }
     return best;
 }
@@ -97,10 +95,10 @@ private:
         const Result<WalkSpace> space = make_walk_space(scene_, body);
         const std::uint32_t first = space ? place_in(*space, from_m_) : kNothing;
         if (first == kNothing) return false;
-        const BestWays ways = best_ways(*space, first, [](std::uint32_t, std::uint32_t) { return 0.0; });
+        const std::vector<bool> reached = spans_reached(*space, first);
         return std::any_of(places_m_.begin(), places_m_.end(), [&](const Vec3& at_m) {
             const std::uint32_t span = place_in(*space, at_m);
-            return span != kNothing && ways.worst[span] != kNothing;
+            return span != kNothing && reached[span];
         });
     }
 
@@ -158,19 +156,8 @@ private:
 }  // namespace
 
 std::string_view word_of(Lack lack) {
-    switch (lack) {
-        case Lack::Headroom:
-            return "headroom";
-        case Lack::Step:
-            return "step";
-        case Lack::Width:
-            return "width";
-        case Lack::Things:
-            return "things";
-        case Lack::Nothing:
-            break;
-    }
-    return "nothing";
+    constexpr std::array<std::string_view, 5> kWords{"nothing", "headroom", "step", "width", "things"};
+    return kWords[static_cast<std::size_t>(lack)];
 }
 
 std::vector<WayLacks> way_lacks(const Scene& scene, const WalkSpace& space, const Vec3& from_m,

@@ -33,10 +33,43 @@ std::vector<bool> reached_from(const RoomGraph& graph, std::uint32_t first) {
 
 }  // namespace
 
-std::vector<RoomOutOfReach> rooms_out_of_reach(const Scene& scene, const WalkSpace& space, const RoomGraph& graph) {
+const Start* base_of(const Scene& scene) {
     const auto base =
         std::find_if(scene.starts.begin(), scene.starts.end(), [](const Start& start) { return start.base; });
-    if (base == scene.starts.end()) return {};
+    return base == scene.starts.end() ? nullptr : &*base;
+}
+
+std::vector<std::vector<std::uint32_t>> spans_led_to(const WalkSpace& space) {
+    std::vector<std::vector<std::uint32_t>> leads_to(space.spans.size());
+    for (const WalkLink& link : space.links) {
+        leads_to[link.from].push_back(link.to);
+        if (link.both_ways) leads_to[link.to].push_back(link.from);
+    }
+    return leads_to;
+}
+
+std::vector<bool> spans_reached(const WalkSpace& space, std::uint32_t first) {
+    const std::vector<std::vector<std::uint32_t>> leads_to = spans_led_to(space);
+    std::vector<bool> seen(space.spans.size(), false);
+    std::vector<std::uint32_t> open{first};
+    seen[first] = true;
+    const auto go = [&](std::uint32_t next) {
+        if (next == kNothing || seen[next]) return;
+        seen[next] = true;
+        open.push_back(next);
+    };
+    while (!open.empty()) {
+        const std::uint32_t here = open.back();
+        open.pop_back();
+        for (const std::uint32_t next : space.spans[here].next) go(next);
+        for (const std::uint32_t next : leads_to[here]) go(next);
+    }
+    return seen;
+}
+
+std::vector<RoomOutOfReach> rooms_out_of_reach(const Scene& scene, const WalkSpace& space, const RoomGraph& graph) {
+    const Start* const base = base_of(scene);
+    if (!base) return {};
     const std::uint32_t first = room_at(graph, space, base->feet_m);
     if (first == kNothing) return {};
     const std::vector<bool> reached = reached_from(graph, first);

@@ -9,6 +9,14 @@
 
 namespace handrail {
 
+// Where one begins; null: the scene has no base.
+const Start* base_of(const Scene& scene);
+
+// Of each span those to which a drop, a lift or a teleporter leads from it.
+std::vector<std::vector<std::uint32_t>> spans_led_to(const WalkSpace& space);
+// The spans one comes to from this one on foot and by such links; itself among them.
+std::vector<bool> spans_reached(const WalkSpace& space, std::uint32_t first);
+
 struct RoomOutOfReach {
     std::string name;               // as it is told
     std::uint32_t room = kNothing;  // of the graph; kNothing: the map names a place where nobody can stand

@@ -11,6 +11,7 @@
 #include "tests/support/scale.h"
 #include "worlds/check/faults.h"
 #include "worlds/navigation/navigation.h"
+#include "worlds/navigation/reach.h"
 #include "worlds/readers/reader.h"
 
 namespace handrail {
@@ -101,30 +102,14 @@ TEST(WayLacks, are_those_of_the_best_way_at_its_worst_place) {
     EXPECT_GT(found.at_m.x, 4.2);
 }
 
-// Such a body comes from the start to a place: by a plain flood of its own space.
+// Such a body comes from the start to a place, in a space of its own.
 bool flooded(const Scene& scene, const WalkBody& body, const Vec3& there_m) {
     const Result<WalkSpace> space = make_walk_space(scene, body);
     if (!space) return false;
     const std::uint32_t first = space->nearest(scene.starts[0].feet_m, 1.0, 0.6, 1.0),
                         last = space->nearest(there_m, 1.0, 0.6, 1.0);
     if (first == kNothing || last == kNothing) return false;
-    std::vector<bool> seen(space->spans.size(), false);
-    std::vector<std::uint32_t> open{first};
-    seen[first] = true;
-    const auto go = [&](std::uint32_t next) {
-        if (next == kNothing || seen[next]) return;
-        seen[next] = true;
-        open.push_back(next);
-    };
-    while (!open.empty()) {
-        const std::uint32_t here = open.back();
-        open.pop_back();
-        for (const std::uint32_t next : space->spans[here].next) go(next);
-        for (const WalkLink& link : space->links)
-            if (link.from == here) go(link.to);
-            else if (link.both_ways && link.to == here) go(link.from);
-    }
-    return seen[last];
+    return spans_reached(*space, first)[last];
 }
 
 // As much as is told is just what a body may need: one that is a little smaller comes there, one a little larger does
