@@ -68,18 +68,18 @@ std::optional<Vec3> way_across(const IfcBuilding& building, const Edge& edge, co
     return std::nullopt;
 }
 
-// The widest passage between two rooms of one floor where their outlines run along each other; its width is 0 where
-// there is none.
-StatedPortal open_border(const IfcBuilding& building, const StatedRoom& room, const StatedRoom& other) {
+// The widest passage between two rooms of one floor where their outlines run along each other.
+std::optional<StatedPortal> open_border(const IfcBuilding& building, const StatedRoom& room, const StatedRoom& other) {
+    if (std::abs(other.floor_m - room.floor_m) > kOneFloor_m) return std::nullopt;
     StatedPortal portal;
     portal.kind = StatedPortalKind::Opening;
     portal.name = room.name + ", " + other.name;
     portal.by_boundaries = true;
     portal.height_m = std::min(room.height_m, other.height_m);
-    if (std::abs(other.floor_m - room.floor_m) > kOneFloor_m) return portal;
     const double floor_m = std::max(room.floor_m, other.floor_m);
+    const std::vector<Edge> others = edges_of(other);
     for (const Edge& edge : edges_of(room))
-        for (const Edge& beside : edges_of(other)) {
+        for (const Edge& beside : others) {
             const std::optional<Reach> shared = shared_stretch(edge, beside);
             if (!shared || shared->most - shared->least < portal.width_m) continue;
             if (const std::optional<Vec3> place = way_across(building, edge, *shared, floor_m, portal.height_m)) {
@@ -87,6 +87,7 @@ StatedPortal open_border(const IfcBuilding& building, const StatedRoom& room, co
                 portal.width_m = shared->most - shared->least;
             }
         }
+    if (portal.width_m <= 0.0) return std::nullopt;
     return portal;
 }
 
@@ -247,11 +248,11 @@ std::vector<StatedPortal> IfcScene::open_borders() const {
         if (around.empty()) continue;
         for (const std::uint32_t b : rooms_.near(grown(around, 0.2))) {
             if (b <= a || !open.contains(b)) continue;
-            StatedPortal portal = open_border(building_, room, stated_->rooms[b]);
-            if (portal.width_m <= 0.0) continue;
-            portal.rooms = {a, b};
-            portal.source = {line, 0};
-            borders.push_back(std::move(portal));
+            std::optional<StatedPortal> portal = open_border(building_, room, stated_->rooms[b]);
+            if (!portal) continue;
+            portal->rooms = {a, b};
+            portal->source = {line, 0};
+            borders.push_back(std::move(*portal));
         }
     }
     return borders;
@@ -354,12 +355,9 @@ void IfcScene::add_starts() {
         const auto ground = std::find_if(scene_.features.begin(), scene_.features.end(), is_outer_ground);
         if (ground != scene_.features.end() && !ground->bounds_m.empty()) {
             const Aabb& box = ground->bounds_m;
-            scene_.starts.push_back(
-                {{box.centre_m().x, middle(box.min_m.y, box.min_m.y + kGroundAround_m), box.max_m.z},
-                 0.0,
-                 false,
-                 {},
-                 {}});
+            Start start;
+            start.feet_m = {box.centre_m().x, box.min_m.y + 0.5 * kGroundAround_m, box.max_m.z};
+            scene_.starts.push_back(std::move(start));
         }
     }
     if (!scene_.starts.empty()) scene_.starts.front().base = true;

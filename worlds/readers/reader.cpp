@@ -70,16 +70,6 @@ bool is_rmf(std::string_view bytes) { return bytes.size() > 7 && bytes.substr(4,
 constexpr std::size_t kLargestWorld_bytes = std::size_t{1} << 30;
 constexpr std::size_t kLargestBeside_bytes = std::size_t{1} << 27;
 
-}  // namespace
-
-Result<std::string> read_file_beside(const fs::path& world, const std::string& other, const std::stop_token& stop) {
-    const fs::path name = fs::path(other).lexically_normal();
-    if (name.empty() || name.is_absolute() || *name.begin() == "..") return fail(phrase("reader.elsewhere"), other);
-    return read_whole_file(world.parent_path() / name, kLargestBeside_bytes, stop);
-}
-
-namespace {
-
 Result<Scene> read_bytes(const fs::path& path, std::string_view bytes, const ReadOptions& options) {
     const std::string name = path.filename().string();
     if (bytes.empty()) return fail(phrase("reader.empty"), name);
@@ -100,6 +90,12 @@ Result<Scene> read_bytes(const fs::path& path, std::string_view bytes, const Rea
 }
 
 }  // namespace
+
+Result<std::string> read_file_beside(const fs::path& world, const std::string& other, const std::stop_token& stop) {
+    const fs::path name = fs::path(other).lexically_normal();
+    if (name.empty() || name.is_absolute() || *name.begin() == "..") return fail(phrase("reader.elsewhere"), other);
+    return read_whole_file(world.parent_path() / name, kLargestBeside_bytes, stop);
+}
 
 Result<Scene> read_world(const fs::path& path, const ReadOptions& options) {
     if (options.mapped) {
