@@ -6,9 +6,7 @@
 #include <ifcpp/model/BuildingModel.h>
 #include <ifcpp/reader/ReaderSTEP.h>
 
-#include <fstream>
 #include <set>
-#include <sstream>
 
 namespace handrail::test {
 namespace {
@@ -33,7 +31,6 @@ void add_mesh(const carve::mesh::Mesh<3>& mesh, const carve::math::Matrix& place
             six += glm::dot(at(corners[0]) - from, glm::cross(at(corners[i - 1]) - from, at(corners[i]) - from));
     }
     if (const_cast<carve::mesh::Mesh<3>&>(mesh).isClosed()) {
-        ++part.closed;
         part.closed_volume_m3 += six / 6.0;
     } else {
         ++part.open;
@@ -42,11 +39,8 @@ void add_mesh(const carve::mesh::Mesh<3>& mesh, const carve::math::Matrix& place
 
 }  // namespace
 
-std::map<std::string, PackagedPart> parts_by_package(const std::filesystem::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::stringstream bytes;
-    bytes << in.rdbuf();
-    std::string content = bytes.str();
+std::map<std::string, PackagedPart> parts_by_package(std::string_view file) {
+    std::string content(file);
     shared_ptr<BuildingModel> model(new BuildingModel());
     ReaderSTEP reader;
     reader.loadModelFromString(content, model);

@@ -3,9 +3,9 @@
 // parts by their addresses.
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "worlds/geometry/convex.h"
 
@@ -15,10 +15,10 @@ struct PackagedPart {
     std::string kind;             // "IfcWall"
     Aabb box;                     // of its body, openings cut; from the file's own origin
     double closed_volume_m3 = 0;  // of its closed meshes
-    int closed = 0, open = 0;     // meshes
+    int open = 0;                 // meshes that are not closed
 };
 
 // Products by GlobalId, those without a form too.
-std::map<std::string, PackagedPart> parts_by_package(const std::filesystem::path& path);
+std::map<std::string, PackagedPart> parts_by_package(std::string_view file);
 
 }  // namespace handrail::test

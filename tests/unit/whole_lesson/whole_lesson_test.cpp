@@ -341,7 +341,7 @@ void expect_summaries(const Recording& recording, const std::string& words) {
         EXPECT_TRUE(is(line, "contact")) << line.json;
         heard = heard || is(line, words.c_str());
     }
-    EXPECT_GE(count, std::max(2, static_cast<int>((recording.lines.back().t_s - begun->t_s) / 10.0) - 1));
+    EXPECT_GE(count, std::max(3, static_cast<int>((recording.lines.back().t_s - begun->t_s) / 10.0) - 1));
     EXPECT_TRUE(heard) << words;
 }
 
