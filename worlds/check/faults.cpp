@@ -27,6 +27,7 @@ constexpr std::array kRows{
     FaultRow{FaultKind::Crack, "crack", false},
     FaultRow{FaultKind::DoorToNoRoom, "door_to_no_room", false},
     FaultRow{FaultKind::UnlikeFile, "unlike_file", false},
+    FaultRow{FaultKind::StairsInOneGo, "stairs_in_one_go", false},
     FaultRow{FaultKind::OddName, "odd_name", false},
     FaultRow{FaultKind::DoorCutFree, "door_cut_free", false},
     FaultRow{FaultKind::AlikeMaterials, "alike_materials", false},

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,7 @@ enum class FaultKind : std::uint8_t {
     Crack,             // two walls or floors that nearly touch
     DoorToNoRoom,      // the file's rooms lie on neither side of it
     UnlikeFile,        // the file joins two rooms there, and nobody walks from one to the other
+    StairsInOneGo,     // nobody walks on them, so they are taken in one go
     OddName,           // the room holds stairs and its name does not say so
     DoorCutFree,       // something stood in it
     AlikeMaterials,    // a hand cannot tell them apart
@@ -53,13 +55,13 @@ std::vector<FaultKind> all_fault_kinds();
 struct WorldFault {
     FaultKind kind = FaultKind::UnnamedRoom;
     Vec3 at_m{0.0};                          // world metres; on the floor where it concerns a place to walk; of a room
-                                             // out of reach where the way to it lacks something
+                                             // out of reach, and of stairs, where the way lacks something
     SourcePlace source = {};                 // 0: unknown
     FeatureId feature = kNoFeature;          // the door or thing
     std::uint32_t room = kNothing;           // of the graph, where it concerns one or lies in one
     std::string name = {}, other = {};       // what it concerns, as it is spoken: the room, the thing; and a second
     double amount = 0.0;                     // metres: of a crack, a drop, a door's width, what a way has
-    Lack lack = Lack::Nothing;               // of the way to a room out of reach
+    Lack lack = Lack::Nothing;               // of the way to a room out of reach, or over stairs
     double needed_m = 0.0;                   // what it would have to have
     std::vector<FeatureId> candidates = {};  // for a landmark, the best first; at most 3
 };
@@ -67,6 +69,10 @@ struct WorldFault {
 // `space` and `graph` are those of the world; null where nobody can stand in it. The gravest first, those of a kind in
 // the order of rooms, doors and things. Goes with the spans and with the pairs of solids that lie side by side.
 std::vector<WorldFault> find_faults(const Scene& scene, const WalkSpace* space, const RoomGraph* graph);
+// Why nobody comes to that room from the base, as find_faults tells it; nothing: one comes there. Makes up to four
+// spaces of the scene.
+std::optional<WorldFault> why_out_of_reach(const Scene& scene, const WalkSpace& space, const RoomGraph& graph,
+                                           std::uint32_t room);
 // False for what concerns a line of the file rather than a place in the world.
 inline bool has_place(const WorldFault& fault) {
     return fault.kind != FaultKind::DamagedInFile &&

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <optional>
 #include <set>
 
+#include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 #include "worlds/check/examined.h"
 #include "worlds/check/missing_doors.h"
@@ -16,6 +18,7 @@ constexpr double kLeastNamed_m2 = 2.0;       // a smaller one is a niche, whatev
 constexpr double kLeastLandmarked_m2 = 4.0;  // in a smaller one everything is at hand
 constexpr double kOneRoom_m = 1.5;           // names nearer than that stand in one place
 constexpr std::size_t kMostCandidates = 3;
+constexpr int kMostStairsLookedAt = 4;
 
 // Which rooms one walks into from the base, past all that stands about, doors open. More than a doorway of it: a
 // strip before a blocked door may count to the room behind.
@@ -51,8 +54,21 @@ std::string name_from_below(const Scene& scene, const Solid& solid) {
     return {};
 }
 
-// Puts into faults, each of a room out of reach, what the best ways to those lack that nothing is told of yet. Headroom
-// that things take is not their lack.
+// What the best way there lacks. Headroom that things take is not its lack.
+void tell_lack(const Examined& world, WorldFault& fault, const WayLacks& found) {
+    if (found.lack == Lack::Nothing) return;
+    if (found.lack == Lack::Headroom)
+        if (const Solid* solid = above(world, found.at_m, found.has_m)) {
+            if (solid->feature != kNoFeature && world.is_thing(solid->feature)) return;
+            fault.other = name_from_below(world.scene, *solid);
+        }
+    fault.lack = found.lack;
+    fault.at_m = found.at_m;
+    fault.amount = found.has_m;
+    fault.needed_m = found.needs_m;
+}
+
+// Puts into faults, each of a room out of reach, what the best ways to those lack that nothing is told of yet.
 void tell_lacks(const Examined& world, std::span<WorldFault> faults, std::span<const Lack> kinds) {
     const Start* const base = base_of(world.scene);
     if (!base) return;
@@ -64,31 +80,38 @@ void tell_lacks(const Examined& world, std::span<WorldFault> faults, std::span<c
             places_m.push_back(fault.at_m);
         }
     const std::vector<WayLacks> lacks = way_lacks(world.scene, *world.space, base->feet_m, places_m, kinds);
-    for (std::size_t i = 0; i < lacks.size(); ++i) {
-        const WayLacks& found = lacks[i];
-        WorldFault& fault = *untold[i];
-        if (found.lack == Lack::Nothing) continue;
-        if (found.lack == Lack::Headroom)
-            if (const Solid* solid = above(world, found.at_m, found.has_m)) {
-                if (solid->feature != kNoFeature && world.is_thing(solid->feature)) continue;
-                fault.other = name_from_below(world.scene, *solid);
-            }
-        fault.lack = found.lack;
-        fault.at_m = found.at_m;
-        fault.amount = found.has_m;
-        fault.needed_m = found.needs_m;
+    for (std::size_t i = 0; i < lacks.size(); ++i) tell_lack(world, *untold[i], lacks[i]);
+}
+
+// Of each of those stairs what keeps a body from walking on them, where anything was built of them: of the first few,
+// since each takes four spaces of the scene.
+void in_one_go(const Examined& world, std::vector<WorldFault>& faults) {
+    constexpr std::array kKinds{Lack::Headroom, Lack::Step, Lack::Width};
+    int looked_at = 0;
+    for (const WalkLink& link : world.space->links) {
+        if (link.kind != PassageKind::Climb) continue;
+        const Vec3 foot_m = world.space->place_m(link.from);
+        const Feature* const stairs = world.scene.find(link.feature);
+        WorldFault fault{FaultKind::StairsInOneGo, foot_m, stairs ? stairs->source : world.ground_source(foot_m)};
+        fault.feature = link.feature;
+        fault.room = world.graph->room_of_span[link.to];
+        fault.name = stairs ? spoken_name(*stairs) : spoken_kind("stairs");
+        const std::array places_m{world.space->place_m(link.to)};
+        if (stairs && looked_at++ < kMostStairsLookedAt)
+            tell_lack(world, fault, way_lacks(world.scene, *world.space, foot_m, places_m, kKinds)[0]);
+        faults.push_back(std::move(fault));
     }
 }
 
-void blocked_by_things(const Examined& world, std::vector<WorldFault>& faults) {
+// Those that `told` does not tell of.
+std::vector<WorldFault> blocked_by_things(const Examined& world, std::span<const WorldFault> told) {
     const std::vector<bool> reached = walked_into(world);
     std::vector<WorldFault> found;
     for (std::uint32_t r = 0; r < reached.size(); ++r) {
         const Room& room = world.graph->rooms[r];
-        const bool told = std::any_of(faults.begin(), faults.end(), [&](const WorldFault& fault) {
-            return fault.kind == FaultKind::RoomOutOfReach && fault.room == r;
-        });
-        if (reached[r] || told || room.kind == RoomKind::Liquid || room.kind == RoomKind::Niche || world.is_ground(r))
+        const bool known =
+            std::any_of(told.begin(), told.end(), [&](const WorldFault& fault) { return fault.room == r; });
+        if (reached[r] || known || room.kind == RoomKind::Liquid || room.kind == RoomKind::Niche || world.is_ground(r))
             continue;
         WorldFault fault{FaultKind::RoomOutOfReach, room.middle_m, world.room_source(r)};
         fault.room = r;
@@ -99,13 +122,14 @@ void blocked_by_things(const Examined& world, std::vector<WorldFault>& faults) {
     // Stairs stand about too, and may lead under a floor.
     constexpr std::array kKinds{Lack::Headroom};
     tell_lacks(world, found, kKinds);
-    std::move(found.begin(), found.end(), std::back_inserter(faults));
+    return found;
 }
 
-void out_of_reach(const Examined& world, std::vector<WorldFault>& faults) {
+// Of all rooms, or of one.
+std::vector<WorldFault> out_of_reach(const Examined& world, std::optional<std::uint32_t> only = std::nullopt) {
     std::vector<WorldFault> found;
     for (const RoomOutOfReach& room : rooms_out_of_reach(world.scene, *world.space, *world.graph)) {
-        if (room.room != kNothing && world.is_ground(room.room)) continue;
+        if ((room.room != kNothing && world.is_ground(room.room)) || (only && room.room != *only)) continue;
         WorldFault fault{FaultKind::RoomOutOfReach, room.at_m,
                          room.room == kNothing ? world.ground_source(room.at_m) : world.room_source(room.room)};
         fault.room = room.room;
@@ -119,7 +143,7 @@ void out_of_reach(const Examined& world, std::vector<WorldFault>& faults) {
     }
     constexpr std::array kKinds{Lack::Headroom, Lack::Step, Lack::Width};
     tell_lacks(world, found, kKinds);
-    std::move(found.begin(), found.end(), std::back_inserter(faults));
+    return found;
 }
 
 // No landing of stairs, which is a part of them, and no ground.
@@ -227,11 +251,23 @@ void names_in_one_place(const Examined& world, std::vector<WorldFault>& faults) 
 }  // namespace
 
 void find_room_faults(const Examined& world, std::vector<WorldFault>& faults) {
-    out_of_reach(world, faults);
-    blocked_by_things(world, faults);
+    std::vector<WorldFault> no_way = out_of_reach(world), blocked = blocked_by_things(world, no_way);
+    std::move(no_way.begin(), no_way.end(), std::back_inserter(faults));
+    std::move(blocked.begin(), blocked.end(), std::back_inserter(faults));
+    in_one_go(world, faults);
     if (!world.scene.stated) names_in_one_place(world, faults);
     unnamed(world, faults);
     without_landmark(world, faults);
+}
+
+std::optional<WorldFault> why_out_of_reach(const Scene& scene, const WalkSpace& space, const RoomGraph& graph,
+                                           std::uint32_t room) {
+    contract_pre(room < graph.rooms.size());
+    const Examined world(scene, &space, &graph);
+    if (std::vector<WorldFault> no_way = out_of_reach(world, room); !no_way.empty()) return std::move(no_way.front());
+    for (WorldFault& fault : blocked_by_things(world, {}))
+        if (fault.room == room) return std::move(fault);
+    return std::nullopt;
 }
 
 }  // namespace handrail

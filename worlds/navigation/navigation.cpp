@@ -209,8 +209,13 @@ double Navigation::cost(const Vec3& from_m, const Vec3& to_m, RouteWish wish) co
 
 // From cell to cell: where a leg of the mesh's way, which simplifies outlines a little, does not quite hold.
 std::vector<std::uint32_t> Navigation::over_cells(std::uint32_t from, std::uint32_t to, RouteWish wish) const {
-    std::vector<float> best(space_.spans.size(), std::numeric_limits<float>::infinity());
-    std::vector<std::uint32_t> came(space_.spans.size(), kNothing);
+    std::vector<float>& best = search_.best;
+    std::vector<std::uint32_t>&came = search_.came, &touched = search_.touched;
+    if (best.empty()) {
+        best.assign(space_.spans.size(), std::numeric_limits<float>::infinity());
+        came.assign(space_.spans.size(), kNothing);
+    }
+    touched.assign(1, from);
     using Entry = std::pair<double, std::uint32_t>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
     const Vec3 goal = space_.place_m(to);
@@ -228,6 +233,7 @@ std::vector<std::uint32_t> Navigation::over_cells(std::uint32_t from, std::uint3
             const Vec3 there = space_.place_m(n);
             const double through = static_cast<double>(best[here]) + glm::length(there - at) * span_cost(n, wish);
             if (!(static_cast<float>(through) < best[n])) return;
+            if (std::isinf(best[n])) touched.push_back(n);
             best[n] = static_cast<float>(through);
             came[n] = here;
             open.emplace(through + glm::length(goal - there), n);
@@ -242,9 +248,13 @@ std::vector<std::uint32_t> Navigation::over_cells(std::uint32_t from, std::uint3
         }
     }
     std::vector<std::uint32_t> way;
-    if (from != to && came[to] == kNothing) return way;
-    for (std::uint32_t s = to; s != kNothing; s = came[s]) way.push_back(s);
+    if (from == to || came[to] != kNothing)
+        for (std::uint32_t s = to; s != kNothing; s = came[s]) way.push_back(s);
     std::reverse(way.begin(), way.end());
+    for (const std::uint32_t s : touched) {
+        best[s] = std::numeric_limits<float>::infinity();
+        came[s] = kNothing;
+    }
     return way;
 }
 
@@ -558,7 +568,8 @@ Route Navigation::plan(const Vec3& from_m, const Vec3& to_m, RouteWish wish) {
     std::optional<Way> way = best_over_mesh(from, to, wish);
     if (!way) {
         way.emplace();
-        for (const std::uint32_t s : over_cells(from, to, wish)) way->legs_m.back().push_back(space_.place_m(s));
+        if (piece_[from] == piece_[to])
+            for (const std::uint32_t s : over_cells(from, to, wish)) way->legs_m.back().push_back(space_.place_m(s));
         if (way->legs_m.back().empty()) {
             route.reaches = false;
             way->legs_m.back().push_back(space_.place_m(from));

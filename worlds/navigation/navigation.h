@@ -92,6 +92,12 @@ private:
     std::vector<FeatureId> door_features_;              // of each of Scene::movers
     std::vector<std::uint32_t> door_groups_;
     std::vector<Vec3> door_places_;
+    // What a search from cell to cell needs of each span, the same before and after it; made when it is first needed.
+    struct Search {
+        std::vector<float> best;
+        std::vector<std::uint32_t> came, touched;
+    };
+    mutable Search search_;
     std::vector<bool> blocked_;             // of each span; empty: nothing is
     std::vector<std::uint8_t> leaf_marks_;  // of each span; empty: no door stands open
 };

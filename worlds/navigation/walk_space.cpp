@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "worlds/base/language.h"
+#include "worlds/navigation/stated_stairs.h"
 #include "worlds/navigation/walk_clearance.h"
 #include "worlds/navigation/walk_flood.h"
 
@@ -298,6 +299,7 @@ Result<WalkSpace> make_walk_space(const Scene& scene, const WalkBody& body, cons
     find_stairs(space, body.step_up_m);
     thin_drops(space);
     link_lifts_and_teleporters(scene, space);
+    link_stated_stairs(scene, space);
     if (stop.stop_requested()) return given_up();
     measure_clearance(*walls, stop);
     find_stairs(*walls, body.step_up_m);

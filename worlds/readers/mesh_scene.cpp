@@ -10,6 +10,7 @@
 #include "worlds/geometry/clip.h"
 #include "worlds/readers/mesh_bodies.h"
 #include "worlds/readers/mesh_materials.h"
+#include "worlds/readers/mesh_start.h"
 #include "worlds/readers/spoken_text.h"
 #include "worlds/scene/surfaces.h"
 
@@ -51,6 +52,7 @@ public:
         }
         start_within();
         if (scene_.starts.empty()) start_upon();
+        if (scene_.starts.empty()) start_on_floor(scene_, options_.stop);
         if (scene_.solids.empty() && scene_.triangles.empty())
             return nothing_to_touch(diagnostics_, scene_.source_file, "mesh");
         if (!scene_.solids.empty()) derive_surfaces(scene_, looks_, kSurfaceUnit_m, options_.stop);

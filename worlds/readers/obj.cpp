@@ -10,6 +10,7 @@
 #include "worlds/readers/map_keys.h"
 #include "worlds/readers/mesh_bodies.h"
 #include "worlds/readers/mesh_materials.h"
+#include "worlds/readers/mesh_start.h"
 #include "worlds/readers/reader.h"
 #include "worlds/readers/spoken_text.h"
 #include "worlds/scene/surfaces.h"
@@ -83,6 +84,7 @@ public:
         if (scene_.triangles.empty()) return nothing_to_touch(diagnostics_, scene_.source_file, "mesh");
         name_main_materials();
         if (options_.solid_meshes) fill_closed();
+        start_on_floor(scene_, options_.stop);
         if (options_.stop.stop_requested()) return fail(phrase("files.stopped"), scene_.source_file);
         ReadReport& report = scene_.report;
         report.polygons_kept = report.polygons;

@@ -12,7 +12,7 @@
 namespace handrail {
 
 template <>
-inline constexpr int kLastOf<PassageKind> = static_cast<int>(PassageKind::Teleporter);
+inline constexpr int kLastOf<PassageKind> = static_cast<int>(PassageKind::Climb);
 template <>
 inline constexpr int kLastOf<RoomKind> = static_cast<int>(RoomKind::Niche);
 template <>

@@ -126,6 +126,8 @@ std::string passage_name(const Scene& scene, PassageKind kind, FeatureId feature
         case PassageKind::Stairs:
             return rising(name.empty() || (found && found->kind != FeatureKind::Object) ? phrase("rooms.stairs")
                                                                                         : name);
+        case PassageKind::Climb:
+            return phrase("rooms.climb", {{"stairs", passage_name(scene, PassageKind::Stairs, feature, rise_m)}});
         case PassageKind::Lift:
             return rising(name.empty() ? phrase("rooms.lift") : name);
         case PassageKind::Drop:

@@ -55,6 +55,7 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     state_.world.scene = std::move(world.scene);
     state_.world.thing_of_mover = std::move(world.thing_of_mover);
     where_.far.enter_world();
+    where_.climbs.enter_world();
     where_.visits.enter_world();
     too_early_.reset();
     take_additions();  // before the hand's scene is made: what bears a mark is not simplified
@@ -74,6 +75,7 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     learn_.hunt.enter_world();
     learn_.teaching.exercise.enter_world();
     places_.lesson.enter_world();
+    places_.why_no_way.enter_world();
     learn_.teaching.blocked.clear();
     labyrinth_.enter_world(now_s);
     state_.lists.dialogue.close_all();  // what it was about may be gone
@@ -187,9 +189,9 @@ void Session::carry_out(Command command, double now_s, int times) {
         walk_.walking.act(command, now_s, times) || hand_.workspace.act(command, now_s) ||
         hand_.forces.act(command, now_s) || learn_.place.act(command, now_s) || learn_.hunt.act(command, now_s) ||
         where_.asking.act(command, now_s) || where_.far.act(command, now_s) || where_.rooms.act(command, now_s) ||
-        movers_.doors.act(command, now_s) || places_.marks.act(command, now_s) || places_.ways.act(command, now_s) ||
-        guide_.act(command, now_s) || menu_.act(command, now_s) || lesson_session_.act(command, now_s) ||
-        learn_.teaching.exercise.act(command, now_s))
+        where_.climbs.act(command, now_s) || movers_.doors.act(command, now_s) || places_.marks.act(command, now_s) ||
+        places_.ways.act(command, now_s) || guide_.act(command, now_s) || menu_.act(command, now_s) ||
+        lesson_session_.act(command, now_s) || learn_.teaching.exercise.act(command, now_s))
         return;
     act_itself(command, now_s);
 }
@@ -409,6 +411,7 @@ void Session::tick(double now_s, const ToolState& tool, const ToolState& left_to
     movers_.triggers.tick(now_s);
     where_.rooms.tick(now_s);
     where_.far.tick();
+    where_.climbs.tick(now_s);
     where_.visits.tick(where_.asking.take_asked_about(), now_s);
     answer_what_was_too_early(now_s);
     hand_.workspace.take_touch(where_.rooms.looked_for(), greeting_waits(), now_s);
@@ -420,6 +423,7 @@ void Session::tick(double now_s, const ToolState& tool, const ToolState& left_to
     guide_.lead(now_s);
     places_.marks.tick(now_s);
     places_.faults.tick(now_s);
+    places_.why_no_way.tick(now_s);
     guide_.call(now_s);
     publish_pose(now_s, PoseChange::Walked);
     hand_.forces.tell_break(now_s);

@@ -18,11 +18,13 @@
 #include "app/core/places/kept_ways.h"
 #include "app/core/places/mark_list.h"
 #include "app/core/places/prepare_lesson.h"
+#include "app/core/places/why_no_way.h"
 #include "app/core/walking/by_ear.h"
 #include "app/core/walking/footing.h"
 #include "app/core/walking/walking.h"
 #include "app/core/wayfinding/guide.h"
 #include "app/core/whereabouts/asking.h"
+#include "app/core/whereabouts/climbs.h"
 #include "app/core/whereabouts/far_places.h"
 #include "app/core/whereabouts/rooms.h"
 #include "app/core/whereabouts/visits.h"
@@ -35,10 +37,12 @@ struct Whereabouts {
         : rooms(state.context),
           asking(state.context, rooms),
           far(state.context, state.body, rooms),
+          climbs(state.context, rooms, asking),
           visits(state.context) {}
     Rooms rooms;
     Asking asking;
     FarPlaces far;
+    Climbs climbs;
     Visits visits;
 };
 
@@ -79,10 +83,12 @@ struct PlacesFeatures {
         : marks(state.context, state.world.marks),
           ways(state.context, rooms, planned),
           faults(state.context, state.world, rooms),
+          why_no_way(state.context, rooms),
           lesson(state.context, rooms) {}
     MarkList marks;
     KeptWays ways;
     FaultList faults;
+    WhyNoWay why_no_way;
     PrepareLesson lesson;
 };
 

@@ -7,6 +7,7 @@
 #include "app/core/kept/ways.h"
 #include "app/core/wayfinding/leg.h"
 #include "app/core/wayfinding/way_words.h"
+#include "app/core/whereabouts/climbs.h"
 #include "worlds/base/language.h"
 #include "worlds/navigation/reach.h"
 #include "worlds/navigation/way_place.h"
@@ -55,7 +56,7 @@ EarWay::RoomRoute EarWay::route_to(std::uint32_t room) const {
     return {std::move(route), false};
 }
 
-void EarWay::follow_to_room(std::uint32_t room, const std::string& first, double now_s) {
+bool EarWay::follow_to_room(std::uint32_t room, const std::string& first, double now_s) {
     const std::string name = sentence_case(rooms_.graph().rooms[room].name);
     auto [route, by_legs] = route_to(room);
     if (!by_legs) return follow(std::move(route), name, first, now_s);
@@ -71,10 +72,14 @@ void EarWay::follow_to_room(std::uint32_t room, const std::string& first, double
     context_.events.tell(Led{name, LedBy::Ear}, now_s);
     to_nearest_ = false;
     follow_silently(std::move(route), name);
+    return true;
 }
 
 void EarWay::follow_again(const std::string& first, double now_s) {
-    if (room_) return follow_to_room(*room_, first, now_s);
+    if (room_) {
+        follow_to_room(*room_, first, now_s);
+        return;
+    }
     follow_to(Vec3(goal_m()), std::string(name_), first, now_s);
 }
 
@@ -87,10 +92,13 @@ void EarWay::follow_silently(Route route, const std::string& goal) {
     follower_.follow(std::move(route), std::move(nodes));
 }
 
-void EarWay::follow(Route route, const std::string& name, const std::string& first, double now_s) {
+bool EarWay::follow(Route route, const std::string& name, const std::string& first, double now_s) {
     stop();
     std::string goal = name, words = first.empty() ? first : first + ' ';
-    if (route.points_m.empty()) return context_.answer(words + phrase("rooms.no_way_no_floor"), now_s);
+    if (route.points_m.empty()) {
+        context_.answer(words + phrase("rooms.no_way_no_floor"), now_s);
+        return false;
+    }
     if (!route.reaches) {
         const std::uint32_t end = room_at(rooms_.graph(), rooms_.space(), route.points_m.back());
         const std::string short_of = distance_words(route.short_of_m, distances(context_));
@@ -98,7 +106,10 @@ void EarWay::follow(Route route, const std::string& name, const std::string& fir
                      ? phrase("rooms.not_reached", {{"goal", name}, {"short_of", short_of}})
                      : phrase("rooms.not_reached_in",
                               {{"goal", name}, {"room", rooms_.graph().rooms[end].name}, {"short_of", short_of}});
-        if (route.points_m.size() < 2) return context_.answer(words, now_s);
+        if (route.points_m.size() < 2) {
+            context_.answer(words, now_s);
+            return false;
+        }
         words += ' ';
         goal = phrase("rooms.nearest_place_to", {{"goal", name}});
     }
@@ -108,6 +119,7 @@ void EarWay::follow(Route route, const std::string& name, const std::string& fir
     context_.events.tell(Led{goal, LedBy::Ear}, now_s);
     to_nearest_ = !route.reaches;
     follow_silently(std::move(route), goal);
+    return !to_nearest_;
 }
 
 void EarWay::renew() {
@@ -133,6 +145,12 @@ void EarWay::tell_on(double now_s) const {
     for (const RoutePassage& passage : route.passages)
         if (passage.at_m < leg->along_m + 1.0) {
             const std::string what = passage_now(context_, passage.kind, passage.feature, passage.rise_m);
+            if (passage.kind == PassageKind::Climb && stands_at(passage))
+                return context_.answer(phrase("way.at_stairs", {{"goal", name_},
+                                                                {"passage", what},
+                                                                {"key", context_.keys.keys_of(Command::Use)},
+                                                                {"all", all}}),
+                                       now_s);
             if (stands_in(passage))
                 return context_.answer(phrase("way.in_lift", {{"goal", name_},
                                                               {"passage", what},
@@ -145,6 +163,12 @@ void EarWay::tell_on(double now_s) const {
                 now_s);
         }
     context_.answer(phrase("way.next", {{"goal", name_}, {"where", where}, {"all", all}}), now_s);
+}
+
+// So near that the key takes one over them.
+bool EarWay::stands_at(const RoutePassage& passage) const {
+    const Vec3 off = passage.place_m - context_.body.feet_m();
+    return std::hypot(off.x, off.y) < Climbs::kAtEnd_m;
 }
 
 // A lift goes nowhere by itself.

@@ -19,11 +19,11 @@ public:
         : SessionPart(context), rooms_(rooms), plans_(plans), word_(context, rooms, ground) {}
 
     // Tells the way and follows it; where the goal cannot be reached, to the nearest place that can. `first` is said
-    // before all else. The rooms are found.
-    void follow(Route route, const std::string& name, const std::string& first, double now_s);
+    // before all else. The rooms are found. False: it ends before the goal.
+    bool follow(Route route, const std::string& name, const std::string& first, double now_s);
     void follow_to(const Vec3& goal_m, const std::string& name, const std::string& first, double now_s);
-    // To a room by words, leg by leg; as follow_to where lifts, teleporters or edges lead there.
-    void follow_to_room(std::uint32_t room, const std::string& first, double now_s);
+    // To a room by words, leg by leg; as follow where lifts, teleporters or edges lead there.
+    bool follow_to_room(std::uint32_t room, const std::string& first, double now_s);
     // How that way goes from here: its length is what is told of it.
     Route to_room(std::uint32_t room) const { return route_to(room).route; }
     // Anew to where one is going.
@@ -56,6 +56,7 @@ private:
     RoomRoute route_to(std::uint32_t room) const;
     Route planned() const;
     bool stands_in(const RoutePassage& passage) const;
+    bool stands_at(const RoutePassage& passage) const;
     void follow_silently(Route route, const std::string& goal);
     void tell(const std::string& words, double now_s);
     RouteFollower::Said tick_words(double now_s);

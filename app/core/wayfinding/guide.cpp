@@ -223,7 +223,7 @@ void Guide::list_storeys(double now_s) {
 void Guide::go_to_room(std::uint32_t room, double now_s) {
     plans_.end();
     planned_.note(stop_in_room(rooms_, room), context_.body.feet_m());
-    ear_.follow_to_room(room, {}, now_s);
+    if (!ear_.follow_to_room(room, {}, now_s) && on_no_way) on_no_way(room, now_s);
 }
 
 void Guide::face_way(double now_s) {

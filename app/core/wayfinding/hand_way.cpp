@@ -157,7 +157,8 @@ Route walk_to_thing(Navigation& navigation, const BodyWorld& world, const Vec3& 
 
 bool hand_can_follow(const Route& route) {
     return std::none_of(route.passages.begin(), route.passages.end(), [](const RoutePassage& passage) {
-        return passage.kind == PassageKind::Lift || passage.kind == PassageKind::Teleporter;
+        return passage.kind == PassageKind::Lift || passage.kind == PassageKind::Climb ||
+               passage.kind == PassageKind::Teleporter;
     });
 }
 

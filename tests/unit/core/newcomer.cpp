@@ -184,6 +184,10 @@ bool Newcomer::obey(const std::string& text) {
         ride();
         return true;
     }
+    if (text.find("You stand at them. Enter takes them") != std::string::npos) {
+        ask("Enter", 1.0);
+        return true;
+    }
     const auto direction = direction_in(text);
     if (!direction) return false;
     turn(direction->right_deg);

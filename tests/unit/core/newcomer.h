@@ -36,7 +36,7 @@ public:
     // So many steps ahead; less where something is met, and then true. Doors that are met are opened and gone through.
     bool walk(int steps);  // an edge counts as met, unless the way that was told leads over it
     // Obeys one direction, "5 steps, 30 degrees right": turns and walks most of it; makes the lift go that one is told
-    // to stand in. False: it says neither distance nor direction.
+    // to stand in, and takes the stairs that one is told to stand at. False: it says neither distance nor direction.
     bool obey(const std::string& direction);
 
     // All entries of a list that a key opens, read one after the other; the list is left again.

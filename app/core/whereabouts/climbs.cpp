@@ -1,0 +1,75 @@
+#include "app/core/whereabouts/climbs.h"
+
+#include <cmath>
+
+#include "app/core/context/telling.h"
+#include "app/core/world/questions.h"
+#include "app/core/world/surroundings.h"
+#include "worlds/base/language.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kOneFloor_m = 0.5;
+constexpr double kGoneAway_m = 1.5;       // farther from an end one has gone away from it
+constexpr double kToWhatIsFaced_m = 1.2;  // to a door or button that one faces
+
+}  // namespace
+
+std::optional<Climbs::End> Climbs::end_here(double within_m) const {
+    if (!rooms_.found()) return std::nullopt;
+    const WalkSpace& space = rooms_.space();
+    const Vec3& feet_m = context_.body.feet_m();
+    std::optional<End> nearest;
+    for (std::uint32_t i = 0; i < space.links.size(); ++i) {
+        const WalkLink& link = space.links[i];
+        if (link.kind != PassageKind::Climb) continue;
+        for (const bool foot : {true, false}) {
+            const Vec3 here_m = space.place_m(foot ? link.from : link.to);
+            const double far_m = std::hypot(here_m.x - feet_m.x, here_m.y - feet_m.y);
+            if (std::abs(here_m.z - feet_m.z) > kOneFloor_m || far_m > within_m) continue;
+            within_m = far_m;
+            nearest = End{i, foot, here_m, space.place_m(foot ? link.to : link.from), link.feature};
+        }
+    }
+    return nearest;
+}
+
+// What the hand touches or what stands straight ahead is meant.
+bool Climbs::something_else() const {
+    if (context_.hands.tool.touches() && mover_of(context_.world, context_.hands.tool.touched()) >= 0) return true;
+    const auto seen = look(*context_.world.solids, context_.body.feet_m(), kLookHeight_m, context_.body.heading_rad,
+                           kToWhatIsFaced_m);
+    return seen && mover_of(context_.world, seen->feature) >= 0;
+}
+
+bool Climbs::act(Command command, double now_s) {
+    if (command != Command::Use) return false;
+    const std::optional<End> end = end_here(kAtEnd_m);
+    if (!end || something_else()) return false;
+    told_ = end->link;
+    context_.asks.place(end->there_m, context_.body.heading_rad, now_s);
+    context_.play(SoundKind::FrameSwitch, now_s);
+    rooms_.notice(now_s, true);
+    const double rise_m = end->there_m.z - end->here_m.z;
+    context_.answer(
+        phrase(rise_m > 0.0 ? "climbs.up" : "climbs.down", {{"metres", std::abs(rise_m)}}) + " " + asking_.where_am_i(),
+        now_s);
+    return true;
+}
+
+void Climbs::tick(double now_s) {
+    if (told_) {
+        const std::optional<End> still = end_here(kGoneAway_m);
+        if (still && still->link == *told_) return;
+        told_.reset();
+    }
+    const std::optional<End> end = end_here(kAtEnd_m);
+    if (!end) return;
+    told_ = end->link;
+    const std::string what = passage_name(context_, PassageKind::Climb, end->feature, end->there_m.z - end->here_m.z);
+    context_.say(phrase("climbs.here", {{"stairs", sentence_case(what)}, {"key", context_.keys.keys_of(Command::Use)}}),
+                 SpeechClass::Contact, now_s);
+}
+
+}  // namespace handrail

@@ -1,0 +1,68 @@
+// Stairs that nobody walks on: told of at their ends, and taken by the key that uses things.
+#include <gmock/gmock.h>
+
+#include "tests/unit/core/app_session.h"
+#include "tests/unit/core/hall_with_narrow_stairs.h"
+
+namespace handrail {
+namespace climbs_test {
+
+using testing::HasSubstr;
+using testing::Not;
+
+struct Visit : test::AppSession {
+    Visit() {
+        app.apply(WorldEntered{make_ready(test::hall_with_narrow_stairs())}, 0.0);
+        ask(Command::Exits);  // from now on rooms are known
+    }
+    // Through the door, into the stairwell.
+    void go_in() {
+        walk(4.0);
+        tap(Command::Use);
+        run(1.5);
+        walk(1.6);
+    }
+};
+
+TEST(Climbs, one_hears_of_the_stairs_on_coming_to_them_and_takes_them_up_and_down_by_the_key_that_is_told) {
+    Visit visit;
+    visit.go_in();
+    ASSERT_GT(visit.app.feet_m().y, 6.3) << "in the stairwell";
+    EXPECT_TRUE(visit.heard("Stairs, 3.0 metres up, in one go: Enter takes them"));
+    visit.run(1.0);
+    const std::string up = visit.ask(Command::Use);
+    EXPECT_THAT(up, HasSubstr("You took the stairs up, 3.0 metres"));
+    EXPECT_NEAR(visit.app.feet_m().z, 3.0, 0.02);
+    visit.said.clear();
+    visit.run(2.0);
+    EXPECT_FALSE(visit.heard("takes them")) << "who has just taken them knows them";
+    const std::string down = visit.ask(Command::Use);
+    EXPECT_THAT(down, HasSubstr("You took the stairs down, 3.0 metres"));
+    EXPECT_NEAR(visit.app.feet_m().z, 0.0, 0.02);
+}
+
+TEST(Climbs, a_door_that_one_faces_is_meant_by_the_key_and_not_the_stairs_behind_one) {
+    Visit visit;
+    visit.app.apply(Placed{{3.0, 6.6, visit.app.feet_m().z}, kPi}, visit.now);
+    visit.run(0.5);
+    const double floor_m = visit.app.feet_m().z;
+    visit.tap(Command::Use);
+    visit.run(2.0);
+    EXPECT_EQ(visit.app.feet_m().z, floor_m) << visit.said.back();
+    EXPECT_TRUE(visit.heard("oor opens")) << visit.said.back();
+}
+
+TEST(Climbs, away_from_its_ends_the_key_uses_other_things_or_says_that_there_are_none) {
+    Visit visit;
+    EXPECT_THAT(visit.ask(Command::Use), Not(HasSubstr("stairs")));
+    EXPECT_NEAR(visit.app.feet_m().z, 0.0, 0.02);
+}
+
+TEST(Climbs, are_among_the_exits_and_on_the_way) {
+    Visit visit;
+    visit.go_in();
+    EXPECT_THAT(visit.ask(Command::Exits), HasSubstr("Stairs, in one go to Spiral stairs, Level 1"));
+}
+
+}  // namespace climbs_test
+}  // namespace handrail

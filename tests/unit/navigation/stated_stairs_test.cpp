@@ -1,0 +1,202 @@
+// Stairs that a file states are walked on where a body can, and taken in one go where it cannot.
+#include "worlds/navigation/stated_stairs.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tests/support/box_scene.h"
+#include "tests/support/scale.h"
+#include "worlds/navigation/navigation.h"
+#include "worlds/navigation/reach.h"
+#include "worlds/scene/stated_building.h"
+
+namespace handrail {
+namespace stated_stairs_test {
+
+constexpr double kUp_m = 2.8;
+
+StatedRoom room(const std::string& name, const Vec3& least, const Vec3& most) {
+    StatedRoom stated;
+    stated.name = name;
+    stated.rings = {{{least.x, least.y}, {most.x, least.y}, {most.x, most.y}, {least.x, most.y}}};
+    stated.floor_m = least.z;
+    stated.height_m = 2.5;
+    stated.at_m = {0.5 * (least.x + most.x), 0.5 * (least.y + most.y), least.z};
+    return stated;
+}
+
+// A ground of 10 by 4 m and an upper floor over its eastern end, with stairs between them as they are stated.
+struct House {
+    test::SceneBuilder b;
+    StatedBuilding stated;
+
+    explicit House(const Vec3& by = Vec3(0.0)) : by_(by) {
+        b.box(by + Vec3(0, 0, -0.2), by + Vec3(10, 4, 0), "floor", SolidRole::Solid, {}, FeatureKind::Floor);
+        b.box(by + Vec3(7, 0, kUp_m - 0.2), by + Vec3(10, 4, kUp_m), "floor", SolidRole::Solid, {}, FeatureKind::Floor);
+        b.start(by + Vec3(1, 2, 0), 0.0);
+        stated.rooms = {room("Hall", by, by + Vec3(7, 4, 0)),
+                        room("Gallery", by + Vec3(7, 0, kUp_m), by + Vec3(10, 4, kUp_m))};
+    }
+    void state(FeatureId stairs) {
+        StatedPortal portal;
+        portal.kind = StatedPortalKind::Stairs;
+        portal.feature = stairs;
+        portal.rooms = {0, 1};
+        stated.portals.push_back(portal);
+    }
+    // A flight of so many steps from the west up to the upper floor.
+    FeatureId flight(int steps, double going_m) {
+        Feature feature;
+        feature.kind = FeatureKind::Object;
+        feature.name = "stairs";
+        FeatureId made = kNoFeature;
+        for (int k = 0; k < steps; ++k) {
+            const double top = kUp_m * (k + 1) / (steps + 1), x = 7.0 - (steps - k) * going_m;
+            const FeatureId own =
+                b.box(by_ + Vec3(x, 1, 0), by_ + Vec3(x + going_m, 3, top), "stairs", SolidRole::Solid, {});
+            if (!made) made = own;
+            b.scene().solids.back().feature = made;
+            b.scene().features[made.value].bounds_m.include(b.scene().features[own.value].bounds_m);
+        }
+        return made;
+    }
+    Result<WalkSpace> space() {
+        b.scene().stated = std::make_shared<const StatedBuilding>(stated);
+        const auto scene = b.share();
+        return make_walk_space(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
+    }
+
+private:
+    Vec3 by_;
+};
+
+std::vector<WalkLink> climbs(const WalkSpace& space) {
+    std::vector<WalkLink> found;
+    for (const WalkLink& link : space.links)
+        if (link.kind == PassageKind::Climb) found.push_back(link);
+    return found;
+}
+
+bool walks_up(const WalkSpace& space, const Vec3& by) {
+    const std::uint32_t from = space.nearest(by + Vec3(1, 2, 0), 0.5, 0.3, 0.3),
+                        to = space.nearest(by + Vec3(9, 2, kUp_m), 0.5, 0.3, 0.3);
+    if (from == kNothing || to == kNothing) return false;
+    std::vector<bool> seen(space.spans.size(), false);
+    std::vector<std::uint32_t> open{from};
+    seen[from] = true;
+    for (std::size_t i = 0; i < open.size(); ++i)
+        for (const std::uint32_t next : space.spans[open[i]].next)
+            if (next != kNothing && !seen[next]) {
+                seen[next] = true;
+                open.push_back(next);
+            }
+    return seen[to];
+}
+
+TEST(StatedStairs, that_one_walks_on_are_no_link) {
+    House house;
+    house.state(house.flight(15, 0.28));
+    const Result<WalkSpace> space = house.space();
+    ASSERT_TRUE(space.has_value());
+    EXPECT_TRUE(walks_up(*space, Vec3(0.0)));
+    EXPECT_TRUE(climbs(*space).empty());
+}
+
+TEST(StatedStairs, too_steep_to_walk_on_are_taken_in_one_go_from_their_foot_to_their_head) {
+    House house;
+    const FeatureId stairs = house.flight(6, 0.3);
+    house.state(stairs);
+    const Result<WalkSpace> space = house.space();
+    ASSERT_TRUE(space.has_value());
+    EXPECT_FALSE(walks_up(*space, Vec3(0.0)));
+    const std::vector<WalkLink> links = climbs(*space);
+    ASSERT_EQ(links.size(), 1U);
+    EXPECT_EQ(links[0].feature, stairs);
+    EXPECT_TRUE(links[0].both_ways);
+    const Vec3 foot = space->place_m(links[0].from), head = space->place_m(links[0].to);
+    EXPECT_NEAR(foot.z, 0.0, 0.01);
+    EXPECT_NEAR(head.z, kUp_m, 0.01);
+    EXPECT_NEAR(foot.x, 7.0 - 6 * 0.3, 0.8) << "before the first step";
+    EXPECT_NEAR(head.x, 7.0, 0.8) << "behind the last";
+
+    // The way to the gallery leads over it, there and back, and never on foot.
+    const auto scene = house.b.share();
+    const auto ways = Navigation::make(*scene, space->body);
+    ASSERT_TRUE(ways.has_value());
+    for (const bool up : {true, false}) {
+        const Vec3 from = up ? Vec3(1, 2, 0) : Vec3(9, 2, kUp_m), to = up ? Vec3(9, 2, kUp_m) : Vec3(1, 2, 0);
+        const Route route = (*ways)->plan(from, to);
+        EXPECT_TRUE(route.reaches);
+        const auto passage = std::find_if(route.passages.begin(), route.passages.end(),
+                                          [](const RoutePassage& p) { return p.kind == PassageKind::Climb; });
+        ASSERT_NE(passage, route.passages.end());
+        EXPECT_NEAR(passage->rise_m, up ? kUp_m : -kUp_m, 0.01);
+        EXPECT_EQ(passage->feature, stairs);
+        EXPECT_NEAR(glm::length(route.points_m.back() - to), 0.0, 0.1);
+        for (const RoutePassage& p : (*ways)->plan(from, to, RouteWish::OnFoot).passages)
+            EXPECT_NE(p.kind, PassageKind::Climb);
+    }
+    const RoomGraph graph = make_rooms(*scene, *space);
+    EXPECT_TRUE(rooms_out_of_reach(*scene, *space, graph).empty());
+}
+
+TEST(StatedStairs, of_which_nothing_was_built_lead_from_the_middle_of_one_room_to_that_of_the_other) {
+    House house;
+    house.state(kNoFeature);
+    const Result<WalkSpace> space = house.space();
+    ASSERT_TRUE(space.has_value());
+    const std::vector<WalkLink> links = climbs(*space);
+    ASSERT_EQ(links.size(), 1U);
+    EXPECT_FALSE(links[0].feature);
+    EXPECT_NEAR(glm::length(space->place_m(links[0].from) - house.stated.rooms[0].at_m), 0.0, 0.1);
+    EXPECT_NEAR(glm::length(space->place_m(links[0].to) - house.stated.rooms[1].at_m), 0.0, 0.1);
+}
+
+TEST(StatedStairs, that_join_nothing_or_lead_to_where_nobody_stands_are_no_link) {
+    House level;
+    level.stated.rooms[1].floor_m = 0.1;
+    level.state(kNoFeature);
+    House alone;
+    alone.state(kNoFeature);
+    alone.stated.portals[0].rooms = {0};
+    House wrong;
+    wrong.state(kNoFeature);
+    wrong.stated.portals[0].rooms = {0, 7};
+    House high;
+    high.state(kNoFeature);
+    high.stated.rooms[1].at_m.z = high.stated.rooms[1].floor_m = 9.0;
+    House no_stairs;
+    no_stairs.state(kNoFeature);
+    no_stairs.stated.portals[0].kind = StatedPortalKind::Opening;
+    for (House* house : {&level, &alone, &wrong, &high, &no_stairs}) {
+        const Result<WalkSpace> space = house->space();
+        ASSERT_TRUE(space.has_value());
+        EXPECT_TRUE(climbs(*space).empty());
+    }
+}
+
+// Whether a body walks up is found by walking; there is a link exactly where it does not, near the origin and far off.
+TEST(StatedStairs, of_any_steps_are_a_link_exactly_where_nobody_walks_up) {
+    std::mt19937 random(17);
+    int walked = 0, taken = 0;
+    const int runs = test::scaled(60);
+    for (int run = 0; run < runs; ++run) {
+        const Vec3 by = run % 3 == 2 ? Vec3(4.0e4, -7.0e4, 300.0) : Vec3(0.0);
+        House house(by);
+        const int steps = std::uniform_int_distribution<int>(5, 17)(random);
+        house.state(house.flight(steps, std::uniform_real_distribution<double>(0.2, 0.35)(random)));
+        if (run % 4 == 3)  // too little room for the head half way up
+            house.b.box(by + Vec3(4, 0, 2.4), by + Vec3(6, 4, 2.5), "beam");
+        const Result<WalkSpace> space = house.space();
+        ASSERT_TRUE(space.has_value());
+        const bool walks = walks_up(*space, by);
+        EXPECT_EQ(climbs(*space).size(), walks ? 0U : 1U) << "run " << run << ", " << steps << " steps";
+        (walks ? walked : taken) += 1;
+    }
+    EXPECT_GT(walked, runs / 10);
+    EXPECT_GT(taken, runs / 10);
+}
+
+}  // namespace stated_stairs_test
+}  // namespace handrail
