@@ -13,8 +13,8 @@ namespace handrail {
 namespace {
 
 constexpr double kLevel = 0.7;         // of the normal of what one treads on
-constexpr double kFirstTread_m = 0.5;  // above the floor at most
-constexpr double kLastTread_m = 0.4;   // below the floor at most, and a tenth above it
+constexpr double kFirstTread_m = 0.6;  // above the floor at most
+constexpr double kLastTread_m = 0.6;   // below the floor at most, and a tenth above it
 constexpr double kNearEnd_m = 1.5, kSameFloor_m = 0.4;
 constexpr double kLeastRise_m = 0.5;
 
@@ -92,7 +92,9 @@ std::optional<Stairs> stairs_of(const Scene& scene, const StatedBuilding& stated
     }
     const Aabb& box = feature->bounds_m;
     const double low_m = joins ? low->floor_m : box.min_m.z, high_m = joins ? high->floor_m : box.max_m.z;
-    if (high_m - low_m < kLeastRise_m) return std::nullopt;
+    // A part of a flight, such as one step, is no stairs by itself.
+    if (high_m - low_m < kLeastRise_m || box.min_m.z > low_m + kFirstTread_m || box.max_m.z < high_m - kLastTread_m)
+        return std::nullopt;
     const std::vector<Tread>& treads = all.at(portal.feature.value);
     stairs.foot_m = middle_of(treads, low_m - 0.1, low_m + kFirstTread_m).value_or(box.centre_m());
     stairs.head_m = middle_of(treads, high_m - kLastTread_m, high_m + 0.1).value_or(box.centre_m());

@@ -169,7 +169,10 @@ TEST(StatedStairs, that_join_nothing_or_lead_to_where_nobody_stands_are_no_link)
     House no_stairs;
     no_stairs.state(kNoFeature);
     no_stairs.stated.portals[0].kind = StatedPortalKind::Opening;
-    for (House* house : {&level, &alone, &wrong, &high, &no_stairs}) {
+    House part;  // one step of a flight, as stairs of its own
+    (void)part.flight(6, 0.3);
+    part.state(part.b.box({6.7, 3, 2.0}, {7.0, 4, 2.4}, "stairs"));
+    for (House* house : {&level, &alone, &wrong, &high, &no_stairs, &part}) {
         const Result<WalkSpace> space = house->space();
         ASSERT_TRUE(space.has_value());
         EXPECT_TRUE(climbs(*space).empty());
