@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -72,7 +73,7 @@ std::vector<WorldFault> find_faults(const Scene& scene, const WalkSpace* space, 
 // Why nobody comes to that room from the base, as find_faults tells it; nothing: one comes there. Makes up to four
 // spaces of the scene.
 std::optional<WorldFault> why_out_of_reach(const Scene& scene, const WalkSpace& space, const RoomGraph& graph,
-                                           std::uint32_t room);
+                                           std::uint32_t room, const std::stop_token& stop = {});
 // False for what concerns a line of the file rather than a place in the world.
 inline bool has_place(const WorldFault& fault) {
     return fault.kind != FaultKind::DamagedInFile &&

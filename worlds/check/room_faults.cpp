@@ -69,7 +69,8 @@ void tell_lack(const Examined& world, WorldFault& fault, const WayLacks& found) 
 }
 
 // Puts into faults, each of a room out of reach, what the best ways to those lack that nothing is told of yet.
-void tell_lacks(const Examined& world, std::span<WorldFault> faults, std::span<const Lack> kinds) {
+void tell_lacks(const Examined& world, std::span<WorldFault> faults, std::span<const Lack> kinds,
+                const std::stop_token& stop) {
     const Start* const base = base_of(world.scene);
     if (!base) return;
     std::vector<WorldFault*> untold;
@@ -79,7 +80,7 @@ void tell_lacks(const Examined& world, std::span<WorldFault> faults, std::span<c
             untold.push_back(&fault);
             places_m.push_back(fault.at_m);
         }
-    const std::vector<WayLacks> lacks = way_lacks(world.scene, *world.space, base->feet_m, places_m, kinds);
+    const std::vector<WayLacks> lacks = way_lacks(world.scene, *world.space, base->feet_m, places_m, kinds, stop);
     for (std::size_t i = 0; i < lacks.size(); ++i) tell_lack(world, *untold[i], lacks[i]);
 }
 
@@ -104,7 +105,8 @@ void in_one_go(const Examined& world, std::vector<WorldFault>& faults) {
 }
 
 // Those that `told` does not tell of.
-std::vector<WorldFault> blocked_by_things(const Examined& world, std::span<const WorldFault> told) {
+std::vector<WorldFault> blocked_by_things(const Examined& world, std::span<const WorldFault> told,
+                                          const std::stop_token& stop = {}) {
     const std::vector<bool> reached = walked_into(world);
     std::vector<WorldFault> found;
     for (std::uint32_t r = 0; r < reached.size(); ++r) {
@@ -121,12 +123,13 @@ std::vector<WorldFault> blocked_by_things(const Examined& world, std::span<const
     }
     // Stairs stand about too, and may lead under a floor.
     constexpr std::array kKinds{Lack::Headroom};
-    tell_lacks(world, found, kKinds);
+    tell_lacks(world, found, kKinds, stop);
     return found;
 }
 
 // Of all rooms, or of one.
-std::vector<WorldFault> out_of_reach(const Examined& world, std::optional<std::uint32_t> only = std::nullopt) {
+std::vector<WorldFault> out_of_reach(const Examined& world, std::optional<std::uint32_t> only = std::nullopt,
+                                     const std::stop_token& stop = {}) {
     std::vector<WorldFault> found;
     for (const RoomOutOfReach& room : rooms_out_of_reach(world.scene, *world.space, *world.graph)) {
         if ((room.room != kNothing && world.is_ground(room.room)) || (only && room.room != *only)) continue;
@@ -142,7 +145,7 @@ std::vector<WorldFault> out_of_reach(const Examined& world, std::optional<std::u
         found.push_back(std::move(fault));
     }
     constexpr std::array kKinds{Lack::Headroom, Lack::Step, Lack::Width};
-    tell_lacks(world, found, kKinds);
+    tell_lacks(world, found, kKinds, stop);
     return found;
 }
 
@@ -261,11 +264,12 @@ void find_room_faults(const Examined& world, std::vector<WorldFault>& faults) {
 }
 
 std::optional<WorldFault> why_out_of_reach(const Scene& scene, const WalkSpace& space, const RoomGraph& graph,
-                                           std::uint32_t room) {
+                                           std::uint32_t room, const std::stop_token& stop) {
     contract_pre(room < graph.rooms.size());
     const Examined world(scene, &space, &graph);
-    if (std::vector<WorldFault> no_way = out_of_reach(world, room); !no_way.empty()) return std::move(no_way.front());
-    for (WorldFault& fault : blocked_by_things(world, {}))
+    if (std::vector<WorldFault> no_way = out_of_reach(world, room, stop); !no_way.empty())
+        return std::move(no_way.front());
+    for (WorldFault& fault : blocked_by_things(world, {}, stop))
         if (fault.room == room) return std::move(fault);
     return std::nullopt;
 }

@@ -60,8 +60,9 @@ std::uint32_t place_in(const WalkSpace& space, const Vec3& at_m) { return space.
 // answer.
 class Search {
 public:
-    Search(const Scene& scene, const WalkBody& body, const Vec3& from_m, std::span<const Vec3> places_m)
-        : scene_(scene), body_(body), from_m_(from_m), places_m_(places_m), found_(places_m.size()) {}
+    Search(const Scene& scene, const WalkBody& body, const Vec3& from_m, std::span<const Vec3> places_m,
+           const std::stop_token& stop)
+        : scene_(scene), body_(body), from_m_(from_m), places_m_(places_m), stop_(stop), found_(places_m.size()) {}
 
     std::vector<WayLacks> find(std::span<const Lack> kinds) {
         WalkBody any = low();
@@ -92,7 +93,7 @@ private:
 
     // Places that such a body comes to.
     bool comes_to_any(const WalkBody& body) const {
-        const Result<WalkSpace> space = make_walk_space(scene_, body);
+        const Result<WalkSpace> space = make_walk_space(scene_, body, stop_);
         const std::uint32_t first = space ? place_in(*space, from_m_) : kNothing;
         if (first == kNothing) return false;
         const std::vector<bool> reached = spans_reached(*space, first);
@@ -133,7 +134,7 @@ private:
     void look(Lack lack, const WalkBody& body, double least, const Worth& worth_in) {
         if (std::all_of(found_.begin(), found_.end(), [](const WayLacks& f) { return f.lack != Lack::Nothing; }))
             return;
-        const Result<WalkSpace> space = make_walk_space(scene_, body);
+        const Result<WalkSpace> space = make_walk_space(scene_, body, stop_);
         const std::uint32_t first = space ? place_in(*space, from_m_) : kNothing;
         if (first == kNothing) return;
         const BestWays ways =
@@ -150,6 +151,7 @@ private:
     WalkBody body_;
     Vec3 from_m_;
     std::span<const Vec3> places_m_;
+    const std::stop_token& stop_;
     std::vector<WayLacks> found_;
 };
 
@@ -161,9 +163,10 @@ std::string_view word_of(Lack lack) {
 }
 
 std::vector<WayLacks> way_lacks(const Scene& scene, const WalkSpace& space, const Vec3& from_m,
-                                std::span<const Vec3> places_m, std::span<const Lack> kinds) {
+                                std::span<const Vec3> places_m, std::span<const Lack> kinds,
+                                const std::stop_token& stop) {
     if (places_m.empty()) return {};
-    return Search(scene, space.body, from_m, places_m).find(kinds);
+    return Search(scene, space.body, from_m, places_m, stop).find(kinds);
 }
 
 }  // namespace handrail

@@ -8,8 +8,8 @@ namespace handrail {
 void WhyNoWay::look(std::uint32_t room, double now_s) {
     contract_pre(rooms_.found() && room < rooms_.graph().rooms.size());
     Beside<std::string>::Work work = [scene = rooms_.file_scene(), navigation = rooms_.navigation_kept(),
-                                      graph = rooms_.graph(), room](const std::stop_token&) {
-        const std::optional<WorldFault> fault = why_out_of_reach(*scene, navigation->space(), graph, room);
+                                      graph = rooms_.graph(), room](const std::stop_token& stop) {
+        const std::optional<WorldFault> fault = why_out_of_reach(*scene, navigation->space(), graph, room, stop);
         if (!fault) return std::string();
         // That there is no way has been said.
         const bool known = fault->lack != Lack::Nothing || !fault->other.empty();
