@@ -7,6 +7,7 @@
 #include "app/report/report_page.h"
 #include "tests/support/child_process.h"
 #include "tests/support/run_program.h"
+#include "tests/support/scale.h"
 #include "tests/support/temporary_folder.h"
 
 namespace handrail::test {
@@ -82,6 +83,7 @@ protected:
 };
 
 TEST_F(TaughtByTheProgram, keeps_marks_and_recordings_of_its_learner_is_watched_computed_again_and_reported_on) {
+    if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "takes minutes under a sanitizer, where one lesson is enough";
     EXPECT_EQ(run({"learner", "new", "Oak Owl", "--give", "record,share"}).exit_status, 0);
     Pupil first(*this, "first", taught("1"));
     ASSERT_TRUE(first.hears("Oak Owl learns.")) << first.all();
@@ -153,6 +155,7 @@ TEST_F(TaughtByTheProgram, keeps_marks_and_recordings_of_its_learner_is_watched_
 }
 
 TEST_F(TaughtByTheProgram, goes_on_with_the_next_session_and_keeps_results_of_who_is_remembered_alone) {
+    if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "takes minutes under a sanitizer, where one lesson is enough";
     EXPECT_EQ(run({"learner", "new", "Oak Owl", "--give", "remember,share"}).exit_status, 0);
     const std::vector<std::string> words = {
         "lesson", TEST_WORLDS "/school.lesson.toml", "--learner", "oak owl", "--no-window", "--device", "none"};

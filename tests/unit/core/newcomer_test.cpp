@@ -53,6 +53,7 @@ TEST(ANewcomer, walks_the_first_tutorial_map_from_its_start_to_its_exit_through_
 
 // The door before the exit waits for its button, which is two rooms away and higher up.
 TEST(ANewcomer, meets_the_locked_door_of_the_fifth_tutorial_map_finds_its_button_presses_it_and_goes_through_the_door) {
+    if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the house is enough";
     const auto world = real("agtut05.map");
     if (!world) GTEST_SKIP() << "agtut05.map is not here";
     const auto door =
@@ -118,12 +119,15 @@ TEST(ANewcomer, reaches_three_things_in_other_rooms_of_the_house_that_it_found_b
     reaches_three_things(test::our_world("house.map"));
 }
 TEST(ANewcomer, reaches_three_things_in_other_rooms_of_the_school_that_it_found_by_asking) {
+    if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the house is enough";
     reaches_three_things(test::our_world("school.map"));
 }
 TEST(ANewcomer, reaches_three_things_in_other_rooms_of_the_melee_that_it_found_by_asking) {
+    if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the house is enough";
     reaches_three_things(real("agdm01.map"));
 }
 TEST(ANewcomer, reaches_three_things_in_other_rooms_of_the_office_that_it_found_by_asking) {
+    if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the house is enough";
     reaches_three_things(real("office.map"));
 }
 
