@@ -3,6 +3,7 @@
 
 #include "tests/support/box_scene.h"
 #include "tests/support/office_world.h"
+#include "tests/support/scale.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/navigation/rooms.h"
 #include "worlds/readers/reader.h"
@@ -18,11 +19,13 @@ TEST(OfficeWorld, is_the_same_text_for_the_same_size_and_seed_only) {
 
 TEST(OfficeWorld, has_the_brushes_asked_for_and_a_square_metre_for_each) {
     for (const int brushes : {1'000, 3'000, 10'000, 50'000}) {
+        if (brushes > 3'000 && test::kSanitizerScale < 1.0) continue;
         const test::OfficeWorld office = test::office_world(test::office_size(brushes));
         EXPECT_EQ(office.brushes, brushes);
         EXPECT_NEAR(office.floor_m2, brushes, 0.15 * brushes);
         EXPECT_EQ(office.doors, office.rooms);
     }
+    if (test::kSanitizerScale < 1.0) return;
     const test::OfficeWorld full = test::office_world(test::office_size(50'000));
     EXPECT_GE(full.doors, 1'000);
     EXPECT_EQ(test::office_size(50'000).storeys, 5);
