@@ -13,6 +13,7 @@
 #include "tests/support/every.h"
 #include "tests/support/random_families.h"
 #include "tests/support/real_worlds.h"
+#include "tests/support/scale.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/core/app_session.h"
 #include "worlds/base/language.h"
@@ -357,6 +358,7 @@ TEST(LiteralSession, comes_from_each_room_of_the_house_to_each_other_with_errors
 }
 
 TEST(LiteralSession, comes_there_in_german_with_exact_steps) {
+    if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the walks with errors are enough";
     const test::InLanguage german_spoken("de");
     expect_share(count(test::our_world("house.map"), german(), every(17, 53), kExact, 0), 98);
 }
@@ -367,6 +369,7 @@ TEST(LiteralSession, comes_there_in_german_with_errors) {
 }
 
 TEST(LiteralSession, comes_from_room_to_room_of_the_school_with_exact_steps) {
+    if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the walks with errors are enough";
     expect_share(count(test::our_world("school.map"), english(), every(97, 211), kExact, 0), 98);
 }
 
