@@ -458,7 +458,7 @@ TEST_F(WholeLesson, calls_walks_of_three_kinds_by_their_names) {
 
 // The front door is blocked, so the way leads round the house and in by the terrace.
 TEST_F(WholeLesson, is_taught_in_a_house_that_architects_drew_from_its_making_to_the_last_trace_of_it) {
-    if (test::kThreadSanitizer) GTEST_SKIP() << "its threads are those of the lesson in our school";
+    if (kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the lesson in our school is enough";
     const auto file = test::real_world("duplex-apartment.ifc");
     if (!file) GTEST_SKIP() << "duplex-apartment.ifc is not here.";
     const fs::path copy = home_.path() / file->filename();  // what is kept of it lies beside it
