@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "worlds/geometry/clip.h"
 #include "worlds/scene/stated_building.h"
 
 namespace handrail {
@@ -103,8 +104,7 @@ std::optional<Stairs> stairs_of(const Scene& scene, const StatedBuilding& stated
     stairs.around = box;
     stairs.around.include(stairs.foot_m);
     stairs.around.include(stairs.head_m);
-    stairs.around.min_m -= Vec3(kBesideStairs_m);
-    stairs.around.max_m += Vec3(kBesideStairs_m);
+    stairs.around = grown(stairs.around, kBesideStairs_m);
     return stairs;
 }
 

@@ -129,12 +129,7 @@ private:
             if (i != shell && overlap(pieces_[i].box, body)) return false;
         // In a shell with walls of its own.
         const auto solids = std::span(scene_.solids).subspan(pieces_[shell].first_solid, pieces_[shell].solids);
-        const Vec3 half = 0.5 * body.size_m();
-        return std::all_of(solids.begin(), solids.end(), [&](const Solid& solid) {
-            return std::any_of(solid.shape.planes.begin(), solid.shape.planes.end(), [&](const Plane& plane) {
-                return signed_distance(plane, body.centre_m()) >= glm::dot(glm::abs(plane.normal), half) - 1e-6;
-            });
-        });
+        return std::none_of(solids.begin(), solids.end(), [&](const Solid& solid) { return meets(solid, body); });
     }
 
     // How high one may stand in a shell: on its lowest side, and on what of it is solid there.

@@ -48,7 +48,7 @@ public:
         index_.find(body, near_);
         return std::none_of(near_.begin(), near_.end(), [&](std::uint32_t i) {
             return i < scene_.triangles.size() ? meets(scene_.triangles[i], body)
-                                               : meets(scene_.solids[i - scene_.triangles.size()], body);
+                                               : handrail::meets(scene_.solids[i - scene_.triangles.size()], body);
         });
     }
     bool stands_at(const Vec3& feet_m) {
@@ -111,12 +111,6 @@ private:
         }
         return part.size() >= 3;
     }
-    static bool meets(const Solid& solid, const Aabb& body) {
-        const Vec3 half = 0.5 * body.size_m();
-        return std::none_of(solid.shape.planes.begin(), solid.shape.planes.end(), [&](const Plane& plane) {
-            return signed_distance(plane, body.centre_m()) >= glm::dot(glm::abs(plane.normal), half) - 1e-6;
-        });
-    }
 
     const Scene& scene_;
     BoxIndex index_;
@@ -126,6 +120,13 @@ private:
 };
 
 }  // namespace
+
+bool meets(const Solid& solid, const Aabb& box) {
+    const Vec3 half = 0.5 * box.size_m();
+    return std::none_of(solid.shape.planes.begin(), solid.shape.planes.end(), [&](const Plane& plane) {
+        return signed_distance(plane, box.centre_m()) >= glm::dot(glm::abs(plane.normal), half) - 1e-6;
+    });
+}
 
 std::optional<Vec3> place_to_stand(const Scene& scene, const std::stop_token& stop) {
     if (scene.bounds_m.empty()) return std::nullopt;

@@ -9,6 +9,9 @@
 
 namespace handrail {
 
+// They overlap by more than a micrometre; wrongly true only near an edge of the solid.
+bool meets(const Solid& solid, const Aabb& box);
+
 // The soles, at the free place nearest to the middle: under something before under the sky, lower before higher. From
 // it one must be able to go on to most sides, on level ground, so that nobody begins on a table or within a wall.
 // Nothing: there is no such place. Looks at some hundred columns; `stop` is asked at each.

@@ -29,7 +29,7 @@ std::optional<Climbs::End> Climbs::end_here(double within_m) const {
             const double far_m = std::hypot(here_m.x - feet_m.x, here_m.y - feet_m.y);
             if (std::abs(here_m.z - feet_m.z) > kOneFloor_m || far_m > within_m) continue;
             within_m = far_m;
-            nearest = End{i, foot, here_m, space.place_m(foot ? link.to : link.from), link.feature};
+            nearest = End{i, here_m, space.place_m(foot ? link.to : link.from), link.feature};
         }
     }
     return nearest;

@@ -26,7 +26,6 @@ public:
 private:
     struct End {
         std::uint32_t link = 0;  // of WalkSpace::links
-        bool foot = false;
         Vec3 here_m{0.0}, there_m{0.0};
         FeatureId feature = kNoFeature;
     };

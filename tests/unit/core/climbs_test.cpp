@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/unit/core/app_session.h"
-#include "tests/unit/core/hall_with_narrow_stairs.h"
+#include "tests/unit/core/hall_with_lift.h"
 
 namespace handrail {
 namespace climbs_test {

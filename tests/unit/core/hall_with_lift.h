@@ -1,39 +1,49 @@
-// A building with a lift, for what rides it.
+// A building of one hall on each storey and, north of it, what joins the storeys: for what rides a lift, or takes
+// stairs in one go.
 #pragma once
 
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <utility>
 
 #include "worlds/drawn/plan_scene.h"
 
 namespace handrail::test {
 
-// A hall on three storeys, and north of it a lift with a door on each.
-inline std::shared_ptr<const Scene> hall_with_lift() {
+// Joined by a space of that kind, so wide and deep, behind a door on each storey.
+inline std::shared_ptr<const Scene> hall_with(PlanSpaceKind kind, const std::string& name, double wide_m, double deep_m,
+                                              std::size_t storeys) {
+    const double west = 3.0 - 0.5 * wide_m, east = 3.0 + 0.5 * wide_m, north = 6.0 + deep_m;
     FloorPlan plan;
     plan.name = "Hall";
     plan.format = "osm";
-    for (const int level : {0, 1, 2})
-        plan.levels.push_back({static_cast<double>(level), "Level " + std::to_string(level), 3.0 * level});
-    PlanSpace hall;
+    PlanSpace hall, well;
     hall.name = "Hall";
-    hall.rings = {{{0, 0}, {6, 0}, {6, 6}, {4, 6}, {3, 6}, {2, 6}, {0, 6}}};
-    hall.levels = {0, 1, 2};
-    PlanSpace lift;
-    lift.kind = PlanSpaceKind::Lift;
-    lift.name = "Lift";
-    lift.rings = {{{2, 6}, {3, 6}, {4, 6}, {4, 8}, {2, 8}}};
-    lift.levels = {0, 1, 2};
-    plan.spaces = {hall, lift};
+    hall.rings = {{{0, 0}, {6, 0}, {6, 6}, {east, 6}, {3, 6}, {west, 6}, {0, 6}}};
+    well.kind = kind;
+    well.name = name;
+    well.rings = {{{west, 6}, {3, 6}, {east, 6}, {east, north}, {west, north}}};
     PlanDoor door;
     door.at = {3, 6};
-    door.levels = {0, 1, 2};
-    door.spaces = {{0, 1}, {0, 1}, {0, 1}};
+    for (std::size_t i = 0; i < storeys; ++i) {
+        plan.levels.push_back({static_cast<double>(i), "Level " + std::to_string(i), 3.0 * static_cast<double>(i)});
+        hall.levels.push_back(i);
+        well.levels.push_back(i);
+        door.levels.push_back(i);
+        door.spaces.push_back({0, 1});
+    }
+    plan.spaces = {hall, well};
     plan.doors = {door};
     Result<Scene> scene = scene_of_plan(plan, "hall.osm", {});
     EXPECT_TRUE(scene) << scene.error().sentence();
     return std::make_shared<const Scene>(std::move(*scene));
+}
+
+inline std::shared_ptr<const Scene> hall_with_lift() { return hall_with(PlanSpaceKind::Lift, "Lift", 2.0, 2.0, 3); }
+// Too narrow to be drawn step by step.
+inline std::shared_ptr<const Scene> hall_with_narrow_stairs() {
+    return hall_with(PlanSpaceKind::Stairs, "Spiral stairs", 1.6, 1.6, 2);
 }
 
 }  // namespace handrail::test

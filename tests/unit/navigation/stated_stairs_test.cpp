@@ -47,9 +47,6 @@ struct House {
     }
     // A flight of so many steps from the west up to the upper floor.
     FeatureId flight(int steps, double going_m) {
-        Feature feature;
-        feature.kind = FeatureKind::Object;
-        feature.name = "stairs";
         FeatureId made = kNoFeature;
         for (int k = 0; k < steps; ++k) {
             const double top = kUp_m * (k + 1) / (steps + 1), x = 7.0 - (steps - k) * going_m;
