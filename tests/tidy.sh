@@ -21,7 +21,7 @@ sed -E -e "s# -Winvalid-pch -include [^ ]*/handrail_test_support.dir/cmake_pch.h
     $commands/compile_commands.json >build/tidy/compile_commands.json
 
 # The sources in FILE, or of a name, that the build compiles: those named, or the file that includes them beside others.
-compiled() { while read -r source; do grep -rlF --include='unity_*_cxx.cxx' "#include \"$PWD/$source\"" $commands || echo "$source"; done | awk '!seen[$0]++'; }
+compiled() { while read -r source; do grep -rlF --include='*_*.cpp' "#include \"$source\"" $(find $commands -mindepth 1 -name together) /dev/null || echo "$source"; done | awk '!seen[$0]++'; }
 case "${1:-}" in
 '')
     mapfile -t files < <({ git diff --name-only HEAD; git ls-files --others --exclude-standard;
@@ -42,7 +42,7 @@ look_at() {
     echo "$1" >>"$results/looked"
     # Of sources in one go all are read, not what includes them.
     local together=()
-    [[ "$1" != *unity_*_cxx.cxx ]] || together=(--checks=-bugprone-suspicious-include --header-filter='/(app|audio-cues|haptic|settings|worlds)/[^.]*\.(h|cpp)$')
+    [[ "$1" != */together/* ]] || together=(--checks=-bugprone-suspicious-include --header-filter='/(app|audio-cues|haptic|settings|worlds)/[^.]*\.(h|cpp)$')
     clang-tidy --quiet -p build/tidy ${together[@]+"${together[@]}"} "$1" >"$results/found.$$" 2>"$results/errors.$$" ||
         { cat "$results/found.$$" "$results/errors.$$"; echo "$1" >>"$results/bad"; }
     rm -f "$results/found.$$" "$results/errors.$$"
@@ -53,7 +53,7 @@ printf '%s\0' ${files[@]+"${files[@]}"} | xargs -0 -r -n 1 -P "$(nproc)" bash -c
 count() {
     local file total=0
     while read -r file; do
-        if [[ "$file" = *unity_*_cxx.cxx ]]; then total=$((total + $(grep -c '#include' "$file"))); else total=$((total + 1)); fi
+        if [[ "$file" = */together/* ]]; then total=$((total + $(grep -c '#include' "$file"))); else total=$((total + 1)); fi
     done < <(cat "$results/$1" 2>/dev/null)
     echo $total
 }

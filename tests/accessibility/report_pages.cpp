@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "app/report/report_page.h"
+#include "tests/support/project_root.h"
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
 #include "worlds/navigation/navigation.h"
@@ -13,7 +14,7 @@ namespace handrail {
 namespace {
 
 std::optional<Storey> ground_floor(const std::string& map) {
-    const auto scene = read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / map);
+    const auto scene = read_world(test::project_root() / "worlds" / "maps" / map);
     if (!scene) return std::nullopt;
     const auto ways = Navigation::make(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
     if (!ways) return std::nullopt;

@@ -8,6 +8,7 @@
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/compile/simplify_scene.h"
 #include "tests/bench/walk.h"
+#include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/touch_worlds.h"
 #include "worlds/readers/reader.h"
@@ -64,9 +65,8 @@ void register_closest_points() {
 void register_simplifying() {
     constexpr double kReach_m = 0.075, kRim = 0.8, kRounding_hand_m = 1.5e-3, kBall_hand_m = 1e-3;
     for (const char* name : {"house.map", "school.map", "quake-e1m1.map"}) {
-        const auto file = std::string_view(name).starts_with("quake")
-                              ? real_world(name)
-                              : std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / name;
+        const auto file = std::string_view(name).starts_with("quake") ? real_world(name)
+                                                                      : test::project_root() / "worlds" / "maps" / name;
         if (!file) continue;
         const Result<Scene> read = read_world(*file);
         if (!read) continue;

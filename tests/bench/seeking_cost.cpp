@@ -6,6 +6,7 @@
 
 #include "app/core/wayfinding/hand_way.h"
 #include "app/core/wayfinding/sought_way.h"
+#include "tests/support/project_root.h"
 #include "worlds/navigation/way_place.h"
 #include "worlds/readers/reader.h"
 
@@ -20,8 +21,7 @@ constexpr const char* kThings[] = {"Coat stand", "Dining table", "Piano"};
 
 struct House {
     House()
-        : scene(std::make_shared<const Scene>(
-              *read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds/maps/house.map"))),
+        : scene(std::make_shared<const Scene>(*read_world(test::project_root() / "worlds/maps/house.map"))),
           world(scene),
           navigation(*Navigation::make(*scene, walk_body(*scene, 0.25, 1.7, 0.2))),
           feet_m(scene->starts.front().feet_m) {}

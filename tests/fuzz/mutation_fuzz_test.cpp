@@ -6,6 +6,7 @@
 #include <random>
 
 #include "tests/fuzz/harness.h"
+#include "tests/support/project_root.h"
 #include "tests/support/scale.h"
 #include "tests/support/temporary_folder.h"
 
@@ -14,9 +15,7 @@ namespace mutation_fuzz_test {
 
 namespace fs = std::filesystem;
 
-fs::path folder_of(const Harness& harness) {
-    return fs::path(HANDRAIL_SOURCE_DIR) / "tests/fuzz/inputs" / harness.name;
-}
+fs::path folder_of(const Harness& harness) { return test::project_root() / "tests/fuzz/inputs" / harness.name; }
 
 struct Input {
     fs::path file;
@@ -104,7 +103,7 @@ INSTANTIATE_TEST_SUITE_P(Every, Parser, testing::ValuesIn(harnesses().begin(), h
 
 // Folders of inputs that no row reads would be tested by nobody.
 TEST(Harnesses, own_every_folder_of_inputs) {
-    for (const auto& entry : fs::directory_iterator(fs::path(HANDRAIL_SOURCE_DIR) / "tests/fuzz/inputs")) {
+    for (const auto& entry : fs::directory_iterator(test::project_root() / "tests/fuzz/inputs")) {
         const std::string name = entry.path().filename().string();
         EXPECT_TRUE(std::any_of(harnesses().begin(), harnesses().end(), [&](const Harness& harness) {
             return harness.name == name;

@@ -5,6 +5,7 @@
 
 #include "app/import/kept_scene.h"
 #include "tests/fuzz/harness.h"
+#include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/zip_text.h"
 #include "worlds/readers/height_picture.h"
@@ -46,7 +47,7 @@ std::string with_right_checksums(std::string_view bytes) {
 const std::string& kept_scene_bytes() {
     static const std::string bytes = [] {
         const std::string map =
-            test::content_of(std::string(HANDRAIL_SOURCE_DIR) + "/tests/fuzz/inputs/map/seeds/room.map");
+            test::content_of((test::project_root() / "tests/fuzz/inputs/map/seeds/room.map").string());
         const Result<Scene> scene = read_quake_map(map, "room.map");
         return scene ? stored(*scene) : std::string();
     }();

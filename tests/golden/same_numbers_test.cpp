@@ -1,6 +1,8 @@
 #include <array>
 #include <cstdio>
 
+#include "tests/support/project_root.h"
+
 namespace handrail {
 namespace same_numbers_test {
 
@@ -28,11 +30,11 @@ void expect_same(const std::string& plain, const std::string& optimised) {
 }
 
 TEST(TouchRenderer, gives_the_same_numbers_with_and_without_optimisation) {
-    expect_same(output_of(TOUCH_REPLAY_O0), output_of(TOUCH_REPLAY_O2));
+    expect_same(output_of(test::built_program("touch_replay_O0")), output_of(test::built_program("touch_replay_O2")));
 }
 
 TEST(ThingsThatMove, go_the_same_ways_with_and_without_optimisation) {
-    expect_same(output_of(BODIES_REPLAY_O0), output_of(BODIES_REPLAY_O2));
+    expect_same(output_of(test::built_program("bodies_replay_O0")), output_of(test::built_program("bodies_replay_O2")));
 }
 
 }  // namespace same_numbers_test

@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 
+#include "tests/support/project_root.h"
 #include "tests/support/random_families.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
@@ -27,7 +28,7 @@ int acts_of_part() {
 std::shared_ptr<const Scene> world(const fs::path& file) { return world_once(file); }
 
 std::vector<std::shared_ptr<const Scene>> worlds_of(int part) {
-    const fs::path root = HANDRAIL_SOURCE_DIR, maps = root / "worlds/maps", small = root / "tests/scenarios/worlds";
+    const fs::path root = test::project_root(), maps = root / "worlds/maps", small = root / "tests/scenarios/worlds";
     switch (part) {
         case 0:
             return {world(maps / "first_room.map"), world(maps / "seams.map")};

@@ -2,6 +2,7 @@
 // it is the answer to its list and no command of its own.
 #include <gmock/gmock.h>
 
+#include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 
 namespace handrail::test {
@@ -12,8 +13,8 @@ using testing::Not;
 
 std::string said_of(const std::string& lines, const std::vector<std::string>& more = {}) {
     ProgramCall call;
-    call.program = HANDRAIL_PROGRAM;
-    call.arguments = {TEST_WORLDS "/school.map", "--no-window", "--device", "none"};
+    call.program = test::built_program("handrail");
+    call.arguments = {test::bundled_world("school.map"), "--no-window", "--device", "none"};
     call.arguments.insert(call.arguments.end(), more.begin(), more.end());
     call.input = lines;
     const ProgramRun run = run_program(call);

@@ -1,4 +1,5 @@
 // `handrail calibrate` as a process: lines go in, sentences come out, and what was found stands in the settings.
+#include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -12,7 +13,7 @@ class CalibrateProgram : public testing::Test {
 protected:
     ProgramRun run(std::vector<std::string> arguments, const std::string& lines) {
         ProgramCall call;
-        call.program = HANDRAIL_PROGRAM;
+        call.program = test::built_program("handrail");
         call.arguments = std::move(arguments);
         call.input = lines;
         call.environment["XDG_CONFIG_HOME"] = home_.path().string();

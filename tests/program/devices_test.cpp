@@ -2,6 +2,7 @@
 // on or says why not.
 #include <nlohmann/json.hpp>
 
+#include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -13,7 +14,7 @@ using testing::Not;
 
 ProgramRun run(std::vector<std::string> arguments, const std::filesystem::path& libraries = {}) {
     ProgramCall call;
-    call.program = HANDRAIL_PROGRAM;
+    call.program = test::built_program("handrail");
     call.arguments = std::move(arguments);
     call.input = "where\n";  // the end of input waits for the search for devices, "quit" does not
     if (!libraries.empty()) call.environment["LD_LIBRARY_PATH"] = libraries.string();
@@ -35,11 +36,11 @@ TEST(Devices, rule_that_lets_people_open_them_is_placed_by_installing) {
     const TemporaryFolder prefix;
     ProgramCall call;
     call.program = CMAKE_PROGRAM;
-    call.arguments = {"--install", BUILD_FOLDER, "--prefix", prefix.path().string()};
+    call.arguments = {"--install", test::build_root().string(), "--prefix", prefix.path().string()};
     const ProgramRun installed = run_program(call);
     ASSERT_EQ(installed.exit_status, 0) << installed.err;
     const std::string rule = content_of(prefix.path() / "lib/udev/rules.d/70-handrail.rules");
-    EXPECT_EQ(rule, content_of(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "haptic/drivers/70-handrail.rules"));
+    EXPECT_EQ(rule, content_of(test::project_root() / "haptic/drivers/70-handrail.rules"));
     EXPECT_THAT(rule, HasSubstr("uaccess"));
     EXPECT_TRUE(std::filesystem::exists(prefix.path() / "bin/handrail"));
     EXPECT_TRUE(std::filesystem::exists(prefix.path() / "libexec/handrail/handrail-guard"));
@@ -71,7 +72,7 @@ TEST(Devices, a_makers_library_that_is_missing_or_lacking_costs_its_force_and_on
     EXPECT_THAT(missing.out, HasSubstr("libHD.so of 3D Systems is not installed"));
     EXPECT_THAT(missing.out, HasSubstr("First room, 6 by 4 metres.")) << "the program goes on";
     const TemporaryFolder folder;
-    std::filesystem::create_symlink(STANDIN_HD_LACKING, folder.path() / "libHD.so");
+    std::filesystem::create_symlink(test::built_standin("standin_hd_lacking"), folder.path() / "libHD.so");
     const ProgramRun lacking = run({"--no-window", "--device", "omni"}, folder.path());
     EXPECT_EQ(lacking.exit_status, 0) << lacking.err;
     EXPECT_THAT(lacking.out, HasSubstr("lacks hdUnschedule"));
@@ -80,7 +81,7 @@ TEST(Devices, a_makers_library_that_is_missing_or_lacking_costs_its_force_and_on
 
 TEST(Devices, a_makers_library_that_plays_along_is_a_hand) {
     const TemporaryFolder folder;
-    std::filesystem::create_symlink(STANDIN_HD, folder.path() / "libHD.so");
+    std::filesystem::create_symlink(test::built_standin("standin_hd"), folder.path() / "libHD.so");
     const ProgramRun played = run({"--no-window", "--device", "omni"}, folder.path());
     EXPECT_EQ(played.exit_status, 0) << played.err;
     EXPECT_THAT(played.out, HasSubstr("First room, 6 by 4 metres."));

@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 
+#include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scale.h"
 #include "tests/support/temporary_folder.h"
@@ -18,7 +19,7 @@ namespace docs_commands_test {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-const fs::path kRoot = HANDRAIL_SOURCE_DIR;
+const fs::path kRoot = test::project_root();
 
 struct DocCommand {
     std::string text, where, needs;  // needs: what the mark says, "a device"; empty without one
@@ -104,7 +105,7 @@ std::string fault_of_test_program(const std::string& name, const Words& options)
     if (!std::regex_search(kLists, std::regex(R"((handrail_test|add_executable)\()" + name + "\\b")) &&
         name != "handrail")
         return "no program is named " + name;
-    const fs::path program = fs::path(HANDRAIL_PROGRAM).parent_path() / name;
+    const fs::path program = fs::path(test::built_program("handrail")).parent_path() / name;
     if (!fs::exists(program)) return {};  // not built in this preset
     for (const std::string& option : options) {
         const bool gtest = option.starts_with("--gtest_filter="), speed = option.starts_with("--benchmark_filter=");
@@ -172,7 +173,7 @@ public:
     }
     ProgramRun run(const Words& arguments, const std::string& input) const {
         ProgramCall call;
-        call.program = HANDRAIL_PROGRAM;
+        call.program = test::built_program("handrail");
         call.arguments = arguments;
         call.input = input;
         call.environment["XDG_DATA_HOME"] = (folder_.path() / "data").string();
@@ -317,7 +318,7 @@ TEST(DocumentedCommands, that_are_wrong_are_found) {
 TEST(DocumentedPictures, of_the_house_are_as_the_command_makes_them) {
     const TemporaryFolder folder;
     ProgramCall call;
-    call.program = HANDRAIL_PROGRAM;
+    call.program = test::built_program("handrail");
     call.arguments = {"export", (kRoot / "worlds" / "maps" / "house.map").string(), "--swell",
                       (folder.path() / "house-plan.svg").string()};
     const ProgramRun run = run_program(call);

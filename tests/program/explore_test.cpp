@@ -1,5 +1,6 @@
 #include <csignal>
 
+#include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
@@ -10,7 +11,7 @@ namespace explore_test {
 using testing::HasSubstr;
 
 ProgramRun explore(std::vector<std::string> arguments, const std::string& input, ProgramCall call = {}) {
-    call.program = HANDRAIL_PROGRAM;
+    call.program = test::built_program("handrail");
     call.arguments = std::move(arguments);
     call.input = input;
     return run_program(call);

@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "app/core/dialogue/command.h"
+#include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -16,7 +17,7 @@ class FirstMinutes : public testing::Test {
 protected:
     ProgramRun run(std::vector<std::string> arguments, const std::string& lines) {
         ProgramCall call;
-        call.program = HANDRAIL_PROGRAM;
+        call.program = test::built_program("handrail");
         call.arguments = std::move(arguments);
         for (const char* more : {"--no-window", "--set", "speech.through=text"})
             call.arguments.emplace_back(more);  // text takes no time
@@ -130,7 +131,7 @@ TEST_F(FirstMinutes, end_in_a_hunt_where_it_is_chosen) {
                                "Room with Radiator", "facing north"});
     const TemporaryFolder other;
     ProgramCall call;
-    call.program = HANDRAIL_PROGRAM;
+    call.program = test::built_program("handrail");
     call.arguments = {"--no-window", "--device", "none", "--set", "speech.through=text"};
     call.input = std::string(kToChoice) + "hunt\nwhere\nquit\n";
     call.first_start = true;
@@ -154,7 +155,7 @@ TEST_F(FirstMinutes, give_way_to_a_script_that_knows_nothing_of_them_and_to_the_
     expect_in_order(script.out, {"Welcome.", "First room,", "then north wall, plaster", "close by"});
     const TemporaryFolder other;
     ProgramCall call;
-    call.program = HANDRAIL_PROGRAM;
+    call.program = test::built_program("handrail");
     call.first_start = true;
     call.environment["XDG_CONFIG_HOME"] = other.path().string();
     const ProgramRun nobody = run_program(call);
@@ -173,7 +174,7 @@ TEST(Terminal, every_command_of_the_table_works_by_its_word) {
                      "\ncancel\n";  // what opens a list is left again; elsewhere cancel is no command
     lines += "input-help\nforward\ninput-help\nwelcome\nescape\ncalibrate\nquit\nwher\nleave\nleave\n";
     ProgramCall call;
-    call.program = HANDRAIL_PROGRAM;
+    call.program = test::built_program("handrail");
     call.arguments = {"--no-window", "--device", "sim-t", "--set", "speech.through=text"};
     call.allowed_s = 280.0;
     call.input = lines;
@@ -192,7 +193,7 @@ TEST(Terminal, worlds_are_chosen_by_lists_and_a_damaged_one_leaves_everything_as
     const TemporaryFolder folder;
     folder.write("broken.map", "{ \"classname\" \"worldspawn\" ");
     ProgramCall call;
-    call.program = HANDRAIL_PROGRAM;
+    call.program = test::built_program("handrail");
     call.arguments = {"--no-window", "--device", "none"};
     call.environment["XDG_STATE_HOME"] = folder.path().string();
     call.input = "forward\nmenu\nworlds\nanother\n" + (folder.path() / "broken.map").string() +
@@ -213,7 +214,7 @@ TEST(Terminal, a_damaged_list_of_last_worlds_is_kept_aside_and_said) {
     std::filesystem::create_directories(folder.path() / "handrail");
     folder.write("handrail/recent-worlds.txt", "\xff\xff");
     ProgramCall call;
-    call.program = HANDRAIL_PROGRAM;
+    call.program = test::built_program("handrail");
     call.arguments = {"--no-window", "--device", "none"};
     call.environment["XDG_STATE_HOME"] = folder.path().string();
     const ProgramRun run = run_program(call);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 
+#include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 
 namespace handrail::test {
@@ -11,7 +12,7 @@ namespace hardened_test {
 using testing::ContainsRegex;
 using testing::HasSubstr;
 
-std::string told_of(const char* program) {
+std::string told_of(const std::string& program) {
     std::string text;
     const std::string command =
         std::string("readelf --wide --file-header --program-headers --dynamic --dyn-syms '") + program + "' 2>&1";
@@ -26,7 +27,7 @@ std::string told_of(const char* program) {
 TEST(Hardened, programs_start_at_random_addresses_with_read_only_tables_and_guarded_stacks) {
     if (!HANDRAIL_HARDENED)
         GTEST_SKIP() << "This preset is built without, or for a sanitizer, which guards in its own way.";
-    for (const char* program : {HANDRAIL_PROGRAM, HANDRAIL_GUARD}) {
+    for (const std::string& program : {test::built_program("handrail"), test::built_program("handrail-guard")}) {
         SCOPED_TRACE(program);
         const std::string told = told_of(program);
         EXPECT_THAT(told, ContainsRegex("Type: +DYN \\(Position-Independent Executable file\\)"));
@@ -36,9 +37,10 @@ TEST(Hardened, programs_start_at_random_addresses_with_read_only_tables_and_guar
         EXPECT_THAT(told, HasSubstr("__stack_chk_fail"));
     }
 #ifdef __OPTIMIZE__
-    EXPECT_THAT(told_of(HANDRAIL_PROGRAM), ContainsRegex("__[a-z]+_chk@"));  // the C library's checked calls
+    EXPECT_THAT(told_of(test::built_program("handrail")),
+                ContainsRegex("__[a-z]+_chk@"));  // the C library's checked calls
 #endif
-    EXPECT_THAT(told_of(HANDRAIL_PROGRAM), HasSubstr("__glibcxx_assert_fail"));
+    EXPECT_THAT(told_of(test::built_program("handrail")), HasSubstr("__glibcxx_assert_fail"));
 }
 
 }  // namespace hardened_test

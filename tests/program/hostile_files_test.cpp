@@ -16,6 +16,7 @@
 
 #include "tests/program/endless_world.h"
 #include "tests/support/environment.h"
+#include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -29,7 +30,7 @@ using testing::HasSubstr;
 using SteadyTime = std::chrono::steady_clock;
 
 ProgramRun run(std::vector<std::string> arguments, ProgramCall call = {}) {
-    call.program = HANDRAIL_PROGRAM;
+    call.program = test::built_program("handrail");
     call.arguments = std::move(arguments);
     call.allowed_s = 30.0;
     return run_program(call);
@@ -57,7 +58,7 @@ TEST(HostileFiles, pipes_that_nobody_writes_and_endless_devices_are_one_sentence
     call.environment["XDG_CONFIG_HOME"] = folder.path();
     expect_refused(run({"settings", "--explain"}, call), "settings.toml");
     // A picture beside a world, and what is kept beside it.
-    std::ifstream in(fs::path(TEST_WORLDS) / "first_room.map");
+    std::ifstream in(test::bundled_world("first_room.map"));
     std::string map{std::istreambuf_iterator<char>(in), {}};
     const std::size_t at = map.find("\"classname\" \"worldspawn\"");
     ASSERT_NE(at, std::string::npos);
@@ -77,7 +78,8 @@ TEST(HostileFiles, closed_descriptors_are_open_before_anything_else) {
     posix_spawn_file_actions_adddup2(&actions, input[0], 0);
     posix_spawn_file_actions_addclose(&actions, 1);
     posix_spawn_file_actions_addclose(&actions, 2);
-    std::string program = HANDRAIL_PROGRAM, no_window = "--no-window", device = "--device", none = "none";
+    std::string program = test::built_program("handrail"), no_window = "--no-window", device = "--device",
+                none = "none";
     std::array<char*, 5> argv{program.data(), no_window.data(), device.data(), none.data(), nullptr};
     std::vector<std::string> variables;
     for (const auto& [name, value] : bare_environment(home.path()))

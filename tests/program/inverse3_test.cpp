@@ -6,6 +6,7 @@
 
 #include "tests/emulators/haply_service.h"
 #include "tests/support/precompiled.h"
+#include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 
 namespace handrail::test {
@@ -14,7 +15,7 @@ namespace inverse3_test {
 nlohmann::json inverse3_of(StandInService& service, Mood mood) {
     service.mood = mood;
     ProgramCall call;
-    call.program = HANDRAIL_PROGRAM;
+    call.program = test::built_program("handrail");
     call.arguments = {"devices", "--json"};
     const ProgramRun run = run_program(call);
     EXPECT_EQ(run.exit_status, 0) << run.err;

@@ -1,6 +1,7 @@
 // `./run kernel-tests` where what it needs cannot be had: one sentence and the status of a skipped test, never a pass
 // or a failure.
 #include "tests/support/precompiled.h"
+#include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -19,8 +20,8 @@ ProgramRun run_with(const TemporaryFolder& folder, std::initializer_list<const c
                 fs::create_symlink(fs::path(from) / program, bin / program);
     ProgramCall call;
     call.program = "/bin/bash";
-    call.arguments = {HANDRAIL_SOURCE_DIR "/tests/kernel/in_qemu.sh", (folder.path() / "kernel").string(),
-                      HANDRAIL_PROGRAM};
+    call.arguments = {(test::project_root() / "tests/kernel/in_qemu.sh").string(), (folder.path() / "kernel").string(),
+                      test::built_program("handrail")};
     call.environment["PATH"] = bin.string();
     return run_program(call);
 }

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -17,7 +18,7 @@ class LearnerProgram : public testing::Test {
 protected:
     ProgramRun run(std::vector<std::string> words, const std::string& input = {}) {
         ProgramCall call;
-        call.program = HANDRAIL_PROGRAM;
+        call.program = test::built_program("handrail");
         call.arguments = std::move(words);
         call.input = input;
         call.environment = {{"XDG_DATA_HOME", (home_.path() / "data").string()},
@@ -25,7 +26,7 @@ protected:
         return run_program(call);
     }
     ProgramRun explore(const std::string& learner, const std::string& input) {
-        return run({TEST_WORLDS "/house.map", "--no-window", "--device", "none", "--learner", learner}, input);
+        return run({test::bundled_world("house.map"), "--no-window", "--device", "none", "--learner", learner}, input);
     }
     std::size_t recordings() const {
         std::size_t count = 0;
@@ -112,8 +113,8 @@ TEST_F(LearnerProgram, is_chosen_in_the_program_and_named_in_nobody_elses_record
 TEST_F(LearnerProgram, is_recorded_in_no_folder_but_the_learners_own) {
     EXPECT_EQ(run({"learner", "new", "Oak Owl", "--give", "record"}).exit_status, 0);
     const std::string elsewhere = (home_.path() / "elsewhere").string();
-    for (const std::vector<std::string>& words :
-         {std::vector<std::string>{TEST_WORLDS "/house.map"}, {"lesson", TEST_WORLDS "/school.lesson.toml"}}) {
+    for (const std::vector<std::string>& words : {std::vector<std::string>{test::bundled_world("house.map")},
+                                                  {"lesson", test::bundled_world("school.lesson.toml")}}) {
         std::vector<std::string> all = words;
         all.insert(all.end(), {"--no-window", "--device", "none", "--learner", "Oak Owl", "--record-in", elsewhere});
         const ProgramRun refused = run(all);
@@ -128,7 +129,7 @@ TEST_F(LearnerProgram, leaves_no_world_where_the_last_ones_of_all_are_kept) {
     EXPECT_EQ(run({"learner", "new", "Oak Owl", "--give", "remember"}).exit_status, 0);
     const fs::path own = home_.path() / "worlds/owls_very_own.map";
     fs::create_directories(own.parent_path());
-    fs::copy_file(TEST_WORLDS "/first_room.map", own);
+    fs::copy_file(test::bundled_world("first_room.map"), own);
     const auto files_that_say = [this](const std::string& words) {
         std::vector<std::string> files;
         fs::create_directories(home_.path() / "state");
@@ -144,9 +145,10 @@ TEST_F(LearnerProgram, leaves_no_world_where_the_last_ones_of_all_are_kept) {
     EXPECT_THAT(files_that_say("owls_very_own"), testing::Contains("recent-worlds.txt"));
     EXPECT_FALSE(fs::exists(home_.path() / "state/handrail/recent-worlds.txt"));
     // And the learner finds it there again.
-    EXPECT_THAT(
-        run({TEST_WORLDS "/house.map", "--no-window", "--device", "none", "--learner", "Oak Owl"}, "menu\n2\n2\n").out,
-        HasSubstr("6 by 4 metres"));
+    EXPECT_THAT(run({test::bundled_world("house.map"), "--no-window", "--device", "none", "--learner", "Oak Owl"},
+                    "menu\n2\n2\n")
+                    .out,
+                HasSubstr("6 by 4 metres"));
     const ProgramRun deleted = run({"learner", "delete", "Oak Owl", "--yes"});
     EXPECT_EQ(deleted.exit_status, 0) << deleted.out << deleted.err;
     EXPECT_THAT(files_that_say("owls_very_own"), testing::IsEmpty());

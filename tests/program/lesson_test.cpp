@@ -6,6 +6,7 @@
 
 #include "app/report/report_page.h"
 #include "tests/support/child_process.h"
+#include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scale.h"
 #include "tests/support/temporary_folder.h"
@@ -32,7 +33,7 @@ protected:
     }
     ProgramRun run(std::vector<std::string> words, const std::string& input = {}) const {
         ProgramCall call;
-        call.program = HANDRAIL_PROGRAM;
+        call.program = test::built_program("handrail");
         call.arguments = std::move(words);
         call.input = input;
         call.environment = environment();
@@ -43,7 +44,7 @@ protected:
     public:
         Pupil(const TaughtByTheProgram& test, const char* name, std::vector<std::string> words)
             : output_(test.home_.path() / name) {
-            words.insert(words.begin(), HANDRAIL_PROGRAM);
+            words.insert(words.begin(), test::built_program("handrail"));
             child_ = ChildProcess::start(words, test.environment(), output_);
         }
         bool hears(const std::string& words) {
@@ -66,7 +67,7 @@ protected:
         std::size_t heard_ = 0;
     };
     std::vector<std::string> taught(const char* session) const {
-        return {"lesson",      TEST_WORLDS "/school.lesson.toml",
+        return {"lesson",      test::bundled_world("school.lesson.toml"),
                 "--session",   session,
                 "--learner",   "oak owl",
                 "--no-window", "--device",
@@ -158,7 +159,7 @@ TEST_F(TaughtByTheProgram, goes_on_with_the_next_session_and_keeps_results_of_wh
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "takes minutes under a sanitizer, where one lesson is enough";
     EXPECT_EQ(run({"learner", "new", "Oak Owl", "--give", "remember,share"}).exit_status, 0);
     const std::vector<std::string> words = {
-        "lesson", TEST_WORLDS "/school.lesson.toml", "--learner", "oak owl", "--no-window", "--device", "none"};
+        "lesson", test::bundled_world("school.lesson.toml"), "--learner", "oak owl", "--no-window", "--device", "none"};
     Pupil first(*this, "first", words);
     ASSERT_TRUE(first.hears("Session 1 of 3 is next.")) << first.all();
     ASSERT_TRUE(first.hears("Get to know Entrance hall")) << first.all();
@@ -225,7 +226,7 @@ TEST_F(TaughtByTheProgram, draws_the_order_of_a_lesson_from_the_learner_whether_
     });
     EXPECT_NE(order, names) << protocol;
     Pupil pupil(*this, "pupil",
-                {TEST_WORLDS "/first_room.map", "--learner", "oak owl", "--no-window", "--device", "none"});
+                {test::bundled_world("first_room.map"), "--learner", "oak owl", "--no-window", "--device", "none"});
     ASSERT_TRUE(pupil.hears("Oak Owl learns.")) << pupil.all();
     ASSERT_TRUE(pupil.hears("First room")) << pupil.all();
     pupil.type("task");
@@ -258,9 +259,10 @@ TEST_F(TaughtByTheProgram, is_neither_recorded_without_consent_nor_taught_to_who
     EXPECT_EQ(unknown.exit_status, 1);
     EXPECT_THAT(unknown.err, HasSubstr("Did you mean Oak Owl?"));
     const std::string protocol =
-        run({"lesson", TEST_WORLDS "/school.lesson.toml", "--protocol", "--learner", "oak owl"}).out;
+        run({"lesson", test::bundled_world("school.lesson.toml"), "--protocol", "--learner", "oak owl"}).out;
     EXPECT_THAT(protocol, HasSubstr("[100, 60, 30, 0]"));
-    EXPECT_EQ(protocol, run({"lesson", TEST_WORLDS "/school.lesson.toml", "--protocol", "--learner", "Oak Owl"}).out);
+    EXPECT_EQ(protocol,
+              run({"lesson", test::bundled_world("school.lesson.toml"), "--protocol", "--learner", "Oak Owl"}).out);
     EXPECT_EQ(protocol, run({"lesson", "school", "--protocol", "--learner", "Oak Owl"}).out);
     const ProgramRun missing = run({"lesson", "scool", "--check"});
     EXPECT_EQ(missing.exit_status, 2);

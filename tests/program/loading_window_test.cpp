@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "tests/program/endless_world.h"
+#include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/virtual_display.h"
@@ -36,7 +37,7 @@ protected:
         display_ = VirtualDisplay::start();
         if (!display_) GTEST_SKIP() << "Xvfb or xdotool is not installed";
         endless_ = folder_.write("endless.obj", endless_obj());
-        fs::copy_file(fs::path(TEST_WORLDS) / "first_room.map", folder_.path() / "first_room.map");
+        fs::copy_file(test::bundled_world("first_room.map"), folder_.path() / "first_room.map");
     }
 
     // A program that a failed test left running goes with its display.
@@ -49,7 +50,7 @@ protected:
                           R"(said=$1; shift; exec "$@" >"$said" 2>&1)",
                           "sh",
                           said_file().string(),
-                          HANDRAIL_PROGRAM,
+                          test::built_program("handrail"),
                           "--device",
                           "none",
                           world.string()};

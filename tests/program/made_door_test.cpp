@@ -6,6 +6,7 @@
 #include <array>
 #include <filesystem>
 
+#include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -22,7 +23,7 @@ constexpr const char* kText =
 // What the program says of these lines, and then leaves.
 std::string said_in(const std::filesystem::path& world, const std::string& lines) {
     ProgramCall call;
-    call.program = HANDRAIL_PROGRAM;
+    call.program = test::built_program("handrail");
     call.arguments = {world.string(), "--no-window", "--device", "none"};
     call.input = lines + "quit\n";
     const ProgramRun run = run_program(call);
@@ -37,7 +38,7 @@ protected:
     static std::string a_moment() { return "back 2\nforward 2\n"; }
     int check() const {
         ProgramCall call;
-        call.program = HANDRAIL_PROGRAM;
+        call.program = test::built_program("handrail");
         call.arguments = {"check", world_.string()};
         return run_program(call).exit_status;
     }

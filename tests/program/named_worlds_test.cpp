@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -19,14 +20,14 @@ using testing::HasSubstr;
 
 ProgramRun run_with(std::vector<std::string> arguments) {
     ProgramCall call;
-    call.program = HANDRAIL_PROGRAM;
+    call.program = test::built_program("handrail");
     call.arguments = std::move(arguments);
     return run_program(call);
 }
 
 TEST(NamedWorlds, are_known_to_info_and_check_by_name_as_to_exploring) {
     const ProgramRun by_name = run_with({"info", "house", "--json"}),
-                     by_path = run_with({"info", TEST_WORLDS "/house.map", "--json"});
+                     by_path = run_with({"info", test::bundled_world("house.map"), "--json"});
     ASSERT_EQ(by_name.exit_status, 0) << by_name.err;
     ASSERT_EQ(by_path.exit_status, 0) << by_path.err;
     const auto named = nlohmann::json::parse(by_name.out), pathed = nlohmann::json::parse(by_path.out);
@@ -47,7 +48,7 @@ TEST(NamedWorlds, that_are_none_are_told_as_files_that_are_missing) {
 
 TEST(BundledWorlds, have_no_fault_that_would_stop_or_mislead_anybody) {
     std::size_t worlds = 0;
-    for (const fs::directory_entry& file : fs::directory_iterator(TEST_WORLDS)) {
+    for (const fs::directory_entry& file : fs::directory_iterator(test::project_root() / "worlds/maps")) {
         if (file.path().extension() != ".map") continue;
         ++worlds;
         const ProgramRun run = run_with({"check", file.path().string()});

@@ -2,6 +2,7 @@
 #include "app/record/compute_again.h"
 #include "app/record/recording.h"
 #include "tests/support/map_text.h"
+#include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -20,8 +21,9 @@ std::vector<std::filesystem::path> folders_in(const std::filesystem::path& folde
 // A session in our house with a simulated device that is recorded below the folder.
 ProgramCall recorded_in(const std::filesystem::path& folder) {
     ProgramCall call;
-    call.program = HANDRAIL_PROGRAM;
-    call.arguments = {TEST_WORLDS "/house.map", "--no-window", "--device", "sim-t", "--record-in", folder.string()};
+    call.program = test::built_program("handrail");
+    call.arguments = {
+        test::bundled_world("house.map"), "--no-window", "--device", "sim-t", "--record-in", folder.string()};
     return call;
 }
 
@@ -84,7 +86,7 @@ class RecordedUnderLoad : public testing::TestWithParam<int> {};
 TEST_P(RecordedUnderLoad, is_computed_again_to_the_same_lines_in_the_same_order) {
     const TemporaryFolder folder;
     ProgramCall call = recorded_in(folder.path());
-    if (GetParam() == 1) call.arguments[0] = TEST_WORLDS "/school.map";
+    if (GetParam() == 1) call.arguments[0] = test::bundled_world("school.map");
     const TemporaryFolder worlds;
     const bool free = GetParam() == kFreeBodies;
     if (free) call.arguments[0] = worlds.write("hall.map", hall_of_things()).string();
@@ -92,7 +94,7 @@ TEST_P(RecordedUnderLoad, is_computed_again_to_the_same_lines_in_the_same_order)
     if (two_hands) call.arguments.insert(call.arguments.end(), {"--device", "sim-f"});
     const TemporaryFolder library;
     if (GetParam() == kPulledOut) {
-        std::filesystem::create_symlink(STANDIN_HD, library.path() / "libHD.so");
+        std::filesystem::create_symlink(test::built_standin("standin_hd"), library.path() / "libHD.so");
         call.arguments[3] = "omni";
         call.environment["LD_LIBRARY_PATH"] = library.path().string();
         call.environment["HANDRAIL_STANDIN_GOES_AFTER"] = "4000";
@@ -207,8 +209,8 @@ TEST(ReportCommand, makes_a_page_and_tables_of_a_recording_and_replaces_nothing_
 TEST(RecordedSession, is_none_unless_it_is_asked_for) {
     const TemporaryFolder home;
     ProgramCall call;
-    call.program = HANDRAIL_PROGRAM;
-    call.arguments = {TEST_WORLDS "/house.map", "--no-window", "--device", "none"};
+    call.program = test::built_program("handrail");
+    call.arguments = {test::bundled_world("house.map"), "--no-window", "--device", "none"};
     call.input = "where\n";
     const ProgramRun run = run_program(call);
     EXPECT_EQ(run.exit_status, 0) << run.err;
@@ -218,8 +220,8 @@ TEST(RecordedSession, is_none_unless_it_is_asked_for) {
 TEST(RecordedSession, that_cannot_be_recorded_says_so_and_goes_on) {
     const TemporaryFolder folder;
     ProgramCall call;
-    call.program = HANDRAIL_PROGRAM;
-    call.arguments = {TEST_WORLDS "/house.map",          "--no-window", "--device", "none", "--record-in",
+    call.program = test::built_program("handrail");
+    call.arguments = {test::bundled_world("house.map"),  "--no-window", "--device", "none", "--record-in",
                       folder.write("file", "x").string()};
     call.input = "where\n";
     const ProgramRun run = run_program(call);

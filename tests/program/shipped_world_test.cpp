@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -21,7 +22,7 @@ protected:
                                                 const std::map<std::string, std::string>& environment = {}) {
         const TemporaryFolder home;
         ProgramCall call;
-        call.program = HANDRAIL_PROGRAM;
+        call.program = test::built_program("handrail");
         call.arguments = {world, "--no-window", "--device", "none"};
         call.input = "mark\nHere I was\nquit\n";
         call.environment = environment;
@@ -41,7 +42,7 @@ protected:
         return kept;
     }
     static fs::path beside(fs::path world) { return world += ".handrail.toml"; }
-    const fs::path ours_ = fs::path(TEST_WORLDS) / "house.map";
+    const fs::path ours_ = test::bundled_world("house.map");
 };
 
 TEST_F(ShippedWorld, keeps_marks_in_the_persons_folder_by_path_by_name_and_by_a_link) {
@@ -52,7 +53,7 @@ TEST_F(ShippedWorld, keeps_marks_in_the_persons_folder_by_path_by_name_and_by_a_
     fs::create_symlink(ours_, links.path() / "my_house.map");
     EXPECT_EQ(kept_after_mark_in((links.path() / "my_house.map").string()), by_path);
     EXPECT_FALSE(fs::exists(beside(links.path() / "my_house.map")));
-    fs::create_directory_symlink(TEST_WORLDS, links.path() / "worlds");
+    fs::create_directory_symlink((test::project_root() / "worlds/maps").string(), links.path() / "worlds");
     EXPECT_EQ(kept_after_mark_in((links.path() / "worlds" / "house.map").string()), by_path);
 }
 

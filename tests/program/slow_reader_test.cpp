@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <future>
 
+#include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -20,12 +21,12 @@ protected:
 
     void SetUp() override {
         fs::create_directories(folder_.path() / "bin");
-        fs::copy_file(HANDRAIL_PROGRAM, program());
+        fs::copy_file(test::built_program("handrail"), program());
         // As the real reader tells of itself (reader_process), and then the real reader.
-        const fs::path reader =
-            folder_.write("bin/handrail-reader",
-                          "#!/bin/sh\nprintf 'p40\\nsimport.shapes\\n' >&4\nsleep 3\nexec '" +
-                              (fs::path(HANDRAIL_PROGRAM).parent_path() / "handrail-reader").string() + "' \"$@\"\n");
+        const fs::path reader = folder_.write(
+            "bin/handrail-reader",
+            "#!/bin/sh\nprintf 'p40\\nsimport.shapes\\n' >&4\nsleep 3\nexec '" +
+                (fs::path(test::built_program("handrail")).parent_path() / "handrail-reader").string() + "' \"$@\"\n");
         fs::permissions(reader, fs::perms::owner_all);
         world_ = folder_.write("hall.rooms",
                                "Building: Slow hall.\nHall, 8 by 6 metres.\nDoor outside in the south wall.\n");
@@ -35,7 +36,7 @@ protected:
         ProgramCall call;
         call.program = program().string();
         call.arguments = std::move(arguments);
-        call.environment["HANDRAIL_WORLDS"] = TEST_WORLDS;
+        call.environment["HANDRAIL_WORLDS"] = (test::project_root() / "worlds/maps").string();
         call.input = input;
         return std::async(std::launch::async, [call] { return run_program(call); });
     }
@@ -46,7 +47,8 @@ protected:
 
 TEST_F(SlowReader, is_told_of_on_standard_error_by_commands_but_not_beside_json) {
     auto info = begin({"info", world_.string()}), check = begin({"check", world_.string()}),
-         json = begin({"info", "--json", world_.string()}), quick = begin({"info", TEST_WORLDS "/first_room.map"});
+         json = begin({"info", "--json", world_.string()}),
+         quick = begin({"info", test::bundled_world("first_room.map")});
     EXPECT_THAT(info.get().err, StartsWith(std::string(kLine) + "\n"));
     EXPECT_THAT(check.get().err, StartsWith(std::string(kLine) + "\n"));
     const ProgramRun as_data = json.get();

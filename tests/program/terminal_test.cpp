@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "tests/support/child_process.h"
+#include "tests/support/project_root.h"
 #include "tests/support/pty_job.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scale.h"
@@ -23,7 +24,7 @@ struct AtTerminal {
         Environment environment = bare_environment(home.path().string());
         environment["TERM"] = "xterm-256color";
         for (const auto& [name, value] : more) environment[name] = value;
-        arguments.insert(arguments.begin(), {HANDRAIL_PROGRAM, "--no-window", "--device", "none"});
+        arguments.insert(arguments.begin(), {test::built_program("handrail"), "--no-window", "--device", "none"});
         job = PtyJob::start([arguments, environment] {
             for (const auto& [name, value] : environment) {
                 if (value.empty()) ::unsetenv(name.c_str());

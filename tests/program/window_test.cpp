@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -66,7 +67,7 @@ TEST(WindowOfTheProgram, takes_keys_speaks_and_shows_first_person_wall_and_plan)
                       "-screen 0 1024x768x24",
                       "sh",
                       script.string(),
-                      std::string(HANDRAIL_PROGRAM),
+                      test::built_program("handrail"),
                       folder.path().string()};
     call.environment["LIBGL_ALWAYS_SOFTWARE"] = "1";
     call.environment["ASAN_OPTIONS"] =

@@ -7,12 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/project_root.h"
+
 namespace handrail::test {
 
 // By git where there is a repository; an unpacked archive has none: then everything but build output. Paths from the
 // project's root.
 inline std::vector<std::string> project_files() {
-    const std::filesystem::path root = HANDRAIL_SOURCE_DIR;
+    const std::filesystem::path root = test::project_root();
     std::vector<std::string> files;
     const std::string command = "git -c safe.directory='*' -C '" + root.string() +
                                 "' ls-files --cached --others --exclude-standard 2>/dev/null";

@@ -4,6 +4,7 @@
 #include "haptic/drivers/playstation_pad.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/precompiled.h"
+#include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/umockdev/mock_hidraw.h"
 #include "tests/umockdev/mock_stick.h"
@@ -219,7 +220,7 @@ TEST_F(Companions, program_takes_a_dual_sense_as_cues_and_walking) {
     MockHidraw node(bed_.bed, pad, {0, false, 0x054c, 0x0ce6, "DualSense Wireless Controller"});
     push(pad, node, {128, 128, 128, 128}, {8 | 0x40, 0, 0});
     test::ProgramCall call;
-    call.program = HANDRAIL_PROGRAM;
+    call.program = test::built_program("handrail");
     call.arguments = {"--no-window", "--device", "dualsense"};
     call.input = "forward 8\nwhere\n";
     const test::ProgramRun run = test::run_program(call);

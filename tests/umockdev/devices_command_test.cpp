@@ -5,6 +5,7 @@
 #include "haptic/drivers/found_device.h"
 #include "tests/emulators/usb_function.h"
 #include "tests/support/precompiled.h"
+#include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/umockdev/mock_hidraw.h"
 #include "tests/umockdev/mock_stick.h"
@@ -50,7 +51,7 @@ protected:
 public:
     static std::string out_of(std::vector<std::string> arguments) {
         test::ProgramCall call;
-        call.program = HANDRAIL_PROGRAM;
+        call.program = test::built_program("handrail");
         call.arguments = std::move(arguments);
         const test::ProgramRun run = test::run_program(call);
         EXPECT_EQ(run.exit_status, 0) << run.err;

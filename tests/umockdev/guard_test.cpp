@@ -12,6 +12,7 @@
 #include "haptic/drivers/found_device.h"
 #include "haptic/drivers/guarded_device.h"
 #include "tests/support/precompiled.h"
+#include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/umockdev/mock_usb.h"
@@ -24,7 +25,7 @@ namespace guard_test {
 using namespace std::chrono_literals;
 using Clock_ = std::chrono::steady_clock;
 
-const std::filesystem::path kGuard = HANDRAIL_GUARD;
+const std::filesystem::path kGuard = test::built_program("handrail-guard");
 
 // What watches is 10 ms apart, and the second guard needs some exchanges: a machine that wakes a thread 10 ms late
 // cannot show that it keeps its time.
@@ -175,7 +176,7 @@ public:
         posix_spawn_file_actions_init(&actions);
         posix_spawn_file_actions_adddup2(&actions, input[0], 0);
         posix_spawn_file_actions_adddup2(&actions, output[1], 1);
-        std::vector<std::string> words{HANDRAIL_PROGRAM, "--no-window", "--device", device};
+        std::vector<std::string> words{test::built_program("handrail"), "--no-window", "--device", device};
         if (!command.empty()) words.insert(words.begin() + 1, command);
         std::vector<char*> argv;
         for (std::string& word : words) argv.push_back(word.data());
@@ -194,7 +195,7 @@ public:
         std::vector<char*> envp;
         for (std::string& variable : variables) envp.push_back(variable.data());
         envp.push_back(nullptr);
-        ::posix_spawn(&pid_, HANDRAIL_PROGRAM, &actions, nullptr, argv.data(), envp.data());
+        ::posix_spawn(&pid_, argv[0], &actions, nullptr, argv.data(), envp.data());
         posix_spawn_file_actions_destroy(&actions);
         ::close(input[0]);
         ::close(output[1]);
@@ -615,7 +616,7 @@ TEST_F(CalibratingProgram, leads_through_the_whole_set_up_by_voice_and_keeps_a_p
 
 TEST_F(GuardProcess, devices_command_tells_every_fact_of_the_falcon) {
     test::ProgramCall call;
-    call.program = HANDRAIL_PROGRAM;
+    call.program = test::built_program("handrail");
     call.arguments = {"devices", "--json"};
     {
         const std::lock_guard guard(bus_.lock);
@@ -649,7 +650,7 @@ TEST_F(GuardProcess, devices_command_names_the_rule_where_the_device_may_not_be_
         bus_.falcon.stage = test::FalconEmulator::Stage::Silent;
     }
     test::ProgramCall call;
-    call.program = HANDRAIL_PROGRAM;
+    call.program = test::built_program("handrail");
     call.arguments = {"devices"};
     const test::ProgramRun asleep = test::run_program(call);
     EXPECT_THAT(asleep.out, testing::HasSubstr("nvent_firmware.bin"));

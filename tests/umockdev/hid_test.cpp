@@ -5,6 +5,7 @@
 #include "haptic/drivers/playstation_pad.h"
 #include "tests/emulators/hid_claims.h"
 #include "tests/support/precompiled.h"
+#include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/umockdev/mock_hidraw.h"
 
@@ -75,7 +76,7 @@ TEST_F(OverHidapi, space_mouse_steers) {
 
 TEST_F(OverHidapi, devices_command_tells_of_pads_and_pucks) {
     test::ProgramCall call;
-    call.program = HANDRAIL_PROGRAM;
+    call.program = test::built_program("handrail");
     call.arguments = {"devices", "--json"};
     const test::ProgramRun run = test::run_program(call);
     ASSERT_EQ(run.exit_status, 0) << run.err;

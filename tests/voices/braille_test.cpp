@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "tests/support/project_root.h"
 #include "tests/support/virtual_display.h"
 #include "tests/voices/braille_server.h"
 #include "tests/voices/desktop.h"
@@ -33,7 +34,7 @@ protected:
         environment.merge(speech->environment());
         environment["DISPLAY"] = std::getenv("DISPLAY");
         environment["LIBGL_ALWAYS_SOFTWARE"] = "1";
-        environment["LD_PRELOAD"] = STANDIN_SOUND;
+        environment["LD_PRELOAD"] = test::built_standin("standin_sound");
         environment["STANDIN_SOUND_PULLED"] = pulled();
         std::vector<std::string> arguments{"--device", "none"};
         arguments.insert(arguments.end(), more.begin(), more.end());

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tests/support/child_process.h"
+#include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -20,7 +21,7 @@ public:
         : said_(folder.path() / "said") {
         environment.merge(bare_environment(folder.path().string(), true));
         if (first_start) std::filesystem::remove(folder.path() / ".config" / "handrail" / "settings.toml");
-        std::vector<std::string> words{HANDRAIL_PROGRAM};
+        std::vector<std::string> words{test::built_program("handrail")};
         words.insert(words.end(), arguments.begin(), arguments.end());
         process_ = ChildProcess::start(words, environment, said_);
     }

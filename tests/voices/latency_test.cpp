@@ -10,6 +10,7 @@
 #include <optional>
 #include <sstream>
 
+#include "tests/support/project_root.h"
 #include "tests/voices/desktop.h"
 #include "tests/voices/exploring.h"
 
@@ -120,7 +121,7 @@ TEST(Latency, of_the_programs_own_voice_is_reported) {
     Exploring program(folder,
                       {{"DISPLAY", std::getenv("DISPLAY")},
                        {"LIBGL_ALWAYS_SOFTWARE", "1"},
-                       {"LD_PRELOAD", STANDIN_SOUND},
+                       {"LD_PRELOAD", test::built_standin("standin_sound")},
                        {"STANDIN_SOUND_VOICE", voice.string()}},
                       {"--device", "none"});
     ASSERT_TRUE(eventually(

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <sstream>
 
+#include "tests/support/project_root.h"
 #include "tests/voices/braille_server.h"
 #include "tests/voices/desktop.h"
 #include "tests/voices/exploring.h"
@@ -35,7 +36,7 @@ std::size_t count_of(const std::string& words, const std::string& in) {
 class SilentMachineNever : public testing::Test {
 protected:
     void launch(Environment environment) {
-        environment["LD_PRELOAD"] = STANDIN_SOUND;
+        environment["LD_PRELOAD"] = test::built_standin("standin_sound");
         environment["STANDIN_SOUND_VOICE"] = (folder.path() / "voice").string();
         launched_s = now_s();
         program = std::make_unique<Exploring>(folder, std::move(environment),

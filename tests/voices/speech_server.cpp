@@ -1,4 +1,5 @@
 #include "tests/voices/speech_server.h"
+#include "tests/support/project_root.h"
 
 #include <signal.h>
 
@@ -15,8 +16,8 @@ namespace fs = std::filesystem;
 std::unique_ptr<SpeechServer> SpeechServer::start(const fs::path& folder, int word_ms) {
     fs::create_directories(folder / "speech" / "modules");
     std::ofstream(folder / "speech" / "speechd.conf")
-        << "LogLevel 3\nTimeout 0\nAddModule \"recorder\" \"" RECORDING_MODULE
-           "\" \"recorder.conf\"\nDefaultModule recorder\n";
+        << "LogLevel 3\nTimeout 0\nAddModule \"recorder\" \"" << test::built_program("recording_module")
+        << "\" \"recorder.conf\"\nDefaultModule recorder\n";
     std::ofstream(folder / "speech" / "modules" / "recorder.conf") << "";
     std::unique_ptr<SpeechServer> server(new SpeechServer(folder, word_ms));
     server->start_again();

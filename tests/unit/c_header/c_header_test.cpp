@@ -7,12 +7,13 @@
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/render/touch.h"
 #include "tests/support/count_allocations.h"
+#include "tests/support/project_root.h"
 #include "worlds/readers/reader.h"
 
 namespace handrail {
 namespace c_header_test {
 
-const std::string kHouse = HANDRAIL_SOURCE_DIR "/worlds/maps/house.map";
+const std::string kHouse = (test::project_root() / "worlds/maps/house.map").string();
 
 using World = std::unique_ptr<handrail_world, void (*)(handrail_world*)>;
 using Hand = std::unique_ptr<handrail_hand, void (*)(handrail_hand*)>;

@@ -7,6 +7,7 @@
 
 #include "app/main/commands.h"
 #include "tests/support/map_text.h"
+#include "tests/support/project_root.h"
 #include "tests/support/scale.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/base/language.h"
@@ -21,7 +22,7 @@ namespace handrail {
 namespace planted_faults_test {
 
 const std::string& school() {
-    static const std::string kText = test::content_of(std::string(HANDRAIL_SOURCE_DIR) + "/worlds/maps/school.map");
+    static const std::string kText = test::content_of((test::project_root() / "worlds/maps/school.map").string());
     return kText;
 }
 
@@ -358,7 +359,7 @@ Outcome check(const std::filesystem::path& world, bool json) {
 
 TEST(CheckCommand, ends_with_0_where_nothing_blocks_and_with_1_where_something_does) {
     const test::TemporaryFolder folder;
-    const Outcome good = check(std::string(HANDRAIL_SOURCE_DIR) + "/worlds/maps/school.map", false);
+    const Outcome good = check((test::project_root() / "worlds/maps/school.map").string(), false);
     EXPECT_EQ(good.status, 0);
     EXPECT_EQ(good.out, "School, from school.map: nothing to mend.\n");
     const Outcome unnamed =

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "tests/support/environment.h"
+#include "tests/support/project_root.h"
 #include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/base/descriptor.h"
@@ -183,7 +184,7 @@ TEST(CommandLine, tells_what_is_wrong_with_the_commands_for_recordings_worlds_an
 }
 
 TEST(CommandLine, takes_our_worlds_by_name_and_names_the_nearest) {
-    const test::WithEnvironment worlds("HANDRAIL_WORLDS", HANDRAIL_SOURCE_DIR "/worlds/maps");
+    const test::WithEnvironment worlds("HANDRAIL_WORLDS", (test::project_root() / "worlds/maps").c_str());
     for (const char* command : {"info", "check"}) {
         std::ostringstream out, err;
         run_command_line({command, "first_room"}, out, err);

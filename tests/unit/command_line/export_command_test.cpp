@@ -4,6 +4,7 @@
 
 #include "app/main/command_line.h"
 #include "app/main/commands.h"
+#include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/base/files.h"
 
@@ -25,7 +26,7 @@ Outcome run(std::vector<std::string> words) {
     return outcome;
 }
 
-std::string house() { return std::string(HANDRAIL_SOURCE_DIR) + "/worlds/maps/house.map"; }
+std::string house() { return (test::project_root() / "worlds/maps/house.map").string(); }
 
 TEST(ExportCommand, writes_a_sheet_its_key_and_samples_and_tells_what_was_simplified) {
     const TemporaryFolder folder;

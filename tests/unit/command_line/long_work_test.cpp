@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "app/main/commands.h"
+#include "tests/support/project_root.h"
 #include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/base/language.h"
@@ -20,7 +21,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const std::string kWorlds = std::string(HANDRAIL_SOURCE_DIR) + "/worlds/maps/";
+const std::string kWorlds = (test::project_root() / "worlds/maps/").string();
 
 struct Told {
     double at_s;
@@ -142,7 +143,7 @@ TEST(CommandWork, of_export_and_scenario_is_each_part_of_the_work) {
                 ElementsAre("reading the file", "Finding rooms and ways", "Drawing the storey", ""));
     EXPECT_THAT(stages([&](std::ostream& out, std::ostream& err, const LongWork& progress) {
                     ScenarioArguments arguments;
-                    arguments.paths = {HANDRAIL_SOURCE_DIR "/tests/scenarios/03_first_wall_keyboard.toml"};
+                    arguments.paths = {(test::project_root() / "tests/scenarios/03_first_wall_keyboard.toml").string()};
                     return run_scenarios(arguments, out, err, progress);
                 }),
                 Contains(HasSubstr("Playing ")));

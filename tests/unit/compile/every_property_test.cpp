@@ -5,6 +5,7 @@
 #include "haptic/render/tick_math.h"
 #include "haptic/render/touch.h"
 #include "tests/support/precompiled.h"
+#include "tests/support/project_root.h"
 #include "worlds/readers/reader.h"
 
 namespace handrail::test {
@@ -15,8 +16,7 @@ protected:
     static void SetUpTestSuite() {
         ReadOptions options;
         options.guess_materials = false;
-        Result<Scene> read = read_world(
-            std::filesystem::path(HANDRAIL_SOURCE_DIR) / "tests/scenarios/worlds/every_property.map", options);
+        Result<Scene> read = read_world(test::project_root() / "tests/scenarios/worlds/every_property.map", options);
         ASSERT_TRUE(read.has_value()) << read.error().sentence();
         scene = std::make_unique<Scene>(std::move(*read));
         haptic = compile_haptic(*scene, MaterialSource::KeysOnly);

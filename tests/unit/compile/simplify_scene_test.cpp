@@ -5,6 +5,7 @@
 
 #include "haptic/compile/compile_haptic.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/project_root.h"
 #include "tests/support/random_families.h"
 #include "worlds/geometry/clip.h"
 #include "worlds/readers/reader.h"
@@ -435,7 +436,7 @@ TEST(SimplifyScene, compiles_with_a_placed_thing_left_out_and_every_other_number
 }
 
 TEST(SimplifyScene, widens_every_door_of_the_house_at_the_scale_of_the_whole_building) {
-    auto house = read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds/maps/house.map");
+    auto house = read_world(test::project_root() / "worlds/maps/house.map");
     ASSERT_TRUE(house);
     const Simplification plan = plan_simplification(*house, at_scale(kBuilding));
     EXPECT_EQ(plan.openings.size(), 11U);

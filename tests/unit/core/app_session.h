@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/core/session/session.h"
+#include "tests/support/project_root.h"
 #include "tests/support/worlds_once.h"
 #include "worlds/readers/reader.h"
 
@@ -24,7 +25,7 @@ inline std::shared_ptr<const Scene> world_in(const std::filesystem::path& file) 
 }
 
 inline std::shared_ptr<const Scene> our_world(const char* file) {
-    return world_once(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / file);
+    return world_once(test::project_root() / "worlds" / "maps" / file);
 }
 
 struct AppSession {

@@ -6,6 +6,7 @@
 
 #include "app/core/learning/hunt.h"
 #include "app/core/learning/learning.h"
+#include "tests/support/project_root.h"
 #include "tests/support/spoken_language.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/readers/reader.h"
@@ -18,7 +19,7 @@ namespace bundled_places_test {
 class BundledPlaces : public testing::TestWithParam<const char*> {};
 
 TEST_P(BundledPlaces, every_door_leads_on_and_every_room_has_a_landmark) {
-    auto read = read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / GetParam());
+    auto read = read_world(test::project_root() / "worlds" / "maps" / GetParam());
     ASSERT_TRUE(read);
     const auto shut = std::make_shared<const Scene>(*read);
     Scene without = *read;
@@ -91,7 +92,7 @@ TEST_P(BundledPlaces, every_door_leads_on_and_every_room_has_a_landmark) {
 // Texts that the map gives have one in every language that comes with the program; two things called apart in English
 // are called apart there.
 TEST_P(BundledPlaces, names_are_there_in_every_bundled_language) {
-    const auto read = read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / GetParam());
+    const auto read = read_world(test::project_root() / "worlds" / "maps" / GetParam());
     ASSERT_TRUE(read);
     const auto has_all = [](const std::string& text, const OtherLanguages& others) {
         for (const LanguageName& language : bundled_languages())
@@ -125,7 +126,7 @@ TEST_P(BundledPlaces, names_are_there_in_every_bundled_language) {
 // Wherever somebody gets from the base, on foot, by stairs or over an edge, the base can be walked to again: no pond or
 // pit holds anybody.
 TEST_P(BundledPlaces, the_base_is_reached_again_from_wherever_one_gets_to) {
-    const auto read = read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / GetParam());
+    const auto read = read_world(test::project_root() / "worlds" / "maps" / GetParam());
     ASSERT_TRUE(read);
     const BodySize body = body_size(*read, 0.25);
     const auto space = make_walk_space(*read, walk_body(*read, body.radius_m, body.height_m, body.step_up_m));

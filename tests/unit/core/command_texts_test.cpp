@@ -5,6 +5,7 @@
 #include <set>
 
 #include "app/core/dialogue/key_map.h"
+#include "tests/support/project_root.h"
 #include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/base/text.h"
@@ -24,7 +25,7 @@ TEST(CommandTexts, are_there_for_every_command_and_for_nothing_else) {
 }
 
 TEST(CommandTexts, name_no_key_that_a_window_does_not_know) {
-    const std::string names = lower_ascii(test::content_of(HANDRAIL_SOURCE_DIR "/app/window/keys.cpp"));
+    const std::string names = lower_ascii(test::content_of((test::project_root() / "app/window/keys.cpp").string()));
     std::size_t keys = 0;
     for (const auto& [key, pattern] : bundled_texts("en"))
         if (key.starts_with("key_name.")) {

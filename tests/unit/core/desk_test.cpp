@@ -9,6 +9,7 @@
 #include "app/core/kept/marks.h"
 #include "haptic/servo/personal_space.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/project_root.h"
 #include "tests/support/scale.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/core/explorer.h"
@@ -33,7 +34,7 @@ public:
     explicit DeskSession(const char* device, const Settings& settings = {})
         : Explorer(open_ground(), device, settings, furnish) {}
     static void furnish(Session& app, WorldEntered& world) {
-        app.apply(WorldsKnown{{std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds/maps", {}}}, 0.0);
+        app.apply(WorldsKnown{{test::project_root() / "worlds/maps", {}}}, 0.0);
         SideFile& additions = world.additions.emplace();
         std::vector<Mark> marks(2);
         marks[0].name = "Bench";

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "tests/support/map_text.h"
+#include "tests/support/project_root.h"
 #include "tests/support/random_families.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
@@ -358,11 +359,11 @@ void lives_among_things(const std::filesystem::path& file) {
 }
 
 TEST(HandAmongThings, in_our_house_nothing_goes_through_a_wall_and_nobody_is_stuck) {
-    lives_among_things(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / "house.map");
+    lives_among_things(test::project_root() / "worlds" / "maps" / "house.map");
 }
 
 TEST(HandAmongThings, in_our_school_nothing_goes_through_a_wall_and_nobody_is_stuck) {
-    lives_among_things(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / "school.map");
+    lives_among_things(test::project_root() / "worlds" / "maps" / "school.map");
 }
 
 TEST(HandAmongThings, in_e1m1_nothing_goes_through_a_wall_and_nobody_is_stuck) {

@@ -1,15 +1,14 @@
 // A short session in German: what is said is whole German sentences, with the names that the map has in German, and
 // follows a change of the language with the next sentence.
 #include "tests/support/box_scene.h"
+#include "tests/support/project_root.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/core/app_session.h"
 
 namespace handrail {
 namespace german_session_test {
 
-std::shared_ptr<const Scene> world(const char* file) {
-    return test::world_once(std::filesystem::path(HANDRAIL_SOURCE_DIR) / file);
-}
+std::shared_ptr<const Scene> world(const char* file) { return test::world_once(test::project_root() / file); }
 
 struct Visitor : test::AppSession {
     explicit Visitor(const Settings& settings = {}) : AppSession(settings, hand()) {}

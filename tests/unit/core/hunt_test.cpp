@@ -6,6 +6,7 @@
 #include "app/core/scenario/session_log.h"
 #include "app/core/session/session.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/core/newcomer.h"
 #include "worlds/readers/reader.h"
@@ -62,7 +63,7 @@ TEST(Hunt, hides_where_one_can_walk_far_enough_away_and_leads_there) {
 
 // Where the clock is heard through open air, ears lead; where walls or doors muffle it, a hint is asked for and obeyed.
 TEST(Hunt, is_won_in_the_house_by_a_newcomer_with_keys_and_ears_and_the_best_time_is_kept) {
-    auto scene = read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / "house.map");
+    auto scene = read_world(test::project_root() / "worlds" / "maps" / "house.map");
     ASSERT_TRUE(scene);
     const auto house = std::make_shared<const Scene>(std::move(*scene));
     const test::TemporaryFolder folder;

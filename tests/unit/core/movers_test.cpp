@@ -1,5 +1,6 @@
 // Doors, lifts, buttons and teleporters: what a map makes of them, how they move, and what the session does with them.
 #include "tests/support/map_text.h"
+#include "tests/support/project_root.h"
 #include "tests/unit/core/app_session.h"
 #include "worlds/scene/models.h"
 
@@ -218,7 +219,7 @@ TEST(Movers, the_frames_of_a_swinging_leaf_follow_one_another_closely) {
 // In the house that ships with the program each door is opened and gone through, from both sides, and shut again behind
 // one.
 TEST(Movers, every_door_of_our_house_can_be_gone_through_from_both_sides) {
-    auto scene = read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / "house.map");
+    auto scene = read_world(test::project_root() / "worlds" / "maps" / "house.map");
     ASSERT_TRUE(scene);
     const auto house = std::make_shared<const Scene>(std::move(*scene));
     ASSERT_EQ(house->movers.size(), 11U);
@@ -244,7 +245,7 @@ TEST(Movers, every_door_of_our_house_can_be_gone_through_from_both_sides) {
 }
 
 TEST(Movers, the_stairs_of_our_house_lead_to_the_landing) {
-    auto scene = read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / "house.map");
+    auto scene = read_world(test::project_root() / "worlds" / "maps" / "house.map");
     ASSERT_TRUE(scene);
     Walk walk(std::make_shared<const Scene>(std::move(*scene)));
     walk.app.apply(Placed{{5.3, 2.6, 0.0}, 0.0}, walk.now);

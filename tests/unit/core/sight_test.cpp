@@ -5,6 +5,7 @@
 #include "app/core/world/surroundings.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/office_world.h"
+#include "tests/support/project_root.h"
 #include "worlds/readers/reader.h"
 #include "worlds/scene/models.h"
 
@@ -82,8 +83,7 @@ void expect_same(const BodyWorld& world, const Vec3& feet_m, const std::string& 
 }
 
 std::shared_ptr<const Scene> shipped(const char* name) {
-    return std::make_shared<const Scene>(
-        *read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds/maps" / name));
+    return std::make_shared<const Scene>(*read_world(test::project_root() / "worlds/maps" / name));
 }
 
 Vec3 somewhere(std::mt19937& random, const Aabb& box) {

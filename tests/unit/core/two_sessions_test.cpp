@@ -9,6 +9,7 @@
 
 #include "app/core/kept/folder_lock.h"
 #include "app/core/kept/side_merge.h"
+#include "tests/support/project_root.h"
 #include "tests/support/random_families.h"
 #include "tests/support/scale.h"
 #include "tests/support/temporary_folder.h"
@@ -260,7 +261,7 @@ struct Visitor : test::AppSession {
 TEST(TwoSessions, both_keep_their_marks_and_a_conflict_is_said) {
     const TemporaryFolder folder;
     const fs::path world = folder.path() / "first_room.map";
-    fs::copy_file(fs::path(HANDRAIL_SOURCE_DIR) / "worlds/maps/first_room.map", world);
+    fs::copy_file(test::project_root() / "worlds/maps/first_room.map", world);
     Visitor first(world), second(world);
     first.mark("Coat");
     second.hold(Command::Forward, 0.5);

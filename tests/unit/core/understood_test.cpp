@@ -1,5 +1,6 @@
 // What was understood of a building's file: one sentence on entering, and a list of all on request.
 #include "tests/support/map_text.h"
+#include "tests/support/project_root.h"
 #include "tests/unit/core/explorer.h"
 #include "worlds/readers/reader.h"
 #include "worlds/scene/stated_building.h"
@@ -12,8 +13,7 @@ using testing::HasSubstr;
 
 // Two rooms of an architect's model, the second as if stairs filled it.
 std::shared_ptr<const Scene> house_with_odd_room() {
-    Result<Scene> scene =
-        read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "tests/unit/ifc/worlds/small_house.ifc");
+    Result<Scene> scene = read_world(test::project_root() / "tests/unit/ifc/worlds/small_house.ifc");
     EXPECT_TRUE(scene.has_value());
     StatedBuilding stated = *scene->stated;
     stated.rooms.at(1).holds_stairs = true;

@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "tests/support/map_text.h"
+#include "tests/support/project_root.h"
 #include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/core/explorer.h"
@@ -22,7 +23,7 @@ using testing::StartsWith;
 
 // The house, where additions to it are kept beside it.
 struct House {
-    House() { fs::copy_file(fs::path(HANDRAIL_SOURCE_DIR) / "worlds/maps/house.map", path); }
+    House() { fs::copy_file(test::project_root() / "worlds/maps/house.map", path); }
     fs::path beside() const { return path.string() + ".handrail.toml"; }
     test::TemporaryFolder folder;
     fs::path path = folder.path() / "house.map";

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "settings/settings.h"
+#include "tests/support/project_root.h"
 #include "tests/unit/docs/table_rows.h"
 #include "worlds/scene/effect.h"
 #include "worlds/scene/material.h"
@@ -18,7 +19,7 @@ using test::table_rows;
 
 namespace fs = std::filesystem;
 
-const fs::path kRoot = HANDRAIL_SOURCE_DIR;
+const fs::path kRoot = test::project_root();
 
 // The pages at the top and every page of docs, in the order of their names.
 std::vector<fs::path> pages() {

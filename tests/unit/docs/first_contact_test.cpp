@@ -8,13 +8,14 @@
 #include "app/core/scenario/scenario_run.h"
 #include "audio-cues/plan/sound_table.h"
 #include "audio-cues/sinks/recording_sinks.h"
+#include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/readers/reader.h"
 
 namespace handrail {
 namespace first_contact_test {
 
-const std::filesystem::path kRoot = HANDRAIL_SOURCE_DIR;
+const std::filesystem::path kRoot = test::project_root();
 
 // What a person does in an action, in words; empty while one listens.
 std::string deed_of(const ScenarioStep& step) {

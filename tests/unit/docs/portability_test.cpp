@@ -6,12 +6,13 @@
 #include <set>
 
 #include "tests/support/project_files.h"
+#include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 
 namespace handrail {
 namespace portability_test {
 
-const std::filesystem::path kRoot = HANDRAIL_SOURCE_DIR;
+const std::filesystem::path kRoot = test::project_root();
 
 constexpr std::array kProgram{"app/", "haptic/", "worlds/", "settings/", "audio-cues/"};
 

@@ -5,13 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 
 namespace handrail::test {
 
 // The rows of the table whose head line starts with `head`, without the line of dashes.
 inline std::vector<std::string> table_rows(const std::string& document, const std::string& head) {
-    std::istringstream lines(test::content_of(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "docs" / document));
+    std::istringstream lines(test::content_of(test::project_root() / "docs" / document));
     std::vector<std::string> rows;
     bool inside = false;
     for (std::string line; std::getline(lines, line);) {

@@ -6,6 +6,7 @@
 #include "app/core/dialogue/command_words.h"
 #include "app/core/dialogue/key_map.h"
 #include "audio-cues/plan/sound_table.h"
+#include "tests/support/project_root.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/docs/table_rows.h"
 
@@ -46,7 +47,7 @@ TEST(UserGuide, lists_every_command_in_german_by_its_german_word_and_keys) {
 // and options by their names.
 std::map<std::string, int> parts_of(const std::string& page) {
     std::map<std::string, int> parts;
-    std::istringstream lines(test::content_of(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "docs" / page));
+    std::istringstream lines(test::content_of(test::project_root() / "docs" / page));
     for (std::string line; std::getline(lines, line);) {
         static const std::regex kItem(R"(^(#+|\||-|\d\.|    )[ |-].*)");
         if (std::smatch found; std::regex_match(line, found, kItem)) ++parts[found[1]];
@@ -70,7 +71,7 @@ TEST(UserGuide, is_all_there_in_german) {
         {"user-guide/devices.md", "benutzerhandbuch/geraete.md"},
         {"user-guide/worlds.md", "benutzerhandbuch/gebaeude.md"},
         {"user-guide/trouble.md", "benutzerhandbuch/hilfe.md"}};
-    const auto docs = std::filesystem::path(HANDRAIL_SOURCE_DIR) / "docs";
+    const auto docs = test::project_root() / "docs";
     for (const auto& entry : std::filesystem::directory_iterator(docs / "user-guide"))
         EXPECT_TRUE(pages.contains("user-guide/" + entry.path().filename().string())) << entry.path();
     for (const auto& [english, german] : pages) EXPECT_EQ(parts_of(english), parts_of("de/" + german)) << german;

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "tests/support/precompiled.h"
+#include "tests/support/project_root.h"
 #include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/drivers/guard_rig.h"
@@ -208,7 +209,7 @@ TEST(GuardedDevice, says_in_a_sentence_that_its_guard_is_missing_or_ends) {
 
 TEST(GuardedDevice, is_told_in_the_language_of_the_program_what_its_guard_says) {
     const test::InLanguage german("de");
-    GuardedDevice absent(*find_device_spec("falcon"), STANDIN_GUARD, {"absent"});
+    GuardedDevice absent(*find_device_spec("falcon"), test::built_program("standin_guard"), {"absent"});
     const auto opened = absent.open();
     ASSERT_FALSE(opened);
     EXPECT_EQ(opened.error().sentence(), "Der Falcon ist nicht angesteckt.");
@@ -218,14 +219,14 @@ TEST(GuardedDevice, is_told_a_persons_own_texts_by_its_guard) {
     const test::TemporaryFolder folder;
     folder.write("de.toml", "[drivers]\nno_falcon = \"Kein Falcon da.\"\n");
     const test::InLanguage own("de", folder.path());
-    GuardedDevice absent(*find_device_spec("falcon"), STANDIN_GUARD, {"absent"});
+    GuardedDevice absent(*find_device_spec("falcon"), test::built_program("standin_guard"), {"absent"});
     const auto opened = absent.open();
     ASSERT_FALSE(opened);
     EXPECT_EQ(opened.error().sentence(), "Kein Falcon da.");
 }
 
 TEST(GuardedDevice, exchanges_with_a_process_of_its_own) {
-    GuardedDevice device(*find_device_spec("falcon"), STANDIN_GUARD, {"echo"});
+    GuardedDevice device(*find_device_spec("falcon"), test::built_program("standin_guard"), {"echo"});
     const auto opened = device.open();
     ASSERT_TRUE(opened) << opened.error().sentence();
     EXPECT_THAT(device.take_news(), testing::ElementsAre("Waking it."));
@@ -239,7 +240,7 @@ TEST(GuardedDevice, exchanges_with_a_process_of_its_own) {
 
 TEST(GuardedDevice, is_unplugged_when_its_guard_dies_or_ends_itself_over_a_driver_that_blocks) {
     for (const char* behaviour : {"dies", "blocks"}) {
-        GuardedDevice device(*find_device_spec("falcon"), STANDIN_GUARD, {behaviour});
+        GuardedDevice device(*find_device_spec("falcon"), test::built_program("standin_guard"), {behaviour});
         ASSERT_TRUE(device.open());
         EXPECT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh; })) << behaviour;
         EXPECT_TRUE(tick_until(device, [](const DeviceSample& sample) { return !sample.connected; })) << behaviour;
@@ -247,7 +248,7 @@ TEST(GuardedDevice, is_unplugged_when_its_guard_dies_or_ends_itself_over_a_drive
 }
 
 TEST(GuardedDevice, hands_positions_that_are_no_numbers_to_the_servo_to_judge) {
-    GuardedDevice device(*find_device_spec("falcon"), STANDIN_GUARD, {"nan"});
+    GuardedDevice device(*find_device_spec("falcon"), test::built_program("standin_guard"), {"nan"});
     ASSERT_TRUE(device.open());
     EXPECT_TRUE(
         tick_until(device, [](const DeviceSample& sample) { return sample.fresh && !is_finite(sample.position_m); }));

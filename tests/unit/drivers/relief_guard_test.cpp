@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "tests/support/precompiled.h"
+#include "tests/support/project_root.h"
 #include "tests/unit/drivers/guard_rig.h"
 
 namespace handrail {
@@ -115,7 +116,7 @@ TEST(ReliefGuard, tells_that_the_device_may_push_and_tries_on) {
 
 TEST(GuardedDevice, is_said_to_push_until_the_second_guard_has_its_zero) {
     for (const int signal : {SIGKILL, SIGSTOP}) {
-        GuardedDevice device(*find_device_spec("falcon"), STANDIN_GUARD, {"echo"});
+        GuardedDevice device(*find_device_spec("falcon"), test::built_program("standin_guard"), {"echo"});
         ASSERT_TRUE(device.open());
         ASSERT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh; }));
         ::kill(device.guard_process(), signal);
@@ -130,7 +131,7 @@ TEST(GuardedDevice, is_said_to_push_until_the_second_guard_has_its_zero) {
 }
 
 TEST(GuardedDevice, says_on_closing_that_it_may_push_where_zero_was_not_confirmed) {
-    GuardedDevice device(*find_device_spec("falcon"), STANDIN_GUARD, {"stubborn"});
+    GuardedDevice device(*find_device_spec("falcon"), test::built_program("standin_guard"), {"stubborn"});
     ASSERT_TRUE(device.open());
     ASSERT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh; }));
     ::kill(device.guard_process(), SIGKILL);
@@ -143,7 +144,7 @@ TEST(GuardedDevice, says_on_closing_that_it_may_push_where_zero_was_not_confirme
 }
 
 TEST(GuardedDevice, gets_a_new_second_guard_for_one_that_died) {
-    GuardedDevice device(*find_device_spec("falcon"), STANDIN_GUARD, {"echo"});
+    GuardedDevice device(*find_device_spec("falcon"), test::built_program("standin_guard"), {"echo"});
     ASSERT_TRUE(device.open());
     ASSERT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh; }));
     const pid_t first = device.relief_process();
@@ -165,10 +166,10 @@ TEST(GuardProcess, refuses_a_mailbox_that_could_be_cut_off_below_it) {
         }
         void* mapped = ::mmap(nullptr, sizeof(HandMailbox), PROT_READ | PROT_WRITE, MAP_SHARED, memory, 0);
         new (mapped) HandMailbox;
-        const std::string number = std::to_string(memory);
+        const std::string number = std::to_string(memory), guard = test::built_program("standin_guard");
         const pid_t child = ::fork();
         if (child == 0) {
-            ::execl(STANDIN_GUARD, STANDIN_GUARD, "hold", number.c_str(), "9998", "9999", "en", "", "absent", nullptr);
+            ::execl(guard.c_str(), guard.c_str(), "hold", number.c_str(), "9998", "9999", "en", "", "absent", nullptr);
             ::_exit(99);
         }
         int status = 0;

@@ -1,5 +1,6 @@
 #include "haptic/drivers/found_device.h"
 #include "tests/support/precompiled.h"
+#include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 
 namespace handrail {
@@ -7,8 +8,7 @@ namespace udev_rule_test {
 
 // What may be opened without being an administrator is what the drivers look for.
 TEST(UdevRule, names_every_device_that_a_driver_opens) {
-    const std::string rule =
-        test::content_of(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "haptic" / "drivers" / kUdevRule);
+    const std::string rule = test::content_of(test::project_root() / "haptic" / "drivers" / kUdevRule);
     ASSERT_FALSE(rule.empty());
     for (const char* id : {"\"0403\"", "\"cb48\"", "\"054c\"", "0ce6", "0df2", "05c4", "09cc", "054C:0CE6", "\"256f\"",
                            "\"046d\"", "\"1451\"", "\"2988\""})

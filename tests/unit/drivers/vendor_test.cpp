@@ -7,6 +7,7 @@
 #include "haptic/drivers/dhd_device.h"
 #include "haptic/drivers/hd_device.h"
 #include "tests/support/precompiled.h"
+#include "tests/support/project_root.h"
 #include "tests/support/world_axes.h"
 #include "worlds/base/clock.h"
 
@@ -20,7 +21,9 @@ constexpr double kStiffness = 1000.0, kPush = 2.0;
 // The stand-in itself, for the test's own way in. Opened once more, so the same one as the driver's.
 class StandIn {
 public:
-    explicit StandIn(const char* path) : handle_(::dlopen(path, RTLD_NOW)) { call<void()>("standin_reset")(); }
+    explicit StandIn(const std::string& path) : handle_(::dlopen(path.c_str(), RTLD_NOW)) {
+        call<void()>("standin_reset")();
+    }
     ~StandIn() { ::dlclose(handle_); }
     StandIn(const StandIn&) = delete;
     StandIn& operator=(const StandIn&) = delete;
@@ -39,7 +42,7 @@ private:
 };
 
 struct Dhd : StandIn {
-    Dhd() : StandIn(STANDIN_DHD) {}
+    Dhd() : StandIn(test::built_standin("standin_dhd")) {}
     struct Told {
         Vec3 position{0.0}, force{0.0};
         double largest = 0.0;
@@ -54,7 +57,7 @@ struct Dhd : StandIn {
 };
 
 struct Hd : StandIn {
-    Hd() : StandIn(STANDIN_HD) {}
+    Hd() : StandIn(test::built_standin("standin_hd")) {}
     struct Told {
         Vec3 position_mm{0.0}, force{0.0};
         double largest = 0.0;
@@ -70,7 +73,7 @@ struct Hd : StandIn {
 
 TEST(DhdDevice, wall_of_a_thousand_exchanges_rests_at_the_exact_static_answer) {
     const Dhd dhd;
-    auto device = open_dhd_device(STANDIN_DHD);
+    auto device = open_dhd_device(test::built_standin("standin_dhd"));
     ASSERT_TRUE(device) << device.error().sentence();
     EXPECT_EQ((*device)->spec().name, "omega");
     EXPECT_GT(dhd.told().watchdog, 0) << "the device's own, for when this process dies";
@@ -98,7 +101,7 @@ TEST(VendorDevices, hand_right_forward_up_is_east_north_up_and_a_force_east_push
         expected[axis] = 1.0;
         {
             const Dhd dhd;
-            auto device = open_dhd_device(STANDIN_DHD);
+            auto device = open_dhd_device(test::built_standin("standin_dhd"));
             ASSERT_TRUE(device);
             const Vec3 theirs = dhd_axes[static_cast<std::size_t>(axis)];
             dhd.place(0.01 * theirs.x, 0.01 * theirs.y, 0.01 * theirs.z);
@@ -110,7 +113,7 @@ TEST(VendorDevices, hand_right_forward_up_is_east_north_up_and_a_force_east_push
             EXPECT_LT(glm::length(dhd.told().force - theirs * through.command.force_n[axis]), 1e-9) << axis;
         }
         const Hd hd;
-        auto device = open_hd_device(STANDIN_HD);
+        auto device = open_hd_device(test::built_standin("standin_hd"));
         ASSERT_TRUE(device);
         const Vec3 theirs = hd_axes[static_cast<std::size_t>(axis)];
         hd.place(10.0 * theirs.x, 10.0 * theirs.y, 10.0 * theirs.z);
@@ -129,7 +132,7 @@ TEST(VendorDevices, hand_right_forward_up_is_east_north_up_and_a_force_east_push
 
 TEST(DhdDevice, positions_that_are_no_numbers_get_no_force) {
     const Dhd dhd;
-    auto device = open_dhd_device(STANDIN_DHD);
+    auto device = open_dhd_device(test::built_standin("standin_dhd"));
     ASSERT_TRUE(device);
     (*device)->read(0.0);
     (*device)->write({{0.0, 2.0, 0.0}});
@@ -147,32 +150,33 @@ TEST(DhdDevice, positions_that_are_no_numbers_get_no_force) {
 }
 
 TEST(VendorDevices, say_in_one_sentence_what_is_missing) {
-    for (const auto& [opened, words] : {std::pair{open_dhd_device("/nowhere/libdhd.so"), "is not installed"},
-                                        {open_hd_device("/nowhere/libHD.so"), "is not installed"},
-                                        {open_dhd_device(STANDIN_DHD_LACKING), "lacks dhdSetForce"},
-                                        {open_hd_device(STANDIN_HD_LACKING), "lacks hdUnschedule"}}) {
+    for (const auto& [opened, words] :
+         {std::pair{open_dhd_device("/nowhere/libdhd.so"), "is not installed"},
+          {open_hd_device("/nowhere/libHD.so"), "is not installed"},
+          {open_dhd_device(test::built_standin("standin_dhd_lacking")), "lacks dhdSetForce"},
+          {open_hd_device(test::built_standin("standin_hd_lacking")), "lacks hdUnschedule"}}) {
         ASSERT_FALSE(opened);
         EXPECT_THAT(opened.error().sentence(), testing::HasSubstr(words));
         EXPECT_EQ(opened.error().sentence().find('\n'), std::string::npos);
     }
     const Dhd dhd;
     dhd.call<void(int, int)>("standin_devices")(0, 33);
-    const auto none = open_dhd_device(STANDIN_DHD);
+    const auto none = open_dhd_device(test::built_standin("standin_dhd"));
     ASSERT_FALSE(none);
     EXPECT_THAT(none.error().sentence(), testing::HasSubstr("plugged in"));
     dhd.call<void(int, int)>("standin_devices")(1, 999);
-    const auto strange = open_dhd_device(STANDIN_DHD);
+    const auto strange = open_dhd_device(test::built_standin("standin_dhd"));
     ASSERT_FALSE(strange);
     EXPECT_THAT(strange.error().sentence(), testing::HasSubstr("999"));
     EXPECT_FALSE(dhd.told().open);
     const Hd hd;
     hd.call<void(int)>("standin_present")(0);
-    EXPECT_FALSE(open_hd_device(STANDIN_HD));
+    EXPECT_FALSE(open_hd_device(test::built_standin("standin_hd")));
 }
 
 TEST(HdDevice, wall_rests_at_the_exact_static_answer_while_the_library_calls_from_its_own_thread) {
     const Hd hd;
-    auto device = open_hd_device(STANDIN_HD);
+    auto device = open_hd_device(test::built_standin("standin_hd"));
     ASSERT_TRUE(device) << device.error().sentence();
     EXPECT_EQ((*device)->spec().name, "omni");
     EXPECT_DOUBLE_EQ((*device)->spec().peak_force_n, 3.0) << "the library states less than the table";
@@ -199,7 +203,7 @@ TEST(HdDevice, wall_rests_at_the_exact_static_answer_while_the_library_calls_fro
 
 TEST(HdDevice, gives_no_force_before_it_is_calibrated_nor_at_places_that_are_no_numbers) {
     const Hd hd;
-    auto device = open_hd_device(STANDIN_HD);
+    auto device = open_hd_device(test::built_standin("standin_hd"));
     ASSERT_TRUE(device);
     hd.call<void(unsigned)>("standin_calibration")(0x5002);
     std::this_thread::sleep_for(20ms);
@@ -221,7 +225,7 @@ TEST(HdDevice, gives_no_force_before_it_is_calibrated_nor_at_places_that_are_no_
 TEST(HdDevice, a_force_error_of_the_library_ends_the_device_and_heat_is_told_apart) {
     for (const unsigned code : {0x0200U, 0x0202U}) {
         const Hd hd;
-        auto device = open_hd_device(STANDIN_HD);
+        auto device = open_hd_device(test::built_standin("standin_hd"));
         ASSERT_TRUE(device);
         (*device)->write({{0.0, 1.0, 0.0}});
         hd.call<void(unsigned)>("standin_error")(code);
@@ -241,7 +245,7 @@ TEST(HdDevice, a_force_error_of_the_library_ends_the_device_and_heat_is_told_apa
 // The library hangs; whoever reads is told at once that nothing is new, and the servo takes the force away after 25 ms.
 TEST(HdDevice, a_library_that_blocks_gives_no_new_samples) {
     const Hd hd;
-    auto device = open_hd_device(STANDIN_HD);
+    auto device = open_hd_device(test::built_standin("standin_hd"));
     ASSERT_TRUE(device);
     hd.blocks(true);
     std::this_thread::sleep_for(20ms);

@@ -1,4 +1,5 @@
 #include "tests/unit/exports/plans.h"
+#include "tests/support/project_root.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ namespace handrail::test {
 const NamedStoreys* storeys_of(const std::string& file) {
     static std::map<std::string, NamedStoreys> known;
     if (const auto it = known.find(file); it != known.end()) return &it->second;
-    std::filesystem::path path = std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / file;
+    std::filesystem::path path = test::project_root() / "worlds" / "maps" / file;
     if (!std::filesystem::exists(path)) {
         const auto real = real_world(file);
         if (!real) return nullptr;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tests/support/precompiled.h"
+#include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/readers/reader.h"
 #include "worlds/scene/stated_building.h"
@@ -13,7 +14,7 @@ namespace handrail::test {
 // A hall of 8 by 4 m: Küche to the west, Living room to the east, a door in the wall between, one to the south, a
 // window to the north.
 inline std::string small_house(const std::string& name = "small_house.ifc") {
-    return content_of(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "tests/unit/ifc/worlds" / name);
+    return content_of(test::project_root() / "tests/unit/ifc/worlds" / name);
 }
 
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {

@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/ifc_oracle/packaged_ifc.h"
@@ -119,8 +120,7 @@ Compared compared(std::string_view bytes, const std::string& name) {
 
 TEST(PackagedIfc, reads_our_own_houses_as_we_do) {
     for (const char* name : {"small_house.ifc", "small_house_millimetres.ifc", "small_house_other_program.ifc"}) {
-        const Compared all =
-            compared(test::content_of(fs::path(HANDRAIL_SOURCE_DIR) / "tests/unit/ifc/worlds" / name), name);
+        const Compared all = compared(test::content_of(test::project_root() / "tests/unit/ifc/worlds" / name), name);
         EXPECT_GE(all.places, 10) << name;
         EXPECT_EQ(all.other_places, 0) << name;
         EXPECT_GE(all.volumes, 8) << name;

@@ -4,6 +4,7 @@
 
 #include "app/main/commands.h"
 #include "tests/support/map_text.h"
+#include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/temporary_folder.h"
 
@@ -35,7 +36,7 @@ const std::string kMap = test::entity("worldspawn", test::key("message", "A smal
                          test::entity("info_player_start", test::key("origin", "128 96 24"));
 
 TEST(InfoCommand, tells_which_forces_hang_in_space) {
-    const std::string world = std::string(HANDRAIL_SOURCE_DIR) + "/tests/scenarios/worlds/every_property.map";
+    const std::string world = (test::project_root() / "tests/scenarios/worlds/every_property.map").string();
     EXPECT_THAT(
         info(world, false).out,
         testing::HasSubstr(
@@ -142,8 +143,7 @@ TEST(InfoCommand, counts_as_moving_only_what_can_go_somewhere) {
 }
 
 TEST(InfoCommand, counts_sides_that_give_way) {
-    const std::filesystem::path world =
-        std::filesystem::path(HANDRAIL_SOURCE_DIR) / "tests/scenarios/worlds/every_property.map";
+    const std::filesystem::path world = test::project_root() / "tests/scenarios/worlds/every_property.map";
     EXPECT_GT(nlohmann::json::parse(info(world, true).out)["touch_model"]["soft_sides"], 0);
 }
 
@@ -168,7 +168,7 @@ TEST(InfoCommand, says_which_edges_are_rounded_and_which_stay_sharp_and_why) {
 TEST(InfoCommand, lists_what_is_too_small_to_feel_at_a_scale_when_asked) {
     const auto at = [](const std::string& scale) {
         InfoArguments arguments;
-        arguments.world = std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds/maps/house.map";
+        arguments.world = test::project_root() / "worlds/maps/house.map";
         arguments.json = true;
         arguments.scale = scale;
         std::ostringstream out, err;
@@ -206,8 +206,7 @@ TEST(InfoCommand, tells_of_rooms_that_nobody_comes_to_on_foot) {
                     testing::HasSubstr("Vault cannot be reached on foot."));
     }
     for (const char* ours : {"house.map", "school.map", "first_room.map"})
-        EXPECT_EQ(info(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds/maps" / ours, false).out.find("on foot"),
-                  std::string::npos)
+        EXPECT_EQ(info(test::project_root() / "worlds/maps" / ours, false).out.find("on foot"), std::string::npos)
             << ours;
 }
 
@@ -275,7 +274,7 @@ TEST(InfoCommand, tells_honestly_what_it_understood_of_an_architects_model) {
 }
 
 TEST(InfoCommand, says_the_height_of_a_storey_in_metres_where_the_file_counts_millimetres) {
-    const std::string worlds = std::string(HANDRAIL_SOURCE_DIR) + "/tests/unit/ifc/worlds/";
+    const std::string worlds = (test::project_root() / "tests/unit/ifc/worlds/").string();
     const nlohmann::json metres = nlohmann::json::parse(info(worlds + "small_house.ifc", true).out)["honesty"],
                          millimetres =
                              nlohmann::json::parse(info(worlds + "small_house_millimetres.ifc", true).out)["honesty"];

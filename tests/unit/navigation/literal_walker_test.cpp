@@ -8,6 +8,7 @@
 #include "app/core/world/body_world.h"
 #include "app/core/world/walker.h"
 #include "tests/support/every.h"
+#include "tests/support/project_root.h"
 #include "worlds/geometry/closest_point.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/navigation/rooms.h"
@@ -30,7 +31,7 @@ struct Building {
     std::unique_ptr<BodyWorld> shut;
 
     explicit Building(const char* file) {
-        auto read = read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / file);
+        auto read = read_world(test::project_root() / "worlds" / "maps" / file);
         if (!read) throw std::runtime_error(read.error().message);
         scene = std::make_shared<const Scene>(with_movers_apart(*read, 128, thing_of_mover));
         const BodySize size = body_size(*scene, 0.25);

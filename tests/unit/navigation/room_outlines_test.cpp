@@ -1,4 +1,5 @@
 #include "worlds/navigation/room_outlines.h"
+#include "tests/support/project_root.h"
 
 #include <gtest/gtest.h>
 
@@ -125,7 +126,7 @@ TEST(RoomOutlines, hold_each_place_of_their_room_among_random_blocks) {
 }
 
 TEST(RoomOutlines, are_sound_in_the_house_with_its_storeys) {
-    const auto scene = read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / "house.map");
+    const auto scene = read_world(test::project_root() / "worlds" / "maps" / "house.map");
     ASSERT_TRUE(scene);
     const Floor floor(*scene);
     is_sound(floor);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "tests/support/map_text.h"
+#include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
 #include "tests/support/spoken_language.h"
@@ -37,9 +38,7 @@ World world_of(const std::filesystem::path& path) {
     return world;
 }
 
-std::filesystem::path bundled(const std::string& name) {
-    return std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / name;
-}
+std::filesystem::path bundled(const std::string& name) { return test::project_root() / "worlds" / "maps" / name; }
 
 std::string described(const RoomGraph& graph) {
     std::string text;
@@ -124,8 +123,7 @@ TEST(Rooms, of_our_house_are_all_found_and_named_and_every_door_joins_two) {
 
 // The same answer as a grid search for every pair of rooms, and lengths within 5 % and a square.
 TEST(Rooms, are_joined_by_routes_as_a_grid_search_finds_them_in_every_bundled_world) {
-    for (const auto& entry :
-         std::filesystem::directory_iterator(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps")) {
+    for (const auto& entry : std::filesystem::directory_iterator(test::project_root() / "worlds" / "maps")) {
         if (entry.path().extension() != ".map") continue;
         SCOPED_TRACE(entry.path().filename().string());
         if (!test::tried(entry.path().filename() == "house.map" ? 0 : 1, 2)) continue;

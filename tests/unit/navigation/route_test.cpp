@@ -5,6 +5,7 @@
 
 #include "tests/support/box_scene.h"
 #include "tests/support/map_text.h"
+#include "tests/support/project_root.h"
 #include "tests/support/random_families.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
@@ -26,7 +27,7 @@ std::shared_ptr<Navigation> navigate(const Scene& scene) {
 }
 
 Scene bundled(const std::string& name) {
-    auto scene = read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / name);
+    auto scene = read_world(test::project_root() / "worlds" / "maps" / name);
     EXPECT_TRUE(scene);
     return std::move(*scene);
 }
@@ -95,8 +96,7 @@ int agrees_with(const Twins& twins, Navigation& navigation, const Vec3& from, co
 }
 
 TEST(Routes, agree_with_a_grid_search_between_all_landmarks_of_every_bundled_world) {
-    for (const auto& entry :
-         std::filesystem::directory_iterator(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps")) {
+    for (const auto& entry : std::filesystem::directory_iterator(test::project_root() / "worlds" / "maps")) {
         if (entry.path().extension() != ".map") continue;
         SCOPED_TRACE(entry.path().filename().string());
         if (!test::tried(entry.path().filename() == "house.map" ? 0 : 1, 2)) continue;
@@ -328,7 +328,7 @@ TEST(Routes, take_lifts_both_ways_and_teleporters_and_drops_one_way) {
 }
 
 TEST(Routes, on_foot_take_the_stairs_where_a_lift_is_nearer) {
-    const auto scene = read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / "school.map");
+    const auto scene = read_world(test::project_root() / "worlds" / "maps" / "school.map");
     ASSERT_TRUE(scene);
     const auto navigation = navigate(*scene);
     ASSERT_TRUE(navigation);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tests/support/precompiled.h"
+#include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/readers/reader.h"
 #include "worlds/scene/stated_building.h"
@@ -13,9 +14,7 @@ namespace handrail::test {
 // A corridor of 12 by 2 m on levels 0 and 1, the main entrance at its west end; south of it Library (both levels), 102
 // and women's toilets T1 (both); north of it stairs S1 (both) and, open to it, the Foyer; a lift L1 at its east end. A
 // Vault without a door. In another building, with tags as they were, a Shed.
-inline std::string test_house() {
-    return content_of(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "tests/unit/osm/worlds/test_house.osm");
-}
+inline std::string test_house() { return content_of(test::project_root() / "tests/unit/osm/worlds/test_house.osm"); }
 
 inline std::string with(std::string text, const std::string& from, const std::string& to) {
     const std::size_t at = text.find(from);

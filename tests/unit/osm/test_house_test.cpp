@@ -2,6 +2,7 @@
 #include <bzlib.h>
 #include <gmock/gmock.h>
 
+#include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/unit/osm/osm_text.h"
 #include "worlds/navigation/navigation.h"
@@ -145,8 +146,7 @@ TEST(OsmHouse, the_same_compressed_is_the_same) {
 }
 
 TEST(OsmHouse, the_same_as_pbf_is_the_same_and_cut_it_is_told) {
-    const std::string packed =
-        test::content_of(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "tests/unit/osm/worlds/test_house.osm.pbf");
+    const std::string packed = test::content_of(test::project_root() / "tests/unit/osm/worlds/test_house.osm.pbf");
     const Result<Scene> scene = read_osm(packed, "house.osm.pbf");
     ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
     EXPECT_EQ(scene->stated->rooms.size(), read_house().stated->rooms.size());

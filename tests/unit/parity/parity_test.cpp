@@ -9,6 +9,7 @@
 #include "haptic/servo/servo_loop.h"
 #include "haptic/servo/workspace_mover.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/project_root.h"
 #include "tests/unit/docs/table_rows.h"
 #include "worlds/base/clock.h"
 
@@ -278,7 +279,7 @@ TEST(ParityWithTheOriginal, every_row_of_the_list_is_called_here_and_names_a_fil
         const std::size_t last = row.rfind("| ", row.size() - 2);
         std::string file = row.substr(last + 2, row.size() - last - 4);
         file.erase(std::remove(file.begin(), file.end(), '`'), file.end());
-        EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(HANDRAIL_SOURCE_DIR) / file)) << row;
+        EXPECT_TRUE(std::filesystem::exists(test::project_root() / file)) << row;
     }
     for (const Row& row : rows()) called.push_back(row.original);
     EXPECT_EQ(listed, called);

@@ -1,5 +1,6 @@
 // The open plan of a storey: what is a wall, a window, a door, a room and a thing of it.
 #include "worlds/plan/storey.h"
+#include "tests/support/project_root.h"
 
 #include <filesystem>
 
@@ -39,9 +40,7 @@ Plans plans_of(const std::filesystem::path& path) {
     return scene ? plans_of(std::move(*scene)) : Plans{};
 }
 
-std::filesystem::path bundled(const std::string& name) {
-    return std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / name;
-}
+std::filesystem::path bundled(const std::string& name) { return test::project_root() / "worlds" / "maps" / name; }
 
 bool walled(const Storey& storey, const Vec2& at) {
     return std::any_of(storey.walls_m.begin(), storey.walls_m.end(),

@@ -2,6 +2,7 @@
 // overlaps a start.
 #include <filesystem>
 
+#include "tests/support/project_root.h"
 #include "tests/unit/readers/reading.h"
 #include "worlds/readers/reader.h"
 
@@ -10,8 +11,7 @@ namespace bundled_worlds_test {
 
 TEST(BundledWorlds, are_read_without_a_warning_and_have_a_base_and_landmarks) {
     int worlds = 0;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps")) {
+    for (const auto& entry : std::filesystem::directory_iterator(test::project_root() / "worlds" / "maps")) {
         if (entry.path().extension() != ".map") continue;
         ++worlds;
         const auto scene = read_world(entry.path());

@@ -3,6 +3,7 @@
 #include <random>
 
 #include "tests/support/block_mesh.h"
+#include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/readers/reader.h"
@@ -13,7 +14,7 @@ namespace meshes_test {
 using testing::HasSubstr;
 
 std::string seed(const std::string& path) {
-    return test::content_of(std::string(HANDRAIL_SOURCE_DIR) + "/tests/fuzz/inputs/" + path);
+    return test::content_of((test::project_root() / "tests/fuzz/inputs/").string() + path);
 }
 
 TEST(ReadGltf, turns_y_up_to_z_up_and_places_things_as_the_file_says) {

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "tests/support/map_text.h"
+#include "tests/support/project_root.h"
 #include "tests/support/spoken_language.h"
 #include "worlds/readers/reader.h"
 #include "worlds/scene/material.h"
@@ -105,7 +106,7 @@ TEST(Prefabs, that_cannot_be_placed_are_told_with_their_line_and_the_nearest_nam
 }
 
 TEST(Prefabs, stand_in_the_authors_guide_with_their_sizes) {
-    std::ifstream file(std::string(HANDRAIL_SOURCE_DIR) + "/docs/map-authors-guide/furniture.md");
+    std::ifstream file((test::project_root() / "docs/map-authors-guide/furniture.md").string());
     std::stringstream guide;
     guide << file.rdbuf();
     for (const Prefab& prefab : prefabs()) {

@@ -17,6 +17,7 @@
 #include "app/core/kept/side_file.h"
 #include "app/core/kept/world_shelf.h"
 #include "settings/settings.h"
+#include "tests/support/project_root.h"
 #include "tests/support/scale.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/save_faults/injected.h"
@@ -319,7 +320,7 @@ std::string told(const Result<Scene>& scene) {
 TEST(LoadFaults, memory_that_ends_at_any_allocation_changes_no_file_and_reading_works_afterwards) {
     const Home home;
     const fs::path folder = home.folder.path();
-    fs::copy_file(fs::path(HANDRAIL_SOURCE_DIR) / "worlds/maps/first_room.map", folder / "room.map");
+    fs::copy_file(test::project_root() / "worlds/maps/first_room.map", folder / "room.map");
     home.folder.write("odd.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 9\nf 1 3 4\n");
     home.folder.write("odd.map", "{\n\"classname\" \"worldspawn\"\n{\n( 0 0 0 ) ( 1 0 0 )");
     home.folder.write("session-old.toml", text_of(LastPlace{"/old.map", {1.0, 2.0, 3.0}, 0.0}));

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "tests/support/box_scene.h"
+#include "tests/support/project_root.h"
 #include "tests/support/spoken_language.h"
 #include "worlds/readers/reader.h"
 #include "worlds/scene/effect.h"
@@ -56,7 +57,7 @@ TEST(SpokenNames, of_kinds_stand_under_the_name_that_files_know_them_by) {
 }
 
 TEST(SpokenNames, are_there_for_everything_that_the_readers_name_in_the_worlds_here) {
-    const std::filesystem::path root(HANDRAIL_SOURCE_DIR);
+    const std::filesystem::path root(test::project_root());
     std::size_t made = 0;
     for (const char* folder : {"worlds/maps", "tests/scenarios/worlds"})
         for (const auto& entry : std::filesystem::directory_iterator(root / folder)) {

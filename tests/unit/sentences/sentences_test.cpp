@@ -6,6 +6,7 @@
 #include <map>
 
 #include "app/core/dialogue/brief_words.h"
+#include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
 #include "tests/support/spoken_language.h"
@@ -134,7 +135,7 @@ class Sentences : public testing::TestWithParam<const char*> {};
 TEST_P(Sentences, of_every_command_keep_the_rules_in_every_language) {
     const std::string name = GetParam();
     const bool ours = name == "house.map" || name == "school.map";
-    const std::filesystem::path source(HANDRAIL_SOURCE_DIR);
+    const std::filesystem::path source(test::project_root());
     const auto path = ours                        ? source / "worlds" / "maps" / name
                       : name == "small_house.ifc" ? source / "tests" / "unit" / "ifc" / "worlds" / name
                                                   : test::real_world(name).value_or(std::filesystem::path());

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "tests/support/project_root.h"
 #include "tests/support/scale.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/core/app_session.h"
@@ -125,7 +126,7 @@ std::string document() {
 TEST(Transcripts, of_ten_typical_sessions_are_as_the_document_shows_them) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "the document is the same under a sanitizer";
     ASSERT_EQ(scripts().size(), 10U);
-    const std::filesystem::path file = std::filesystem::path(HANDRAIL_SOURCE_DIR) / "docs" / "transcripts.md";
+    const std::filesystem::path file = test::project_root() / "docs" / "transcripts.md";
     const std::string played = document();
     if (const char* write = std::getenv("HANDRAIL_WRITE_TRANSCRIPTS"); write && *write) {
         std::ofstream(file) << played;

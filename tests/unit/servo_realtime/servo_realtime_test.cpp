@@ -12,6 +12,7 @@
 #include "haptic/drivers/guarded_device.h"
 #include "haptic/servo/servo_loop.h"
 #include "tests/support/precompiled.h"
+#include "tests/support/project_root.h"
 #include "tests/support/scale.h"
 #include "tests/support/servo_rig.h"
 
@@ -219,7 +220,7 @@ TEST_F(ServoRealtime, the_loop_around_it_allocates_and_frees_nothing_either) {
 
 // What the servo holds in place of a real device, with a guard process of its own at the other end.
 TEST_F(ServoRealtime, a_guarded_device_is_read_and_written_without_allocating_locking_or_a_clock) {
-    GuardedDevice device(*find_device_spec("falcon"), STANDIN_GUARD, {"echo"});
+    GuardedDevice device(*find_device_spec("falcon"), test::built_program("standin_guard"), {"echo"});
     const auto opened = device.open();
     ASSERT_TRUE(opened) << opened.error().sentence();
     Counts sum;

@@ -1,5 +1,6 @@
 // A Scene as bytes and back.
 #include "worlds/stored/stored_scene.h"
+#include "tests/support/project_root.h"
 
 #include <random>
 
@@ -14,7 +15,7 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> worlds() {
     std::vector<fs::path> all;
-    const fs::path source = HANDRAIL_SOURCE_DIR;
+    const fs::path source = test::project_root();
     for (const fs::path& folder : {source / "worlds" / "maps", source / "tests" / "unit" / "ifc" / "worlds",
                                    source / "tests" / "fuzz" / "inputs" / "map" / "seeds",
                                    source / "tests" / "fuzz" / "inputs" / "osm" / "seeds",
@@ -53,7 +54,7 @@ TEST(StoredScene, comes_back_bit_for_bit) {
 }
 
 TEST(StoredScene, shares_what_was_shared) {
-    const Result<Scene> house = read_world(fs::path(HANDRAIL_SOURCE_DIR) / "worlds/maps/first_room.map");
+    const Result<Scene> house = read_world(test::project_root() / "worlds/maps/first_room.map");
     ASSERT_TRUE(house.has_value());
     Scene scene = *house;
     const auto model = std::make_shared<const Scene>(*house);
@@ -91,7 +92,7 @@ TEST(StoredScene, shares_what_was_shared) {
 }
 
 TEST(StoredScene, cut_or_changed_anywhere_is_a_whole_scene_or_a_sentence) {
-    const Result<Scene> scene = read_world(fs::path(HANDRAIL_SOURCE_DIR) / "tests/unit/ifc/worlds/small_house.ifc");
+    const Result<Scene> scene = read_world(test::project_root() / "tests/unit/ifc/worlds/small_house.ifc");
     ASSERT_TRUE(scene.has_value());
     const std::string whole = stored(*scene);
     for (std::size_t at = 0; at < whole.size(); at += 1 + whole.size() / 1500)

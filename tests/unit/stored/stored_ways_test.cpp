@@ -1,5 +1,6 @@
 // Where one can stand and the rooms found there, kept for the next start.
 #include "worlds/stored/stored_ways.h"
+#include "tests/support/project_root.h"
 
 #include <gmock/gmock.h>
 #include <zlib.h>
@@ -26,7 +27,7 @@ struct World {
     WaysFrom from;
 
     explicit World(const char* file, double radius_m = 0.25) {
-        Result<Scene> read = read_world(fs::path(HANDRAIL_SOURCE_DIR) / file);
+        Result<Scene> read = read_world(test::project_root() / file);
         EXPECT_TRUE(read.has_value());
         if (!read) return;
         scene = std::move(*read);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "tests/support/project_files.h"
+#include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/base/language.h"
 
@@ -194,7 +195,7 @@ TEST(LanguageFiles, have_every_key_that_the_code_names_and_no_other) {
     std::set<std::string> named;
     for (const std::string& file : test::project_files()) {
         if (!is_program_source(file)) continue;
-        const std::string source = test::content_of(HANDRAIL_SOURCE_DIR "/" + file);
+        const std::string source = test::content_of(test::project_root() / file);
         for (auto it = std::sregex_iterator(source.begin(), source.end(), kCall); it != std::sregex_iterator(); ++it)
             EXPECT_TRUE(english.contains((*it)[1]))
                 << file << " says " << (*it)[1] << ", which settings/languages/en.toml lacks";
@@ -212,7 +213,7 @@ TEST(LanguageFiles, have_every_key_that_the_code_names_and_no_other) {
 }
 
 TEST(LanguageFiles, name_the_sides_that_maps_can_name) {
-    const std::string reader = test::content_of(HANDRAIL_SOURCE_DIR "/worlds/readers/map_keys.cpp");
+    const std::string reader = test::content_of((test::project_root() / "worlds/readers/map_keys.cpp").string());
     std::size_t sides = 0;
     for (const auto& [key, pattern] : texts_of("en"))
         if (key.starts_with("side.")) {
@@ -228,7 +229,7 @@ TEST(LanguageFiles, hold_every_text_that_a_person_hears) {
         if (!is_program_source(file)) continue;
         const auto& allowed = not_said();
         const auto excused = allowed.find(file);
-        for (const Literal& literal : literals_of(test::content_of(HANDRAIL_SOURCE_DIR "/" + file))) {
+        for (const Literal& literal : literals_of(test::content_of(test::project_root() / file))) {
             ++looked_at;
             const bool fine = excused != allowed.end() &&
                               std::any_of(excused->second.begin(), excused->second.end(), [&](const std::string& part) {

@@ -4,6 +4,7 @@
 
 #include "tests/support/precompiled.h"
 #include "tests/support/project_files.h"
+#include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 
 namespace handrail {
@@ -199,8 +200,7 @@ TEST(Classes, of_the_app_are_small) {
     std::size_t looked_at = 0;
     for (const std::string& file : test::project_files()) {
         if (!is_app(file)) continue;
-        for (const auto& [name, size] :
-             classes_of(test::content_of(std::filesystem::path(HANDRAIL_SOURCE_DIR) / file))) {
+        for (const auto& [name, size] : classes_of(test::content_of(test::project_root() / file))) {
             ++looked_at;
             EXPECT_LE(size.public_functions, kMostPublicFunctions) << name << " in " << file << ": public functions";
             EXPECT_LE(size.members, kMostMembers) << name << " in " << file << ": members";
@@ -213,7 +213,7 @@ TEST(Files, of_the_app_are_short) {
     std::size_t looked_at = 0;
     for (const std::string& file : test::project_files()) {
         if (!is_app(file)) continue;
-        const std::string text = test::content_of(std::filesystem::path(HANDRAIL_SOURCE_DIR) / file);
+        const std::string text = test::content_of(test::project_root() / file);
         ++looked_at;
         EXPECT_LE(std::count(text.begin(), text.end(), '\n'), kMostLinesOfApp) << file;
     }
@@ -223,7 +223,7 @@ TEST(Files, of_the_app_are_short) {
 TEST(Lines, of_sources_have_at_most_120_columns) {
     for (const std::string& file : test::project_files()) {
         if (!file.ends_with(".h") && !file.ends_with(".cpp") && !file.ends_with(".c")) continue;
-        std::istringstream text(test::content_of(std::filesystem::path(HANDRAIL_SOURCE_DIR) / file));
+        std::istringstream text(test::content_of(test::project_root() / file));
         int number = 0;
         for (std::string line; std::getline(text, line);) {
             ++number;

@@ -8,13 +8,14 @@
 #include <sstream>
 
 #include "tests/support/project_files.h"
+#include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 
 namespace handrail {
 namespace structure_test {
 namespace fs = std::filesystem;
 
-const fs::path kRoot = HANDRAIL_SOURCE_DIR;
+const fs::path kRoot = test::project_root();
 
 constexpr const char* kProgram[] = {"app/", "audio-cues/", "haptic/", "settings/", "worlds/"};
 

@@ -5,14 +5,14 @@
 
 #include <set>
 
+#include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/base/files.h"
 
 namespace handrail {
 namespace lesson_file_test {
 
-const std::filesystem::path kSeed =
-    std::filesystem::path(HANDRAIL_SOURCE_DIR) / "tests/fuzz/inputs/lesson/seeds/everything.lesson.toml";
+const std::filesystem::path kSeed = test::project_root() / "tests/fuzz/inputs/lesson/seeds/everything.lesson.toml";
 
 // The seed with a world beside it.
 class Given {

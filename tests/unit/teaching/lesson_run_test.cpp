@@ -10,6 +10,7 @@
 #include "app/core/session/headless_session.h"
 #include "app/teaching/desk.h"
 #include "audio-cues/sinks/recording_sinks.h"
+#include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/worlds_once.h"
 #include "worlds/readers/reader.h"
@@ -17,7 +18,7 @@
 namespace handrail {
 namespace lesson_run_test {
 
-const std::filesystem::path kWorlds = std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds/maps";
+const std::filesystem::path kWorlds = test::project_root() / "worlds/maps";
 
 std::shared_ptr<const Scene> scene_of(const char* name) { return test::world_once(kWorlds / name); }
 const std::shared_ptr<TaughtWorld>& school() {

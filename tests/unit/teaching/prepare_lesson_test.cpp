@@ -6,13 +6,14 @@
 #include "app/core/session/headless_session.h"
 #include "app/teaching/taught_world.h"
 #include "audio-cues/sinks/recording_sinks.h"
+#include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/worlds_once.h"
 
 namespace handrail {
 namespace prepare_lesson_test {
 
-const std::filesystem::path kSchool = std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds/maps/school.map";
+const std::filesystem::path kSchool = test::project_root() / "worlds/maps/school.map";
 
 class Instructor {
 public:

@@ -9,6 +9,7 @@
 
 #include "app/main/commands.h"
 #include "tests/support/project_files.h"
+#include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 
 namespace handrail::test {
@@ -71,7 +72,7 @@ TEST(Transcript, differs_where_anything_differs_in_a_single_bit) {
 
 std::string transcript_of_a_wall(const fs::path& folder) {
     ScenarioArguments arguments;
-    arguments.paths = {fs::path(HANDRAIL_SOURCE_DIR) / "tests" / "scenarios" / "03_first_wall_keyboard.toml"};
+    arguments.paths = {test::project_root() / "tests" / "scenarios" / "03_first_wall_keyboard.toml"};
     arguments.transcripts = folder;
     std::ostringstream out, err;
     EXPECT_EQ(run_scenarios(arguments, out, err), 0) << out.str() << err.str();
@@ -90,7 +91,7 @@ TEST(Transcript, that_cannot_be_written_is_told_and_fails) {
     const TemporaryFolder folder;
     std::ofstream(folder.path() / "taken") << "a file";
     ScenarioArguments arguments;
-    arguments.paths = {fs::path(HANDRAIL_SOURCE_DIR) / "tests" / "scenarios" / "03_first_wall_keyboard.toml"};
+    arguments.paths = {test::project_root() / "tests" / "scenarios" / "03_first_wall_keyboard.toml"};
     arguments.transcripts = folder.path() / "taken";
     std::ostringstream out, err;
     EXPECT_EQ(run_scenarios(arguments, out, err), 1);

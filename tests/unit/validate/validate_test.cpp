@@ -7,6 +7,7 @@
 #include "app/core/world/walker.h"
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/render/validate_scene.h"
+#include "tests/support/project_root.h"
 #include "worlds/geometry/bezier_patch.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/navigation/validate_ways.h"
@@ -15,7 +16,7 @@
 namespace handrail {
 namespace validate_test {
 
-std::filesystem::path file_of(const char* name) { return std::filesystem::path(HANDRAIL_SOURCE_DIR) / name; }
+std::filesystem::path file_of(const char* name) { return test::project_root() / name; }
 
 Scene world(const char* name) {
     auto scene = read_world(file_of(name));

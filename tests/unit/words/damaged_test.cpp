@@ -1,6 +1,7 @@
 // Whatever a text holds, it becomes a world or one sentence.
 #include <random>
 
+#include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/words/words_text.h"
 
@@ -9,8 +10,7 @@ namespace words_damaged_test {
 
 std::vector<std::string> seeds() {
     std::vector<std::string> texts;
-    for (const auto& file : std::filesystem::directory_iterator(std::filesystem::path(HANDRAIL_SOURCE_DIR) /
-                                                                "tests/fuzz/inputs/rooms/seeds"))
+    for (const auto& file : std::filesystem::directory_iterator(test::project_root() / "tests/fuzz/inputs/rooms/seeds"))
         texts.push_back(test::content_of(file.path()));
     std::sort(texts.begin(), texts.end());
     return texts;

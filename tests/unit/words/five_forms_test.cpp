@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "tests/support/project_root.h"
 #include "tests/support/scale.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/words/other_forms.h"
@@ -15,7 +16,7 @@ namespace handrail {
 namespace words_five_forms_test {
 
 std::string ifc_text(const std::string& name) {
-    return test::content_of(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "tests/unit/ifc/worlds" / name);
+    return test::content_of(test::project_root() / "tests/unit/ifc/worlds" / name);
 }
 
 Scene world_of(Result<Scene> read) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "tests/support/project_root.h"
 #include "tests/support/scale.h"
 #include "tests/unit/words/other_forms.h"
 #include "tests/unit/words/words_text.h"
@@ -142,7 +143,7 @@ WordsHouse on_the_middles_of_walls(WordsHouse house, const Scene& scene) {
 
 // The house without what stands in it: things that are no water.
 std::string bare_house() {
-    const std::string text = test::content_of(std::string(HANDRAIL_SOURCE_DIR) + "/worlds/maps/house.map");
+    const std::string text = test::content_of((test::project_root() / "worlds/maps/house.map").string());
     std::string kept, entity;
     int depth = 0;
     for (std::size_t from = 0; from < text.size();) {

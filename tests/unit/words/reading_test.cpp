@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/words/words_text.h"
 #include "worlds/navigation/navigation.h"
@@ -218,8 +219,7 @@ TEST(RoomsInWords, windows_editors_and_latin_letters_are_read) {
 }
 
 TEST(RoomsInWords, the_example_of_the_authors_guide_is_understood_to_the_last_word) {
-    const std::string guide =
-        test::content_of(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "docs/map-authors-guide/words.md");
+    const std::string guide = test::content_of(test::project_root() / "docs/map-authors-guide/words.md");
     const std::size_t from = guide.find("    Building: Town library."), to = guide.find("A sentence ends with", from);
     ASSERT_NE(to, std::string::npos);
     std::string example;

@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "tests/support/project_root.h"
 #include "tests/support/scale.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/words/words_text.h"
@@ -151,7 +152,7 @@ Graph graph_of(const WordsHouse& house) {
 }
 
 void expect_map_comes_back(const std::string& map) {
-    const std::string path = std::string(HANDRAIL_SOURCE_DIR) + "/worlds/maps/" + map;
+    const std::string path = (test::project_root() / "worlds/maps/").string() + map;
     const Result<Scene> scene = read_world(path);
     ASSERT_TRUE(scene.has_value());
     const Result<WalkSpace> space = make_walk_space(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
@@ -249,8 +250,7 @@ TEST(WrittenInWords, the_school_comes_back_with_the_same_rooms_and_doors) { expe
 TEST(WrittenInWords, the_first_room_comes_back) { expect_map_comes_back("first_room.map"); }
 
 TEST(WrittenInWords, a_building_from_openstreetmap_comes_back) {
-    const std::string osm =
-        test::content_of(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "tests/unit/osm/worlds/test_house.osm");
+    const std::string osm = test::content_of(test::project_root() / "tests/unit/osm/worlds/test_house.osm");
     const Result<Scene> scene = read_osm(osm, "house.osm");
     ASSERT_TRUE(scene.has_value());
     const std::string written = text_of(stated_house(*scene, WordLanguage::English), *scene, WordLanguage::English);
