@@ -105,7 +105,7 @@ std::string fault_of_test_program(const std::string& name, const Words& options)
     if (!std::regex_search(kLists, std::regex(R"((handrail_test|add_executable)\()" + name + "\\b")) &&
         name != "handrail")
         return "no program is named " + name;
-    const fs::path program = fs::path(test::built_program("handrail")).parent_path() / name;
+    const fs::path program = test::built_program(name);
     if (!fs::exists(program)) return {};  // not built in this preset
     for (const std::string& option : options) {
         const bool gtest = option.starts_with("--gtest_filter="), speed = option.starts_with("--benchmark_filter=");

@@ -23,10 +23,9 @@ protected:
         fs::create_directories(folder_.path() / "bin");
         fs::copy_file(test::built_program("handrail"), program());
         // As the real reader tells of itself (reader_process), and then the real reader.
-        const fs::path reader = folder_.write(
-            "bin/handrail-reader",
-            "#!/bin/sh\nprintf 'p40\\nsimport.shapes\\n' >&4\nsleep 3\nexec '" +
-                (fs::path(test::built_program("handrail")).parent_path() / "handrail-reader").string() + "' \"$@\"\n");
+        const fs::path reader =
+            folder_.write("bin/handrail-reader", "#!/bin/sh\nprintf 'p40\\nsimport.shapes\\n' >&4\nsleep 3\nexec '" +
+                                                     test::built_program("handrail-reader") + "' \"$@\"\n");
         fs::permissions(reader, fs::perms::owner_all);
         world_ = folder_.write("hall.rooms",
                                "Building: Slow hall.\nHall, 8 by 6 metres.\nDoor outside in the south wall.\n");
