@@ -1,5 +1,5 @@
-// What the address sanitizer looks for besides its own in programs of tests that take seconds. It doubles what runs, so the long ones go without: what they call
-// these call too.
+// What the address sanitizer looks for besides its own in programs of tests that take seconds. It doubles what runs, so
+// the long ones go without: what they call these call too.
 
 extern "C" const char* __asan_default_options();
 
