@@ -117,13 +117,16 @@ Result<ScenarioText> scenario_of(const Recording& recording, const std::string& 
     std::vector<std::string> expected;
     std::set<std::string> told_by_program;
     bool over = false, expects = true;
+    // A scenario has the rooms of its world at once: what was answered before they were found it answers otherwise.
+    const auto entered = [](const RecordedLine& line) { return line.is == "room_entered"; };
+    bool rooms_known = std::none_of(recording.lines.begin(), recording.lines.end(), entered);
     for (const RecordedLine& line : recording.lines) {
         if (over) break;
-        if (line.is == "said" && !world.empty() && expects) {
+        rooms_known = rooms_known || entered(line);
+        if (line.is == "said" && !world.empty() && expects && rooms_known) {
             const Json json = Json::parse(line.json, nullptr, false);
             const std::string text = json.value("text", std::string());
             if (json.value("class", std::string()) == "answer" && json.value("voiced", false) &&
-                // A scenario has the rooms of its world at once.
                 text != phrase("rooms.not_yet") && text.find('|') == std::string::npos &&
                 line.t_s + recording.head.begun_s > writer.begun_s + 0.5)
                 expected.push_back(text);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include "tests/support/scale.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/voices/exploring.h"
 #include "tests/voices/speech_server.h"
@@ -51,6 +52,9 @@ TEST_F(ProgramSpeaking, through_the_speech_server_says_each_line_of_text_there_a
 }
 
 TEST_F(ProgramSpeaking, goes_on_when_the_speech_server_is_killed_and_takes_it_back_when_it_returns) {
+    // libspeechd cancels its thread; while g++ 12's sanitizer looks up names for what it suppresses there, that thread
+    // never ends and holds up all others.
+    if (test::kThreadSanitizer) GTEST_SKIP() << "SpeechdVoice.a_killed_server_* runs the same threads";
     ASSERT_NO_FATAL_FAILURE(explore());
     if (!program) return;
     server->kill();

@@ -452,7 +452,6 @@ TEST_F(WholeLesson, is_prepared_taught_measured_played_again_and_forgotten) { wh
 
 // Shares of right names are the same under a sanitizer, and walked long for.
 TEST_F(WholeLesson, calls_walks_of_three_kinds_by_their_names) {
-    if (test::kThreadSanitizer) GTEST_SKIP() << "its threads are those of the lesson in our school";
     if (kSanitizerScale == 1.0) expect_right_names(prepared(our_school()), our_school().world);
 }
 
