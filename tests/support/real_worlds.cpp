@@ -1,7 +1,8 @@
 #include "tests/support/real_worlds.h"
-#include "tests/support/project_root.h"
 
 #include <cstdlib>
+
+#include "tests/support/project_root.h"
 
 namespace handrail::test {
 

@@ -1,5 +1,4 @@
 #include "tests/voices/speech_server.h"
-#include "tests/support/project_root.h"
 
 #include <signal.h>
 
@@ -7,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 
 namespace handrail::test {

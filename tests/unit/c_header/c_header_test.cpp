@@ -13,7 +13,7 @@
 namespace handrail {
 namespace c_header_test {
 
-const std::string kHouse = (test::project_root() / "worlds/maps/house.map").string();
+const std::string kHouse = test::bundled_world("house.map");
 
 using World = std::unique_ptr<handrail_world, void (*)(handrail_world*)>;
 using Hand = std::unique_ptr<handrail_hand, void (*)(handrail_hand*)>;

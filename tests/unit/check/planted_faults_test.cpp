@@ -22,7 +22,7 @@ namespace handrail {
 namespace planted_faults_test {
 
 const std::string& school() {
-    static const std::string kText = test::content_of((test::project_root() / "worlds/maps/school.map").string());
+    static const std::string kText = test::content_of(test::bundled_world("school.map"));
     return kText;
 }
 
@@ -359,7 +359,7 @@ Outcome check(const std::filesystem::path& world, bool json) {
 
 TEST(CheckCommand, ends_with_0_where_nothing_blocks_and_with_1_where_something_does) {
     const test::TemporaryFolder folder;
-    const Outcome good = check((test::project_root() / "worlds/maps/school.map").string(), false);
+    const Outcome good = check(test::bundled_world("school.map"), false);
     EXPECT_EQ(good.status, 0);
     EXPECT_EQ(good.out, "School, from school.map: nothing to mend.\n");
     const Outcome unnamed =

@@ -55,7 +55,7 @@ TEST(CarriedLines, leave_a_world_without_a_floor_in_which_one_falls_for_ever) {
 }
 
 TEST(CarriedLines, leave_when_what_was_typed_before_has_been_done) {
-    const auto house = read_world((test::project_root() / "worlds/maps/house.map").string());
+    const auto house = read_world(test::bundled_world("house.map"));
     ASSERT_TRUE(house);
     Typed typed(std::make_shared<const Scene>(*house));
     typed.run(0.5);
@@ -69,7 +69,7 @@ TEST(CarriedLines, leave_when_what_was_typed_before_has_been_done) {
 
 // The house has a room of that name and a thing whose name begins so.
 TEST(CarriedLines, look_for_a_room_by_its_name_before_things_that_begin_so) {
-    const auto house = read_world((test::project_root() / "worlds/maps/house.map").string());
+    const auto house = read_world(test::bundled_world("house.map"));
     ASSERT_TRUE(house);
     for (const auto& [line, answer] :
          {std::pair("where is the kitchen", "To Kitchen. "),

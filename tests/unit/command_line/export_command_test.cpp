@@ -26,7 +26,7 @@ Outcome run(std::vector<std::string> words) {
     return outcome;
 }
 
-std::string house() { return (test::project_root() / "worlds/maps/house.map").string(); }
+std::string house() { return test::bundled_world("house.map"); }
 
 TEST(ExportCommand, writes_a_sheet_its_key_and_samples_and_tells_what_was_simplified) {
     const TemporaryFolder folder;

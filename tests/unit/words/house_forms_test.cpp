@@ -143,7 +143,7 @@ WordsHouse on_the_middles_of_walls(WordsHouse house, const Scene& scene) {
 
 // The house without what stands in it: things that are no water.
 std::string bare_house() {
-    const std::string text = test::content_of((test::project_root() / "worlds/maps/house.map").string());
+    const std::string text = test::content_of(test::bundled_world("house.map"));
     std::string kept, entity;
     int depth = 0;
     for (std::size_t from = 0; from < text.size();) {
