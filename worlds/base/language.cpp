@@ -161,6 +161,7 @@ std::string fill(const Language& language, const std::string& pattern, std::init
 // What keeps `pattern` from standing for English's text under `key`, in a sentence; nothing if it may.
 std::string misfit(const std::string& key, const std::string& pattern) {
     std::vector<std::string> asked, offered;
+    if (pattern.empty()) return phrase("language.empty_text", {{"key", key}});
     if (const std::string fault = pattern_fault(pattern, &asked); !fault.empty())
         return phrase("language.bad_pattern", {{"key", key}, {"fault", fault}});
     const std::string* original = find(english(), key);
@@ -188,7 +189,10 @@ std::string phrase(std::string_view key, std::initializer_list<TextValue> values
         if (const std::string* pattern = find(english(), typed); pattern && !find(language, key))
             return fill(english(), *pattern, values);
     }
-    if (const std::string* pattern = find(language, key)) return fill(language, *pattern, values);
+    if (const std::string* pattern = find(language, key)) {
+        std::string said = fill(language, *pattern, values);
+        if (!said.empty() || &language == &english()) return said;  // no language makes silent what English says
+    }
     if (const std::string* pattern = find(english(), key)) return fill(english(), *pattern, values);
     return std::string(key);
 }

@@ -1,4 +1,8 @@
 // Entry point for libFuzzer: parsers_fuzzer NAME [what libFuzzer takes]; without a name it lists the names.
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 
@@ -6,7 +10,22 @@
 
 namespace {
 const handrail::fuzz::Harness* chosen = nullptr;
+
+// Of the processor, unlike libFuzzer's own -timeout: beside other work, one second of it may take a minute.
+constexpr time_t kMostSeconds = 10;
+
+// A signal handler: it may call what is safe in one only.
+void end_as_too_slow(int) {
+    constexpr char kSentence[] = "This input takes more than 10 s of the processor.\n";
+    (void)!write(STDERR_FILENO, kSentence, sizeof kSentence - 1);
+    std::abort();
 }
+
+void allow(time_t seconds) {
+    const itimerval limit{{0, 0}, {seconds, 0}};
+    setitimer(ITIMER_PROF, &limit, nullptr);
+}
+}  // namespace
 
 extern "C" int LLVMFuzzerInitialize(int* argument_count, char*** arguments) {
     if (*argument_count > 1)
@@ -19,11 +38,14 @@ extern "C" int LLVMFuzzerInitialize(int* argument_count, char*** arguments) {
     }
     for (int i = 1; i + 1 < *argument_count; ++i) (*arguments)[i] = (*arguments)[i + 1];
     --*argument_count;
+    std::signal(SIGPROF, end_as_too_slow);
     return 0;
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    allow(kMostSeconds);
     const std::string fault = chosen->fault({reinterpret_cast<const char*>(data), size});
+    allow(0);
     if (!fault.empty()) {
         std::fprintf(stderr, "%s\n", fault.c_str());
         std::abort();

@@ -86,6 +86,21 @@ TEST(SpeakLanguage, names_every_text_that_does_not_fit_and_uses_the_bundled_one_
     ASSERT_TRUE(speak_language("en"));
 }
 
+TEST(SpeakLanguage, makes_nothing_silent_that_english_says) {
+    const test::TemporaryFolder folder;
+    write(folder.path() / "nl.toml",
+          "[error]\nline = \"\"\ncolumn = \"{column, plural, =1 {} other {kolom {column}}}\"\n");
+    const auto spoken = speak_language("nl", folder.path());
+    ASSERT_TRUE(spoken) << spoken.error().sentence();
+    ASSERT_EQ(spoken->size(), 1U);
+    EXPECT_EQ(spoken->front().line, 2);
+    EXPECT_EQ(spoken->front().message, phrase("language.empty_text", {{"key", "error.line"}}));
+    EXPECT_EQ(phrase("error.line", {{"line", 3}}), "line 3");
+    EXPECT_EQ(phrase("error.column", {{"column", 2}}), "kolom 2");
+    EXPECT_EQ(phrase("error.column", {{"column", 1}}), "column 1") << "nothing in this language for this one";
+    ASSERT_TRUE(speak_language("en"));
+}
+
 TEST(SpeakLanguage, tells_what_is_wrong_with_ones_own_texts_of_a_bundled_language_in_that_language) {
     const test::TemporaryFolder folder;
     write(folder.path() / "de.toml", "error.nothing = \"nichts\"\n");

@@ -28,6 +28,24 @@ TEST(OsmTorture, cut_at_any_byte_it_is_told) {
     EXPECT_THAT(read_osm(whole.substr(0, 200), "cut.osm").error().sentence(), HasSubstr("line 6"));
 }
 
+TEST(OsmTorture, coordinates_with_any_power_of_ten_become_a_place_or_a_sentence) {
+    for (const char* power : {"e0", "e-7", "e2", "e9", "e11", "e18", "e19", "e63", "e64", "e139", "e13964", "e99999"}) {
+        std::string plan = small_plan();
+        plan.replace(plan.find("13.0001"), 7, std::string("13.0001") + power);
+        const Result<Scene> scene = read_osm(plan, "power.osm");
+        EXPECT_TRUE(scene.has_value() || !scene.error().sentence().empty()) << power;
+    }
+    const auto with = [](const char* longitude) {
+        std::string plan = small_plan();
+        for (std::size_t at = 0; (at = plan.find("13.0001", at)) != std::string::npos; ++at)
+            plan.replace(at, 7, longitude);
+        return read_osm(plan, "power.osm");
+    };
+    ASSERT_TRUE(with("130001e-4").has_value());
+    EXPECT_EQ(with("130001e-4")->triangles.size(), with("13.0001")->triangles.size());
+    EXPECT_FALSE(with("13.0001e9").has_value());
+}
+
 // A file of which some bytes and numbers are others.
 std::string mutated(const std::string& text, std::mt19937& random) {
     std::string other = text;
