@@ -33,7 +33,7 @@ void WindowInput::take(WizardSession* wizard) {
             acts_.take(*key, wizard, now_s);
         } else if (const auto* text = std::get_if<TextEvent>(&event)) {
             acts_.take_text(text->utf8, wizard, now_s);
-        } else if (const auto* motion = std::get_if<HandMotion>(&event)) {
+        } else if (const auto* motion = std::get_if<HandDragged>(&event)) {
             app_.apply(HandMoved{motion->by_m}, now_s);
         } else if (const auto* focus = std::get_if<FocusChange>(&event)) {
             app_.apply(FocusChanged{focus->focused}, now_s);

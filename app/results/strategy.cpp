@@ -10,8 +10,8 @@ namespace {
 constexpr double kDegree_rad = std::numbers::pi / 180.0;
 
 double flat_way_m(const Vec3& a, const Vec3& b) { return std::hypot(b.x - a.x, b.y - a.y); }
-double length_of(const Leg& leg) { return flat_way_m(leg.from_m, leg.to_m); }
-double course_of(const Leg& leg) { return std::atan2(leg.to_m.x - leg.from_m.x, leg.to_m.y - leg.from_m.y); }
+double length_of(const WalkedLeg& leg) { return flat_way_m(leg.from_m, leg.to_m); }
+double course_of(const WalkedLeg& leg) { return std::atan2(leg.to_m.x - leg.from_m.x, leg.to_m.y - leg.from_m.y); }
 double turn_between(double a_rad, double b_rad) {
     return std::abs(std::remainder(b_rad - a_rad, 2.0 * std::numbers::pi));
 }
@@ -54,23 +54,23 @@ std::vector<std::size_t> cuts_of(std::span<const WalkSample> walk, const Strateg
     return done;
 }
 
-std::vector<Leg> cut_legs(std::span<const WalkSample> walk, const Vec3& base_m, const StrategyTuning& tuning) {
-    std::vector<Leg> legs;
+std::vector<WalkedLeg> cut_legs(std::span<const WalkSample> walk, const Vec3& base_m, const StrategyTuning& tuning) {
+    std::vector<WalkedLeg> legs;
     const std::vector<std::size_t> cuts = cuts_of(walk, tuning);
     double touched_s = -1e9;
     for (std::size_t c = 1; c < cuts.size(); ++c) {
         const WalkSample &from = walk[cuts[c - 1]], &to = walk[cuts[c]];
-        Leg leg{from.t_s,
-                to.t_s,
-                from.place_m,
-                to.place_m,
-                0.0,
-                0.0,
-                from.thing,
-                to.thing,
-                at_base(from, base_m, tuning),
-                at_base(to, base_m, tuning),
-                Strategy::Mixed};
+        WalkedLeg leg{from.t_s,
+                      to.t_s,
+                      from.place_m,
+                      to.place_m,
+                      0.0,
+                      0.0,
+                      from.thing,
+                      to.thing,
+                      at_base(from, base_m, tuning),
+                      at_base(to, base_m, tuning),
+                      Strategy::Mixed};
         double near_m = 0.0;
         for (std::size_t i = cuts[c - 1] + 1; i <= cuts[c]; ++i) {
             if (walk[i].wall_touched) touched_s = walk[i].t_s;
@@ -86,15 +86,15 @@ std::vector<Leg> cut_legs(std::span<const WalkSample> walk, const Vec3& base_m, 
 }
 
 // What a bend parted and goes on much the same way is one leg again.
-void join_straight(std::vector<Leg>& legs, const StrategyTuning& tuning) {
+void join_straight(std::vector<WalkedLeg>& legs, const StrategyTuning& tuning) {
     constexpr double kSlack_m = 0.2;
-    std::vector<Leg> joined;
-    for (const Leg& leg : legs) {
+    std::vector<WalkedLeg> joined;
+    for (const WalkedLeg& leg : legs) {
         if (joined.empty()) {
             joined.push_back(leg);
             continue;
         }
-        Leg& last = joined.back();
+        WalkedLeg& last = joined.back();
         const double way_m = last.way_m + leg.way_m;
         if (last.to_thing >= 0 || leg.from_thing >= 0 || last.to_base ||
             turn_between(course_of(last), course_of(leg)) >= tuning.merge_deg * kDegree_rad ||
@@ -113,7 +113,7 @@ void join_straight(std::vector<Leg>& legs, const StrategyTuning& tuning) {
 }
 
 // Two lanes of one grid: beside each other, there and back.
-bool are_lanes(const Leg& a, const Leg& b, const StrategyTuning& tuning) {
+bool are_lanes(const WalkedLeg& a, const WalkedLeg& b, const StrategyTuning& tuning) {
     const double long_m = length_of(a), other_m = length_of(b);
     if (other_m < 0.5 * long_m || long_m < 0.5 * other_m) return false;
     const double course = course_of(a);
@@ -125,9 +125,9 @@ bool are_lanes(const Leg& a, const Leg& b, const StrategyTuning& tuning) {
     return beside_m >= tuning.lane_low_m && beside_m <= tuning.lane_high_m && along_m < 0.5 * long_m;
 }
 
-bool visits(const Leg& leg) { return leg.from_thing >= 0 || leg.to_thing >= 0; }
+bool visits(const WalkedLeg& leg) { return leg.from_thing >= 0 || leg.to_thing >= 0; }
 
-void find_lanes(std::vector<Leg>& legs, const StrategyTuning& tuning) {
+void find_lanes(std::vector<WalkedLeg>& legs, const StrategyTuning& tuning) {
     for (std::size_t i = 0; i < legs.size(); ++i) {
         if (length_of(legs[i]) < tuning.lane_m || legs[i].wall_share >= tuning.wall_share) continue;
         const std::size_t first = i - std::min(i, tuning.lane_within);
@@ -137,7 +137,7 @@ void find_lanes(std::vector<Leg>& legs, const StrategyTuning& tuning) {
     }
 }
 
-Strategy kind_of(const Leg& leg, bool between_lanes, const StrategyTuning& tuning) {
+Strategy kind_of(const WalkedLeg& leg, bool between_lanes, const StrategyTuning& tuning) {
     const bool from_thing_to_thing = leg.from_thing >= 0 && leg.to_thing >= 0 && leg.from_thing != leg.to_thing;
     if (!visits(leg) && (leg.kind == Strategy::Grid || between_lanes)) return Strategy::Grid;
     if ((leg.from_base || leg.to_base) && visits(leg) && !from_thing_to_thing) return Strategy::BackToBase;
@@ -145,7 +145,7 @@ Strategy kind_of(const Leg& leg, bool between_lanes, const StrategyTuning& tunin
     return visits(leg) ? Strategy::ObjectToObject : Strategy::Mixed;
 }
 
-void name_legs(std::vector<Leg>& legs, const StrategyTuning& tuning) {
+void name_legs(std::vector<WalkedLeg>& legs, const StrategyTuning& tuning) {
     constexpr double kStep_m = 0.4;  // that a leg between two lanes may be longer than they lie apart
     for (std::size_t i = 0; i < legs.size(); ++i) {
         const bool between = i > 0 && i + 1 < legs.size() && legs[i - 1].kind == Strategy::Grid &&
@@ -156,18 +156,18 @@ void name_legs(std::vector<Leg>& legs, const StrategyTuning& tuning) {
 
 // Legs without a visit on a way that is direct enough are of the kind of that way, from one visit or the base to the
 // next.
-void name_ways(std::vector<Leg>& legs, const StrategyTuning& tuning) {
+void name_ways(std::vector<WalkedLeg>& legs, const StrategyTuning& tuning) {
     constexpr double kSlack_m = 0.5;
     for (std::size_t first = 0; first < legs.size();) {
         std::size_t last = first;
         double way_m = legs[first].way_m;
         while (last + 1 < legs.size() && legs[last].to_thing < 0 && !legs[last].to_base) way_m += legs[++last].way_m;
-        const Leg &a = legs[first], &b = legs[last];
+        const WalkedLeg &a = legs[first], &b = legs[last];
         const bool ends = b.to_thing >= 0 || b.to_base;
         const bool based = (a.from_base && b.to_thing >= 0) || (b.to_base && a.from_thing >= 0);
         const bool along_wall = std::any_of(legs.begin() + static_cast<std::ptrdiff_t>(first),
                                             legs.begin() + static_cast<std::ptrdiff_t>(last) + 1,
-                                            [](const Leg& leg) { return leg.kind == Strategy::Perimeter; });
+                                            [](const WalkedLeg& leg) { return leg.kind == Strategy::Perimeter; });
         if (ends && last > first && !along_wall && way_m <= tuning.direct * flat_way_m(a.from_m, b.to_m) + kSlack_m &&
             (based || (a.from_thing >= 0 && b.to_thing >= 0)))
             for (std::size_t i = first; i <= last; ++i)
@@ -178,9 +178,9 @@ void name_ways(std::vector<Leg>& legs, const StrategyTuning& tuning) {
 
 }  // namespace
 
-std::vector<Leg> legs_of(std::span<const WalkSample> walk, const Vec3& base_m, const StrategyTuning& tuning) {
+std::vector<WalkedLeg> legs_of(std::span<const WalkSample> walk, const Vec3& base_m, const StrategyTuning& tuning) {
     if (walk.size() < 2) return {};
-    std::vector<Leg> legs = cut_legs(walk, base_m, tuning);
+    std::vector<WalkedLeg> legs = cut_legs(walk, base_m, tuning);
     join_straight(legs, tuning);
     find_lanes(legs, tuning);
     name_legs(legs, tuning);
@@ -192,16 +192,16 @@ std::vector<StrategyWindow> strategy_windows(std::span<const WalkSample> walk, c
                                              const StrategyTuning& tuning) {
     std::vector<StrategyWindow> windows;
     if (walk.size() < 3) return windows;
-    const std::vector<Leg> legs = legs_of(walk, base_m, tuning);
+    const std::vector<WalkedLeg> legs = legs_of(walk, base_m, tuning);
     const double first_s = walk.front().t_s, last_s = walk.back().t_s;
     for (double to_s = first_s + tuning.least_s; to_s <= last_s + 1e-6; to_s += tuning.step_s) {
         double from_s = to_s - tuning.least_s;
         const auto begun =
-            std::partition_point(legs.begin(), legs.end(), [to_s](const Leg& leg) { return leg.from_s < to_s; });
+            std::partition_point(legs.begin(), legs.end(), [to_s](const WalkedLeg& leg) { return leg.from_s < to_s; });
         const auto count = std::min<std::ptrdiff_t>(begun - legs.begin(), static_cast<std::ptrdiff_t>(tuning.legs));
         if (count > 0) from_s = std::min(from_s, (begun - count)->from_s);
         StrategyWindow window{std::max({from_s, to_s - tuning.most_s, first_s}), to_s, Strategy::None, 0.0, {}};
-        for (const Leg& leg : legs) {
+        for (const WalkedLeg& leg : legs) {
             const double part_s = std::min(leg.to_s, to_s) - std::max(leg.from_s, window.from_s);
             if (part_s <= 0.0) continue;
             const double way_m = leg.way_m * part_s / (leg.to_s - leg.from_s);

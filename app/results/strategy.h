@@ -40,7 +40,7 @@ struct StrategyTuning {
     double share = 0.5;  // of the way of a window names it
 };
 
-struct Leg {
+struct WalkedLeg {
     double from_s = 0.0, to_s = 0.0;
     Vec3 from_m{0.0}, to_m{0.0};
     double way_m = 0.0;
@@ -50,7 +50,7 @@ struct Leg {
     Strategy kind = Strategy::Mixed;
 };
 // With their kinds.
-std::vector<Leg> legs_of(std::span<const WalkSample> walk, const Vec3& base_m, const StrategyTuning& tuning = {});
+std::vector<WalkedLeg> legs_of(std::span<const WalkSample> walk, const Vec3& base_m, const StrategyTuning& tuning = {});
 
 struct StrategyWindow {
     double from_s = 0.0, to_s = 0.0;

@@ -208,11 +208,11 @@ private:
     // Motions that follow each other are one.
     void move_hand(const Vec3& by_m) {
         if (!events_.empty())
-            if (auto* last = std::get_if<HandMotion>(&events_.back())) {
+            if (auto* last = std::get_if<HandDragged>(&events_.back())) {
                 last->by_m += by_m;
                 return;
             }
-        events_.emplace_back(HandMotion{by_m});
+        events_.emplace_back(HandDragged{by_m});
     }
 
     bool initialised_ = false;

@@ -20,7 +20,7 @@ namespace handrail {
 
 // The simulated hand was moved with the mouse: hand metres to the right, forward and up. Dragging with the left button
 // moves it in the level plane, with the right button right and up; a notch of the wheel is one kHandMetresPerNotch up.
-struct HandMotion {
+struct HandDragged {
     Vec3 by_m{0.0};
 };
 inline constexpr double kHandMetresPerPixel = 0.0002;  // 15 cm, a device's reach, across 750 pixels
@@ -38,7 +38,7 @@ struct TextEvent {
 // The person closed the window, or the display went away. The window stays until it is destroyed.
 struct CloseRequest {};
 
-using WindowEvent = std::variant<KeyEvent, TextEvent, HandMotion, FocusChange, CloseRequest>;
+using WindowEvent = std::variant<KeyEvent, TextEvent, HandDragged, FocusChange, CloseRequest>;
 
 struct WindowOptions {
     std::string title = "Handrail";

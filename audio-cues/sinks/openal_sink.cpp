@@ -36,7 +36,7 @@ struct OpenALSink::Impl {
 
     Options options;
     SoundBank bank;
-    Hearing hearing;
+    Listening hearing;
     OpenALDevice device;
     OpenALRoom room;
     OpenALVoices voices;

@@ -39,7 +39,7 @@ struct SinkVoice {
 };
 
 // How the person hears at this moment.
-struct Hearing {
+struct Listening {
     Listener listener;
     Settings::Sound sound;
     double now_s = 0.0;
@@ -54,7 +54,7 @@ public:
         std::array<SinkVoice, kOwnLoops + kWorldVoices>;  // WallTone, Slide of each hand, then those of the world
 
     // Both outlive this object. `most`: sounds that are heard at once.
-    OpenALVoices(const Hearing& hearing, OpenALRoom& room, int most) : hearing_(hearing), room_(room), most_(most) {}
+    OpenALVoices(const Listening& hearing, OpenALRoom& room, int most) : hearing_(hearing), room_(room), most_(most) {}
 
     // In the order of making: the samples of the bank, the filters (false: there is no such extension), the sources.
     void make_buffers(const SoundBank& bank);
@@ -89,7 +89,7 @@ private:
     void stop_ended_one_shots();
     void update_loop(SinkVoice& voice, double dt_s);
 
-    const Hearing& hearing_;
+    const Listening& hearing_;
     OpenALRoom& room_;
     int most_;
     LPALGENFILTERS gen_filters_ = nullptr;

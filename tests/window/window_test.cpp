@@ -83,7 +83,7 @@ protected:
     Vec3 hand_motion_m() const {
         Vec3 sum(0.0);
         for (const WindowEvent& event : events_)
-            if (const auto* motion = std::get_if<HandMotion>(&event)) sum += motion->by_m;
+            if (const auto* motion = std::get_if<HandDragged>(&event)) sum += motion->by_m;
         return sum;
     }
 

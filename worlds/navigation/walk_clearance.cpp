@@ -17,7 +17,7 @@ double standable_m2(const Obstacles& obstacles, const WalkBody& body, double exa
     std::vector<double> so_far;
     so_far.reserve(obstacles.all.size());
     double tops_m2 = 0.0;
-    for (const Obstacle& o : obstacles.all) {
+    for (const WalkObstacle& o : obstacles.all) {
         const Vec3 size = o.box_m.size_m();
         so_far.push_back(tops_m2 += size.x * size.y);
     }

@@ -285,7 +285,7 @@ bool Flood::write_spans(Layer layer, SpanGrid<Span>& grid, Each each) {
 }
 
 bool Flood::write(WalkSpace& space) {
-    for (const Obstacle& o : obstacles_.all) space.obstacle_features.push_back(o.feature);
+    for (const WalkObstacle& o : obstacles_.all) space.obstacle_features.push_back(o.feature);
     for (const PassingFloor& o : obstacles_.passing) space.obstacle_features.push_back(o.shape.feature);
     const Extent& extent = layers_[kFurnished];
     const bool written = write_spans(

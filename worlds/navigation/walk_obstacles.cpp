@@ -94,7 +94,7 @@ Obstacles::Obstacles(const Scene& scene, const WalkBody& body) : body_(body) {
         if (solid.role == SolidRole::Liquid) liquids.push_back(&solid);
 }
 
-bool Obstacles::column(const Obstacle& o, double x, double y, double& low, double& high, bool& steep) const {
+bool Obstacles::column(const WalkObstacle& o, double x, double y, double& low, double& high, bool& steep) const {
     low = -std::numeric_limits<double>::infinity();
     high = -low;
     double top_normal = 1.0;
@@ -120,7 +120,8 @@ double Obstacles::support(const Vec3& n) const {
     return body_.radius_m * std::sqrt(n.x * n.x + n.y * n.y) + std::max(0.0, -n.z * body_.height_m);
 }
 
-void Obstacles::finish(std::vector<Plane>& bounds, const Aabb& box, FeatureId feature, std::vector<Obstacle>& into) {
+void Obstacles::finish(std::vector<Plane>& bounds, const Aabb& box, FeatureId feature,
+                       std::vector<WalkObstacle>& into) {
     // The axis planes keep the sum of something sharp and a wide body from sticking out far.
     for (int axis = 0; axis < 3; ++axis)
         for (const double sign : {1.0, -1.0}) {
@@ -130,7 +131,8 @@ void Obstacles::finish(std::vector<Plane>& bounds, const Aabb& box, FeatureId fe
                              [&](const Plane& b) { return glm::dot(b.normal, normal) > 1.0 - 1e-9; }))
                 bounds.push_back({normal, sign > 0 ? box.max_m[axis] : -box.min_m[axis]});
         }
-    Obstacle made{static_cast<std::uint32_t>(planes_.size()), static_cast<std::uint32_t>(bounds.size()), box, feature};
+    WalkObstacle made{static_cast<std::uint32_t>(planes_.size()), static_cast<std::uint32_t>(bounds.size()), box,
+                      feature};
     made.box_m.min_m -= Vec3(body_.radius_m, body_.radius_m, body_.height_m);
     made.box_m.max_m += Vec3(body_.radius_m, body_.radius_m, 0.0);
     for (Plane b : bounds) {
@@ -141,7 +143,7 @@ void Obstacles::finish(std::vector<Plane>& bounds, const Aabb& box, FeatureId fe
 }
 
 void Obstacles::add_solid(const Solid& solid, const PlacedFrame* frame, FeatureId feature,
-                          std::vector<Obstacle>& into) {
+                          std::vector<WalkObstacle>& into) {
     if (solid.role != SolidRole::Solid && solid.role != SolidRole::Mover && solid.role != SolidRole::BodyClip) return;
     std::vector<Plane> bounds = solid.shape.planes;
     Aabb box = solid.shape.bounds_m;
@@ -189,7 +191,7 @@ bool Obstacles::passes(const Scene& scene, std::uint32_t mover, const Solid& sol
             PassingFloor floor;
             floor.mover = mover;
             const PlacedFrame frame(Placement{m.slide_m * part, {}, 1.0});
-            std::vector<Obstacle> made;
+            std::vector<WalkObstacle> made;
             add_solid(solid, &frame, m.feature, made);
             if (made.empty()) continue;
             floor.shape = made.front();
@@ -200,10 +202,10 @@ bool Obstacles::passes(const Scene& scene, std::uint32_t mover, const Solid& sol
     return true;
 }
 
-std::vector<Aabb> boxes_of(const std::vector<Obstacle>& all) {
+std::vector<Aabb> boxes_of(const std::vector<WalkObstacle>& all) {
     std::vector<Aabb> found;
     found.reserve(all.size());
-    for (const Obstacle& o : all) found.push_back(o.box_m);
+    for (const WalkObstacle& o : all) found.push_back(o.box_m);
     return found;
 }
 

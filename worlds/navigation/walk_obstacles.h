@@ -12,7 +12,7 @@ namespace handrail {
 
 inline constexpr double kWalkRounding_m = 1e-6;
 
-struct Obstacle {
+struct WalkObstacle {
     std::uint32_t first_plane = 0, plane_count = 0;
     Aabb box_m;  // grown
     FeatureId feature = kNoFeature;
@@ -20,7 +20,7 @@ struct Obstacle {
 };
 // The top of something that comes and goes.
 struct PassingFloor {
-    Obstacle shape;
+    WalkObstacle shape;
     std::uint32_t mover = 0;
 };
 
@@ -30,17 +30,17 @@ public:
 
     // The heights over one place that an obstacle takes from the soles; false where it takes none. `steep`: its top
     // there cannot be stood on.
-    bool column(const Obstacle& o, double x, double y, double& low, double& high, bool& steep) const;
+    bool column(const WalkObstacle& o, double x, double y, double& low, double& high, bool& steep) const;
 
-    std::vector<Obstacle> all;
+    std::vector<WalkObstacle> all;
     std::vector<PassingFloor> passing;
     std::vector<std::pair<Aabb, std::uint32_t>> doors;  // upright leaves and their movers
     std::vector<const Solid*> liquids;
 
 private:
     double support(const Vec3& n) const;
-    void finish(std::vector<Plane>& bounds, const Aabb& box, FeatureId feature, std::vector<Obstacle>& into);
-    void add_solid(const Solid& solid, const PlacedFrame* frame, FeatureId feature, std::vector<Obstacle>& into);
+    void finish(std::vector<Plane>& bounds, const Aabb& box, FeatureId feature, std::vector<WalkObstacle>& into);
+    void add_solid(const Solid& solid, const PlacedFrame* frame, FeatureId feature, std::vector<WalkObstacle>& into);
     void add_triangle(const MeshTriangle& t, const PlacedFrame* frame, FeatureId feature);
     bool passes(const Scene& scene, std::uint32_t mover, const Solid& solid);
 
@@ -48,7 +48,7 @@ private:
     std::vector<Plane> planes_;  // pushed out by the body
 };
 
-std::vector<Aabb> boxes_of(const std::vector<Obstacle>& all);
+std::vector<Aabb> boxes_of(const std::vector<WalkObstacle>& all);
 std::vector<Aabb> boxes_of(const std::vector<PassingFloor>& all);
 
 }  // namespace handrail

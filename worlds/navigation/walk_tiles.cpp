@@ -129,7 +129,7 @@ void WalkTiles::fill(Tile& tile, bool places) {
         std::uint32_t cell;
         Interval interval;
     };
-    const auto scan = [&](const Obstacle& o, std::uint32_t number, std::vector<InCell>& into) {
+    const auto scan = [&](const WalkObstacle& o, std::uint32_t number, std::vector<InCell>& into) {
         const auto clamp = [](double v) {
             return static_cast<int>(std::clamp(v, 0.0, static_cast<double>(kTile - 1)));
         };

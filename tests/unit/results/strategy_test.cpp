@@ -162,13 +162,13 @@ TEST(Legs, are_cut_at_bends_and_visits_and_joined_where_the_way_is_straight) {
     go({0, 0, 0}, {4, 0, 0}, -1);
     go({4, 0, 0}, {4, 4, 0}, 7);
     go({4, 4, 0}, {4, 8, 0}, -1);
-    const std::vector<Leg> legs = legs_of(walk, {50, 50, 0});
+    const std::vector<WalkedLeg> legs = legs_of(walk, {50, 50, 0});
     ASSERT_EQ(legs.size(), 3U);
     EXPECT_NEAR(legs[0].to_m.x, 4.0, 0.01);
     EXPECT_EQ(legs[1].to_thing, 7);
     EXPECT_EQ(legs[2].from_thing, 7);
     double way_m = 0.0;
-    for (const Leg& leg : legs) way_m += leg.way_m;
+    for (const WalkedLeg& leg : legs) way_m += leg.way_m;
     EXPECT_NEAR(way_m, 12.0, 1e-9);
 }
 
