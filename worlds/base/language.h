@@ -36,8 +36,8 @@ struct TextValue {
 };
 
 // The text under `key` ("rooms.too_far") in the language spoken, with its values put in; English where that language
-// lacks it or says nothing for these values, the key itself where English lacks it too. What a text with values costs
-// stands in docs/results.md; the first time it is said, up to ten times that.
+// lacks it, the key itself where English lacks it too. What a text with values costs stands in docs/results.md; the
+// first time it is said, up to ten times that.
 std::string phrase(std::string_view key, std::initializer_list<TextValue> values = {});
 // Whether the language spoken, or English, has the key: for keys made of names that come from files ("material.moss").
 bool has_phrase(std::string_view key);
