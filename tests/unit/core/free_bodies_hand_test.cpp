@@ -306,7 +306,7 @@ void lives_among_things(const std::filesystem::path& file) {
     const BodyWorld bare(std::make_shared<const Scene>(std::move(*read)));
     const char* const all = std::getenv("HANDRAIL_ACTS");
     const int acts = all ? std::atoi(all) : test::scaled(40);
-    int held = 0;
+    int held = 0, steps = 0;
     double walked_m = 0.0, rolled_m = 0.0, most_n = 0.0;
     bool down = false;
     std::unique_ptr<Among> is_here;
@@ -331,6 +331,7 @@ void lives_among_things(const std::filesystem::path& file) {
             const Vec3 anywhere = 0.14 * (Vec3(part(random), part(random), part(random)) - Vec3(0.5));
             here.moved(glm::length(there) < 0.1 ? there : anywhere, 0.05 + 0.1 * part(random));
         } else if (what < 0.65) {
+            ++steps;
             here.key_down(part(random) < 0.8 ? Command::Forward : Command::Back, 0.2 + 0.8 * part(random));
         } else if (what < 0.75) {
             here.key_down(part(random) < 0.5 ? Command::TurnLeft : Command::TurnRight, 0.1 + 0.4 * part(random));
@@ -355,7 +356,9 @@ void lives_among_things(const std::filesystem::path& file) {
     fmt::print(
         "{}: seed {}, {} acts, held after {} of them, walked {:.0f} m, things moved {:.1f} m in the acts looked at\n",
         file.filename().string(), seed, acts, held, walked_m, rolled_m);
-    EXPECT_GT(walked_m, acts * 0.01) << "nobody is stuck";
+    if (steps > 3) {
+        EXPECT_GT(walked_m, acts * 0.01) << "nobody is stuck";
+    }
 }
 
 TEST(HandAmongThings, in_our_house_nothing_goes_through_a_wall_and_nobody_is_stuck) {
