@@ -10,6 +10,7 @@
 
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
+#include "tests/support/scale.h"
 #include "tests/support/temporary_folder.h"
 
 namespace handrail::test {
@@ -47,6 +48,7 @@ TEST(NamedWorlds, that_are_none_are_told_as_files_that_are_missing) {
 }
 
 TEST(BundledWorlds, have_no_fault_that_would_stop_or_mislead_anybody) {
+    if (test::kThreadSanitizer) GTEST_SKIP() << "NamedWorlds.* runs the same threads";
     std::size_t worlds = 0;
     for (const fs::directory_entry& file : fs::directory_iterator(test::project_root() / "worlds/maps")) {
         if (file.path().extension() != ".map") continue;
@@ -88,6 +90,7 @@ std::map<std::string, std::multiset<std::string>> rooms_in(const std::string& te
 }
 
 TEST(AsWords, the_house_written_to_a_file_is_read_again_with_the_same_rooms_and_doors) {
+    if (test::kThreadSanitizer) GTEST_SKIP() << "NamedWorlds.* runs the same threads";
     const ProgramRun written = run_with({"info", "house", "--as-words"});
     ASSERT_EQ(written.exit_status, 0) << written.err;
     const TemporaryFolder folder;

@@ -4,6 +4,7 @@
 #include "tests/support/map_text.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
+#include "tests/support/scale.h"
 #include "tests/support/temporary_folder.h"
 
 namespace handrail::test {
@@ -174,6 +175,7 @@ TEST(ReplayCommand, checks_hears_and_tells_what_differs) {
 }
 
 TEST(ReportCommand, makes_a_page_and_tables_of_a_recording_and_replaces_nothing_unasked) {
+    if (test::kThreadSanitizer) GTEST_SKIP() << "RecordedUnderLoad.* runs the same threads";
     const TemporaryFolder folder;
     ProgramCall call = recorded_in(folder.path());
     call.input = "where\nroutes\nkitchen\nleft 4\nforward 6\nexits\n";

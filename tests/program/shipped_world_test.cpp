@@ -9,6 +9,7 @@
 
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
+#include "tests/support/scale.h"
 #include "tests/support/temporary_folder.h"
 
 namespace handrail::test {
@@ -46,6 +47,7 @@ protected:
 };
 
 TEST_F(ShippedWorld, keeps_marks_in_the_persons_folder_by_path_by_name_and_by_a_link) {
+    if (test::kThreadSanitizer) GTEST_SKIP() << "NamedWorlds.* runs the same threads";
     const std::vector<std::string> by_path = kept_after_mark_in(ours_.string());
     ASSERT_EQ(by_path.size(), 1U);
     EXPECT_EQ(kept_after_mark_in("house"), by_path) << "the name alone, and the same file";
