@@ -13,14 +13,6 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define HANDRAIL_SANITIZED 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define HANDRAIL_SANITIZED 1
-#endif
-#endif
-
 namespace handrail {
 namespace {
 

@@ -45,7 +45,7 @@ void lower_limit(__rlimit_resource what, rlim_t most) noexcept {
     ::setrlimit(what, &limit);
 }
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(HANDRAIL_SANITIZED)
 constexpr bool kKeepsShadow = true;  // terabytes of reserved addresses, which can be neither bounded nor locked
 #else
 constexpr bool kKeepsShadow = false;

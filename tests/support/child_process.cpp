@@ -95,7 +95,7 @@ bool eventually(const std::function<bool()>& holds, double most_s) {
 }
 
 std::string why_no_preload() {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(HANDRAIL_SANITIZED)
     return "the sanitizers' own library has to come first";
 #else
     return {};

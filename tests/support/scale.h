@@ -5,14 +5,14 @@
 
 namespace handrail::test {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(HANDRAIL_SANITIZED)
 inline constexpr double kSanitizerScale = 0.1;
 #else
 inline constexpr double kSanitizerScale = 1.0;
 #endif
 
 // The thread sanitizer is told of each kind of threads once: a test that starts the same as a shorter one skips there.
-#if defined(__SANITIZE_THREAD__)
+#if defined(HANDRAIL_SANITIZED_THREAD)
 inline constexpr bool kThreadSanitizer = true;
 #else
 inline constexpr bool kThreadSanitizer = false;

@@ -35,7 +35,7 @@ int free_number() {
 }  // namespace
 
 std::string BrailleServer::why_not() {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(HANDRAIL_SANITIZED)
     return "BRLTTY and its library are not judged under the sanitizers";
 #endif
     return installed("brltty") ? "" : "brltty is not installed";

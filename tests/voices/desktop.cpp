@@ -13,7 +13,7 @@ namespace handrail::test {
 namespace fs = std::filesystem;
 
 std::string Desktop::why_not() {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(HANDRAIL_SANITIZED)
     return "Orca, D-Bus and their libraries are not judged under the sanitizers";
 #endif
     for (const char* program : {"orca", "dbus-daemon", "at-spi-bus-launcher", "speech-dispatcher", "Xvfb", "xdotool"})

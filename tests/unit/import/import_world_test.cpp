@@ -221,7 +221,7 @@ TEST(ReaderProcess, that_ends_in_any_way_is_one_sentence) {
 }
 
 TEST(ReaderProcess, is_bounded_in_memory) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(HANDRAIL_SANITIZED)
     GTEST_SKIP() << "sanitizers need all the address space there is";
 #endif
     const test::TemporaryFolder folder;

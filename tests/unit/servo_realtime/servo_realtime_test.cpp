@@ -24,7 +24,7 @@ thread_local int allocations = 0, locks = 0, clocks = 0;
 
 }  // namespace
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if !defined(HANDRAIL_SANITIZED)
 #define HANDRAIL_INTERPOSES 1
 
 extern "C" {

@@ -1,7 +1,7 @@
 // A person's terminal is given back as it was, however the program ends. Each in a terminal of its own, whose modes are
 // read afterwards.
 // Not under the thread sanitizer, which holds signals up: there tests/program ends and stops the whole program.
-#if !defined(__SANITIZE_THREAD__)
+#if !defined(HANDRAIL_SANITIZED_THREAD)
 #include "app/terminal/raw_terminal.h"
 
 #include <signal.h>
