@@ -53,7 +53,8 @@ TEST(ClosedMeshes, are_never_entered_by_a_hand_that_presses_on_them) {
         for (int i = 0; i < ticks; ++i) {
             if (--left <= 0) {
                 // At a place of the mesh, or along what is touched and on it.
-                const Vec3 aim = box.min_m + box.size_m() * Vec3{unit(), unit(), unit()};  // in this order, in braces
+                const double z = unit(), y = unit(), x = unit();  // in this order, whatever the compiler
+                const Vec3 aim = box.min_m + box.size_m() * Vec3(x, y, z);
                 direction = glm::normalize(aim - ball + Vec3(1e-6));
                 if (normal != Vec3(0.0) && random() % 3 != 0)
                     direction -= normal * (glm::dot(direction, normal) + 0.3 * glm::length(direction));
@@ -68,23 +69,8 @@ TEST(ClosedMeshes, are_never_entered_by_a_hand_that_presses_on_them) {
             normal = felt.contacts.count > 0 ? felt.contacts.contacts[felt.contacts.strongest].normal : Vec3(0.0);
             ASSERT_FALSE(world.mesh.holds(ball)) << i << ": " << ball.x << " " << ball.y << " " << ball.z;
         }
-        EXPECT_GT(touching, ticks / 40) << "the first strokes only come to it, which counts where few are made";
+        EXPECT_GT(touching, ticks / 20) << "the first strokes only come to it, which counts where few are made";
     }
-}
-
-// Whether the nearest way out of the mesh from `within` leads to where all is open, and not into a hollow of it.
-bool opens(const test::BlockMesh& mesh, const Vec3& within) {
-    Vec3 inwards(0.0);
-    for (int axis = 0; axis < 3; ++axis) {
-        Vec3 step(0.0);
-        step[axis] = 1e-3;
-        inwards[axis] = mesh.distance_m(within + step) - mesh.distance_m(within - step);
-    }
-    if (glm::length(inwards) < 1e-3) return false;
-    const Vec3 out = -glm::normalize(inwards);
-    for (double along = mesh.distance_m(within) + 0.005; along < 1.0; along += 0.01)
-        if (mesh.holds(within + along * out)) return false;
-    return true;
 }
 
 TEST(ClosedMeshes, let_a_hand_out_that_began_inside_and_not_back_in) {
@@ -94,13 +80,13 @@ TEST(ClosedMeshes, let_a_hand_out_that_began_inside_and_not_back_in) {
         Vec3 within(0.0);
         bool found = false;
         std::mt19937 random(7);
+        const auto part = [&] { return static_cast<double>(random() % 1000) / 1000.0; };
         Aabb box;
         for (const Vec3& p : mesh.points_m) box.include(p);
         while (!found) {
-            within = box.min_m + box.size_m() * Vec3{static_cast<double>(random() % 1000) / 1000.0,
-                                                     static_cast<double>(random() % 1000) / 1000.0,
-                                                     static_cast<double>(random() % 1000) / 1000.0};
-            found = mesh.holds(within) && mesh.distance_m(within) > 0.01 && opens(mesh, within);
+            const double z = part(), y = part(), x = part();
+            within = box.min_m + box.size_m() * Vec3(x, y, z);
+            found = mesh.holds(within) && mesh.distance_m(within) > 0.01;
         }
         const Vec3 away = box.max_m + Vec3(0.3);
         TouchState state;

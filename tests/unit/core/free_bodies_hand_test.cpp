@@ -225,7 +225,8 @@ std::string among_things(const std::string& map, const BodyWorld& bare, std::mt1
     std::vector<Vec3> places;
     std::string text = map;
     for (int tries = 0; tries < 20000 && std::ssize(places) < kThings; ++tries) {
-        const Vec3 at = eye + Vec3(14.0 * (part(random) - 0.5), 14.0 * (part(random) - 0.5), -0.3);
+        const double north = part(random), east = part(random);  // in this order, whatever the compiler
+        const Vec3 at = eye + Vec3(14.0 * (east - 0.5), 14.0 * (north - 0.5), -0.3);
         if (glm::length(at - eye) < 1.0 || bare.trace(eye, at, {}).hit) continue;
         const TraceHit floor = bare.trace(at, at - Vec3(0.0, 0.0, 3.0), {});
         const Vec3 feet = floor.end_m + Vec3(0.0, 0.0, 0.01);
@@ -306,7 +307,7 @@ void lives_among_things(const std::filesystem::path& file) {
     const BodyWorld bare(std::make_shared<const Scene>(std::move(*read)));
     const char* const all = std::getenv("HANDRAIL_ACTS");
     const int acts = all ? std::atoi(all) : test::scaled(40);
-    int held = 0, steps = 0;
+    int held = 0;
     double walked_m = 0.0, rolled_m = 0.0, most_n = 0.0;
     bool down = false;
     std::unique_ptr<Among> is_here;
@@ -328,13 +329,15 @@ void lives_among_things(const std::filesystem::path& file) {
             const Vec3 thing = here.at(name_of(static_cast<int>(part(random) * kThings)));
             const HandOutput told = here.app().hand();
             const Vec3 there = (thing - told.pose.origin_m) / told.tuning.touch.world_m_per_hand_m;
-            const Vec3 anywhere = 0.14 * (Vec3(part(random), part(random), part(random)) - Vec3(0.5));
+            const double z = part(random), y = part(random), x = part(random);
+            const Vec3 anywhere = 0.14 * (Vec3(x, y, z) - Vec3(0.5));
             here.moved(glm::length(there) < 0.1 ? there : anywhere, 0.05 + 0.1 * part(random));
         } else if (what < 0.65) {
-            ++steps;
-            here.key_down(part(random) < 0.8 ? Command::Forward : Command::Back, 0.2 + 0.8 * part(random));
+            const double for_s = 0.2 + 0.8 * part(random);
+            here.key_down(part(random) < 0.8 ? Command::Forward : Command::Back, for_s);
         } else if (what < 0.75) {
-            here.key_down(part(random) < 0.5 ? Command::TurnLeft : Command::TurnRight, 0.1 + 0.4 * part(random));
+            const double for_s = 0.1 + 0.4 * part(random);
+            here.key_down(part(random) < 0.5 ? Command::TurnLeft : Command::TurnRight, for_s);
         } else if (what < 0.85) {
             here.button(down = !down);
         } else if (what < 0.95) {
@@ -356,9 +359,7 @@ void lives_among_things(const std::filesystem::path& file) {
     fmt::print(
         "{}: seed {}, {} acts, held after {} of them, walked {:.0f} m, things moved {:.1f} m in the acts looked at\n",
         file.filename().string(), seed, acts, held, walked_m, rolled_m);
-    if (steps > 3) {
-        EXPECT_GT(walked_m, acts * 0.01) << "nobody is stuck";
-    }
+    EXPECT_GT(walked_m, acts * 0.01) << "nobody is stuck";
 }
 
 TEST(HandAmongThings, in_our_house_nothing_goes_through_a_wall_and_nobody_is_stuck) {
