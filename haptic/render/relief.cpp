@@ -62,8 +62,9 @@ void bound(HeightField::Level& level, double aspect) {
     level.curvature = std::max(uu * per_u * per_u, vv * per_v * per_v) + uv * per_u * per_v;
 }
 
-double smooth_step(double x) noexcept { return x * x * (3.0 - 2.0 * x); }
-double smooth_step_slope(double x) noexcept { return 6.0 * x * (1.0 - x); }
+// Between 0 and 1.
+double flank_step(double x) noexcept { return x * x * (3.0 - 2.0 * x); }
+double flank_step_slope(double x) noexcept { return 6.0 * x * (1.0 - x); }
 
 // A wave of period 1 between 0 and 1, and its slope.
 struct Wave {
@@ -96,7 +97,7 @@ Wave square_wave(double p, double flank) noexcept {
     const double t = ((second ? x - 0.5 : x) - 0.25) / flank + 0.5;
     if (t <= 0.0) return {second ? 1.0 : 0.0, 0.0};
     if (t >= 1.0) return {second ? 0.0 : 1.0, 0.0};
-    const double value = smooth_step(t), slope = smooth_step_slope(t) / flank;
+    const double value = flank_step(t), slope = flank_step_slope(t) / flank;
     return second ? Wave{1.0 - value, -slope} : Wave{value, slope};
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptic/render/tick_math.h"
+
 namespace handrail {
 namespace {
 
@@ -68,12 +70,6 @@ Rise rise_over_facet(const std::array<Vec3, 3>& p, const MeshShading::Facet& fac
     }
     return rise;
 }
-
-double smooth_step(double x) noexcept {
-    x = std::clamp(x, 0.0, 1.0);
-    return x * x * (3.0 - 2.0 * x);
-}
-double smooth_step_slope(double x) noexcept { return x > 0.0 && x < 1.0 ? 6.0 * x * (1.0 - x) : 0.0; }
 
 // While the ball rolls round a smooth edge, a term is added that makes the potential a function of the way along the
 // edge's own normal m, so the force stays on m: with d from the edge to the hand, rho = d.n the distance and c the
