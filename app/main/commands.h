@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <istream>
+#include <memory>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -12,12 +13,14 @@
 
 #include "app/core/dialogue/words.h"
 #include "app/main/long_work.h"
-#include "app/teaching/teaching_run.h"
-#include "app/wizard/wizard.h"
+#include "app/teaching/learner_name.h"
+#include "app/wizard/wizard_part.h"
 #include "settings/settings.h"
 #include "worlds/readers/reader.h"
 
 namespace handrail {
+
+class TaughtWorld;
 
 // Options that every command takes.
 struct CommonArguments {

@@ -10,6 +10,8 @@
 
 namespace handrail {
 
+class Session;
+
 // What one turn of a lesson is: what has happened since the last one is seen, and what the lesson wishes reaches the
 // session. Between two ticks of it; ten times a second is enough.
 void teach_on(TeachingRun& run, Session& app, std::span<const SessionEvent> events, double now_s);

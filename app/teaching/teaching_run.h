@@ -9,20 +9,15 @@
 #include <string>
 #include <vector>
 
-#include "app/core/session/session.h"
+#include "app/core/context/session_event.h"
+#include "app/core/session/lesson_view.h"
+#include "app/core/session/session_input.h"
 #include "app/results/measures.h"
 #include "app/results/strategy.h"
+#include "app/teaching/learner_name.h"
 #include "app/teaching/taught_world.h"
 
 namespace handrail {
-
-// Who learns, as far as a lesson wants to know it.
-struct LearnerName {
-    std::string name;          // chosen; empty: nobody in particular
-    std::uint64_t number = 0;  // what shuffled orders are drawn from
-};
-// The number of a name, the same each time.
-LearnerName learner_named(const std::string& name);
 
 // What was measured of one task; keys as reports have them, with "reached" and "detour" (1: yes) beside them.
 struct TaskResult {

@@ -18,22 +18,12 @@
 #include <vector>
 
 #include "app/core/session/session.h"
+#include "app/wizard/wizard_part.h"
 #include "audio-cues/plan/cue_planner.h"
 #include "haptic/servo/servo_tick.h"
 #include "settings/settings.h"
 
 namespace handrail {
-
-enum class WizardPart : std::uint8_t { Headphones, Find, Home, Hand, Gentlest, Strongest, Reach, Step };
-
-struct WizardPartInfo {
-    WizardPart part;
-    std::string_view word;  // "headphones", as --only takes it
-    bool needs_device;
-};
-std::span<const WizardPartInfo> wizard_parts();
-// "headphones,reach" to parts in their order; empty text is all of them. Fails naming the nearest word.
-Result<std::vector<WizardPart>> parse_wizard_parts(std::string_view words);
 
 enum class WizardKey : std::uint8_t { Enter, Repeat, Back, Leave, Left, Right, Up, Down, Stop };
 // A key, or figures as they are typed.
