@@ -12,13 +12,11 @@ if [ "${3:-}" != inside ]; then
     command -v dpkg-deb >/dev/null || { note "this is not Debian."; exit 77; }
     folder=$(mktemp -d /tmp/handrail-test-package-XXXXXX)
     trap 'rm -rf "$folder"' EXIT
-    for version in 0.0.9 ''; do
-        cpack --config "$build/CPackConfig.cmake" -B "$folder/${version:-now}" ${version:+-D CPACK_PACKAGE_VERSION=$version} >"$folder/log" 2>&1 || {
-            cat "$folder/log" >&2
-            fail "no package could be made."
-        }
-        rm -rf "$folder/${version:-now}/_CPack_Packages"
-    done
+    cpack --config "$build/CPackConfig.cmake" -B "$folder/now" >"$folder/log" 2>&1 || {
+        cat "$folder/log" >&2
+        fail "no package could be made."
+    }
+    rm -rf "$folder/now/_CPack_Packages"
     package=$(echo "$folder"/now/handrail_*.deb)
     dpkg-deb -c "$package" >"$folder/list"
     for file in bin/handrail libexec/handrail/handrail-guard libexec/handrail/handrail-reader lib/udev/rules.d/70-handrail.rules share/handrail/worlds/house.map \
@@ -121,11 +119,10 @@ SH
         exit 77
     }
     # The package of before had a world that is no longer there.
-    mkdir "$folder/before"
-    dpkg-deb -R "$folder"/0.0.9/handrail_*.deb "$folder/before"
+    dpkg-deb -R "$package" "$folder/before"
+    sed -i 's/^Version: .*/Version: 0.0.9/' "$folder/before/DEBIAN/control"
     echo '{ "classname" "worldspawn" }' >"$folder/before/usr/share/handrail/worlds/long_gone.map"
-    rm -f "$folder"/0.0.9/*.deb
-    dpkg-deb --root-owner-group -Znone -b "$folder/before" "$folder/0.0.9/handrail.deb" >/dev/null
+    dpkg-deb --root-owner-group -Znone -b "$folder/before" "$folder/before.deb" >/dev/null
     unshare --mount "${as_root[@]}" bash -c 'bash "$0/outside.sh" "$0" && exec "$1" "$2" "$3" inside "$0"' "$folder" "${BASH_SOURCE[0]}" "$build" "$source"
     exit
 fi
@@ -135,7 +132,7 @@ folder=$4 root=$4/root
 mount --rbind /dev "$root/dev"
 mount --rbind /proc "$root/proc"
 mkdir -p "$root/opt/packages" "$root/srv/visitor/.config/handrail"
-cp "$folder/0.0.9/handrail.deb" "$root/opt/packages/before.deb"
+cp "$folder/before.deb" "$root/opt/packages/before.deb"
 cp "$folder"/now/handrail_*.deb "$root/opt/packages/now.deb"
 for hidden in "$source" "$build"; do [ ! -d "$root$hidden" ] || mount -t tmpfs none "$root$hidden"; done
 printf '[welcome]\ndone = true\n[speech]\nthrough = "text"\n[workspace]\nscale = 33\n' >"$root/srv/visitor/.config/handrail/settings.toml"
