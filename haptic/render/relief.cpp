@@ -62,7 +62,7 @@ void bound(HeightField::Level& level, double aspect) {
     level.curvature = std::max(uu * per_u * per_u, vv * per_v * per_v) + uv * per_u * per_v;
 }
 
-// Between 0 and 1.
+// smooth_step() and its slope of what is between 0 and 1 already, without looking.
 double flank_step(double x) noexcept { return x * x * (3.0 - 2.0 * x); }
 double flank_step_slope(double x) noexcept { return 6.0 * x * (1.0 - x); }
 

@@ -16,7 +16,7 @@
 
 namespace handrail::test {
 
-inline RoomsKept rooms_of_this_process{8};
+inline RoomsKept rooms_of_this_process{3};
 
 inline std::shared_ptr<const Scene> world_once(const std::filesystem::path& file) {
     // Some of a world's names are made in the language spoken.

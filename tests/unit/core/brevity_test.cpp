@@ -11,6 +11,7 @@
 #include "tests/support/scale.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/core/app_session.h"
+#include "tests/unit/core/house_and_school.h"
 #include "worlds/base/typist.h"
 
 namespace handrail {
@@ -20,9 +21,7 @@ using test::AppSession;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// Under a sanitizer the house is enough.
-const std::vector<const char*> kWorlds =
-    test::kSanitizerScale < 1.0 ? std::vector{"house.map"} : std::vector{"house.map", "school.map"};
+const std::vector<const char*> kWorlds = test::house_and_school();
 constexpr std::array kLanguages{"en", "de"};
 
 // Sentences, by the stops that blanks follow.

@@ -7,8 +7,8 @@
 #include "app/core/learning/hunt.h"
 #include "app/core/learning/learning.h"
 #include "tests/support/project_root.h"
-#include "tests/support/scale.h"
 #include "tests/support/spoken_language.h"
+#include "tests/unit/core/house_and_school.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/readers/reader.h"
 
@@ -176,13 +176,7 @@ TEST_P(BundledPlaces, the_base_is_reached_again_from_wherever_one_gets_to) {
     std::cout << GetParam() << ": " << places << " places, from each of which the base can be walked to\n";
 }
 
-// Under a sanitizer the house is enough.
-std::vector<const char*> maps_here() {
-    if (test::kSanitizerScale < 1.0) return {"house.map"};
-    return {"house.map", "school.map"};
-}
-
-INSTANTIATE_TEST_SUITE_P(Maps, BundledPlaces, testing::ValuesIn(maps_here()), [](const auto& test) {
+INSTANTIATE_TEST_SUITE_P(Maps, BundledPlaces, testing::ValuesIn(test::house_and_school()), [](const auto& test) {
     return std::string(test.param).substr(0, std::string(test.param).find('.'));
 });
 

@@ -1,0 +1,15 @@
+// The maps that ship as places to learn. Under a sanitizer the house is enough: the school runs the same code.
+#pragma once
+
+#include <vector>
+
+#include "tests/support/scale.h"
+
+namespace handrail::test {
+
+inline std::vector<const char*> house_and_school() {
+    if (kSanitizerScale < 1.0) return {"house.map"};
+    return {"house.map", "school.map"};
+}
+
+}  // namespace handrail::test
