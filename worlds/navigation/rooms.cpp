@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -129,13 +130,13 @@ private:
         const auto open = [&](std::uint32_t s) {
             return plain(walls_.spans[s]) && stated[s] == kNothing;
         };  // the file says nothing of it
-        std::vector<std::uint32_t> order;
+        // Above how wide it is, the wider the less, below which one: whole numbers are sorted in a third of the time.
+        std::vector<std::uint64_t> order;
         order.reserve(walls_.spans.size());
         for (std::uint32_t s = 0; s < walls_.spans.size(); ++s)
-            if (open(s)) order.push_back(s);
-        std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-            return wide_m(a) != wide_m(b) ? wide_m(a) > wide_m(b) : a < b;
-        });
+            if (open(s))
+                order.push_back(std::uint64_t{~std::bit_cast<std::uint32_t>(walls_.spans[s].clearance_m)} << 32 | s);
+        std::sort(order.begin(), order.end());
         parent_.resize(walls_.spans.size());
         std::iota(parent_.begin(), parent_.end(), 0U);
         std::unordered_map<std::uint32_t, std::uint32_t> given_at;  // of a span; looked up only
@@ -161,7 +162,7 @@ private:
         const auto basin = [&](std::uint32_t root) -> Basin& { return basins[of_walls_[root]]; };
         for (std::size_t k = 0; k < order.size(); ++k) {
             if ((k & 0xffff) == 0 && stop_.stop_requested()) return;
-            const std::uint32_t s = order[k];
+            const auto s = static_cast<std::uint32_t>(order[k]);
             const auto given = given_at.find(s);
             const std::uint32_t name = given == given_at.end() ? kNothing : given->second;
             // First to the neighbour with most room, so that a border's cell goes where it belongs.
@@ -169,8 +170,9 @@ private:
             std::size_t count = 0;
             for (const std::uint32_t n : walls_.spans[s].next)
                 if (n != kNothing && open(n) && of_walls_[n] != kNothing) around[count++] = root(n);
-            std::stable_sort(around.begin(), around.begin() + static_cast<std::ptrdiff_t>(count),
-                             [&](std::uint32_t a, std::uint32_t b) { return basin(a).peak_m > basin(b).peak_m; });
+            for (std::size_t i = 1; i < count; ++i)
+                for (std::size_t j = i; j > 0 && basin(around[j]).peak_m > basin(around[j - 1]).peak_m; --j)
+                    std::swap(around[j], around[j - 1]);
             if (count == 0) {
                 of_walls_[s] = static_cast<std::uint32_t>(basins.size());
                 basins.push_back({wide_m(s), 1, name});
@@ -192,7 +194,7 @@ private:
                 of_walls_[gone] = kMet;
             }
         }
-        std::vector<std::uint32_t>().swap(order);
+        std::vector<std::uint64_t>().swap(order);
         std::vector<std::uint32_t> label(basins.size(), kNothing);  // of each basin, in the order of its first span
         for (std::uint32_t s = 0; s < walls_.spans.size(); ++s) {
             if (!open(s)) continue;

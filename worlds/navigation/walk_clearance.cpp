@@ -45,8 +45,7 @@ double standable_m2(const Obstacles& obstacles, const WalkBody& body, double exa
             i.obstacle = n;
             if (obstacles.column(obstacles.all[n], x, y, i.low, i.high, i.steep)) intervals.push_back(i);
         }
-        std::stable_sort(intervals.begin(), intervals.end(),
-                         [](const ColumnInterval& a, const ColumnInterval& b) { return a.low < b.low; });
+        from_below(intervals);
         std::size_t here = 0;
         free_stretches(
             intervals, {}, body.step_up_m, [](const ColumnInterval&) { return false; },

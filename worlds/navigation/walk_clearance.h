@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "worlds/navigation/walk_obstacles.h"
 #include "worlds/navigation/walk_space.h"
@@ -21,6 +22,15 @@ struct ColumnInterval {
     std::uint32_t obstacle = 0;
     bool steep = false;
 };
+
+// By their lower ends; what was found first stays first. Most columns have a few.
+inline void from_below(std::span<ColumnInterval> intervals) {
+    const auto lower = [](const ColumnInterval& a, const ColumnInterval& b) { return a.low < b.low; };
+    if (intervals.size() > 16) return std::stable_sort(intervals.begin(), intervals.end(), lower);
+    for (std::size_t i = 1; i < intervals.size(); ++i)
+        for (std::size_t k = i; k > 0 && lower(intervals[k], intervals[k - 1]); --k)
+            std::swap(intervals[k], intervals[k - 1]);
+}
 
 // The free stretches of one column with a floor to stand on, from below. `intervals` and `floors` of movers in the
 // order of their lower ends; those of which `skip` is true are not there. `put(floor, ceiling, ground)` is told each.

@@ -50,13 +50,16 @@ Flood::End Flood::spread(std::uint32_t number) {
         const Place here = tile.places[spot.place];
         const Cell cell{tile.x * WalkTiles::kTile + spot.cell % WalkTiles::kTile,
                         tile.y * WalkTiles::kTile + spot.cell / WalkTiles::kTile};
-        for (int d = 0; d < 4; ++d) {
-            const Cell to = WalkTiles::neighbour(cell, d);
-            const std::uint32_t other = tiles_.beside(number, spot.cell, d);
+        Steps steps;
+        for (std::size_t d = 0; d < 4; ++d) {
+            const Cell to = WalkTiles::neighbour(cell, static_cast<int>(d));
+            const std::uint32_t other = steps.tile[d] = tiles_.beside(number, spot.cell, static_cast<int>(d));
             const std::size_t at = WalkTiles::local(to);
-            if (const std::uint32_t k = tiles_.step(here, tiles_[other], at, spot.layer); k != kNothing)
+            const std::uint32_t k = steps.place[d] = tiles_.step(here, tiles_[other], at, spot.layer);
+            if (k != kNothing) {
+                tiles_[number].steps[spot.place] |= WalkTiles::step_bit(spot.layer, d);
                 visit(spot.layer, other, k, to);
-            else if (const std::uint32_t down = tiles_.drop(here, tiles_[other], at, spot.layer); down != kNothing)
+            } else if (const std::uint32_t down = tiles_.drop(here, tiles_[other], at, spot.layer); down != kNothing)
                 visit(spot.layer, other, down, to);
         }
         // What a lift carries up and down.
@@ -68,26 +71,26 @@ Flood::End Flood::spread(std::uint32_t number) {
                     if (k != spot.place && tiles_.passing_mover(tile.places[k].ground) == static_cast<int>(floor.mover))
                         visit(spot.layer, number, k, cell);
         }
-        if (spot.layer == kFurnished) look_beside(number, spot);
+        if (spot.layer == kFurnished) look_beside(number, spot, steps);
     }
     return End::Done;
 }
 
 // What stands in the way where one cannot walk on, the building itself before what stands in it.
-void Flood::look_beside(std::uint32_t number, const Spot& spot) {
-    const Place here = tiles_[number].places[spot.place];
+void Flood::look_beside(std::uint32_t number, const Spot& spot, const Steps& steps) {
+    const Tile& tile = tiles_[number];
+    const Place here = tile.places[spot.place];
     std::uint32_t found = kNothing;
     bool near_edge = false;
-    for (int d = 0; d < 4; ++d) {
-        const Tile& tile = tiles_[number];
+    for (std::size_t d = 0; d < 4; ++d) {
+        const std::uint32_t other = steps.tile[d], k = steps.place[d];
+        if (k != kNothing &&
+            tiles_.leads_back(tile, spot.cell, spot.place, std::as_const(tiles_)[other].places[k], kFurnished))
+            continue;
         const std::size_t at =
             WalkTiles::local(WalkTiles::neighbour({tile.x * WalkTiles::kTile + spot.cell % WalkTiles::kTile,
                                                    tile.y * WalkTiles::kTile + spot.cell / WalkTiles::kTile},
-                                                  d));
-        const std::uint32_t other = tiles_.beside(number, spot.cell, d);
-        const std::uint32_t k = tiles_.step(here, tiles_[other], at, kFurnished);
-        if (k != kNothing && tiles_.step(tiles_[other].places[k], tiles_[number], spot.cell, kFurnished) == spot.place)
-            continue;
+                                                  static_cast<int>(d)));
         const WalkTiles::Columns& columns = tiles_.columns_of(other);
         std::uint32_t blocker = kNothing;
         for (std::uint32_t i = columns.first[at]; i < columns.first[at + 1]; ++i) {
@@ -188,8 +191,9 @@ bool Flood::number(Layer layer, SpanGrid<Span>& grid, double& lowest) {
     grid.depth = static_cast<std::uint32_t>(extent.high.y - extent.low.y + 1);
     grid.first.assign(static_cast<std::size_t>(grid.width) * grid.depth + 1, 0);
     lowest = std::numeric_limits<double>::infinity();
-    for (const Tile& tile : tiles_.all()) {
+    for (std::uint32_t of = 0; of < tiles_.count(); ++of) {
         if (stop_.stop_requested()) return false;
+        const Tile& tile = tiles_[of];
         for (std::size_t cell = 0; cell + 1 < tile.first.size(); ++cell) {
             const Range range = WalkTiles::column(tile, cell, layer);
             std::uint32_t here = 0;
@@ -223,7 +227,7 @@ bool Flood::write_spans(Layer layer, SpanGrid<Span>& grid, Each each) {
     for (const auto& [box, mover] : obstacles_.doors) door_boxes.push_back(box);
     for (const Solid* s : obstacles_.liquids) liquid_boxes.push_back(s->shape.bounds_m);
     const BoxIndex doors(door_boxes), liquids(liquid_boxes);
-    for (std::uint32_t number = 0; number < tiles_.all().size(); ++number) {
+    for (std::uint32_t number = 0; number < tiles_.count(); ++number) {
         if (tiles_[number].first.empty()) continue;
         const Tile& tile = tiles_[number];
         const Vec2 low = tiles_.middle({tile.x * WalkTiles::kTile, tile.y * WalkTiles::kTile}),
@@ -264,13 +268,13 @@ bool Flood::write_spans(Layer layer, SpanGrid<Span>& grid, Each each) {
                     liquids.find({feet, feet + Vec3(0.0, 0.0, kWading_m)}, near_);
                     span.liquid = wades(obstacles_.liquids, near_, feet) ? 1 : 0;
                 }
-                for (int d = 0; d < 4; ++d) {
-                    const Cell to = WalkTiles::neighbour(c, d);
+                for (std::size_t d = 0; d < 4; ++d) {
+                    const Cell to = WalkTiles::neighbour(c, static_cast<int>(d));
                     const std::size_t at = WalkTiles::local(to);
-                    const Tile& other = tiles_[tiles_.beside(number, cell, d)];
-                    const std::uint32_t n = tiles_.step(p, other, at, layer);
+                    const Tile& other = tiles_[tiles_.beside(number, cell, static_cast<int>(d))];
+                    const std::uint32_t n = tiles_.known_step(tile, k, d, other, at, layer);
                     // Only where it is the nearest step from both sides.
-                    if (n == kNothing || tiles_.step(other.places[n], tile, cell, layer) != k) continue;
+                    if (n == kNothing || !tiles_.leads_back(tile, cell, k, other.places[n], layer)) continue;
                     const Range there = WalkTiles::column(other, at, layer);
                     std::uint32_t before = 0;
                     for (std::uint32_t b = there.from; b < n; ++b)
@@ -299,15 +303,14 @@ bool Flood::write(WalkSpace& space) {
             span.door = door;
             span.beside = p.beside;
             span.near_edge = (tile.marks[k] & WalkTiles::kNearEdge) != 0;
-            for (int d = 0; d < 4; ++d) {
-                if (span.next[d] != kNothing) continue;
+            for (std::size_t d = 0; d < 4; ++d) {
+                if (span.next[d] != kNothing || (tile.steps[k] & WalkTiles::step_bit(kFurnished, d))) continue;
                 const Cell to = WalkTiles::neighbour(
                     {tile.x * WalkTiles::kTile + static_cast<std::int64_t>(cell % WalkTiles::kTile),
                      tile.y * WalkTiles::kTile + static_cast<std::int64_t>(cell / WalkTiles::kTile)},
-                    d);
+                    static_cast<int>(d));
                 const std::size_t at = WalkTiles::local(to);
-                const Tile& other = tiles_[tiles_.beside(number, cell, d)];
-                if (tiles_.step(p, other, at, kFurnished) != kNothing) continue;
+                const Tile& other = tiles_[tiles_.beside(number, cell, static_cast<int>(d))];
                 const std::uint32_t down = tiles_.drop(p, other, at, kFurnished);
                 if (down == kNothing) continue;
                 const Range there = WalkTiles::column(other, at, kFurnished);

@@ -50,7 +50,11 @@ private:
 
     void visit(Layer layer, std::uint32_t tile, std::uint32_t place, Cell cell);
     End spread(std::uint32_t tile);
-    void look_beside(std::uint32_t tile, const Spot& spot);
+    // Where one steps to from a place, each way.
+    struct Steps {
+        std::array<std::uint32_t, 4> tile{}, place{};
+    };
+    void look_beside(std::uint32_t tile, const Spot& spot, const Steps& steps);
     void seed_at(const Vec3& at, double level_m, double up_m, double down_m, bool on_building);
     void seed();
     template <class Span>

@@ -27,36 +27,52 @@ std::vector<float> distance_from(const SpanGrid<Span>& space, Counts counts, std
     struct Wave {
         std::uint32_t span, source;
     };
+    struct Place {  // all that a wave looks at of a span, in half a line of the cache
+        std::uint32_t next[4];
+        std::uint32_t x = 0, y = 0;  // cells
+        float found = 1e6F;
+        std::uint32_t source = kNothing;
+    };
     const auto count = static_cast<std::uint32_t>(space.spans.size());
-    std::vector<float> found(count, 1e6F);
-    source.assign(count, kNothing);
+    std::vector<Place> places(count);
     std::vector<std::vector<Wave>> buckets(1);
-    const auto distance = [&](std::uint32_t a, std::uint32_t b) {
-        const double dx = static_cast<double>(space.spans[a].cell % space.width) -
-                          static_cast<double>(space.spans[b].cell % space.width);
-        const double dy = static_cast<double>(space.spans[a].cell / space.width) -
-                          static_cast<double>(space.spans[b].cell / space.width);
+    for (std::uint32_t s = 0; s < count; ++s) {
+        Place& place = places[s];
+        std::copy(std::begin(space.spans[s].next), std::end(space.spans[s].next), place.next);
+        place.x = space.spans[s].cell % space.width;
+        place.y = space.spans[s].cell / space.width;
+        if (counts(s)) buckets[0].push_back({s, s});
+    }
+    const auto distance = [](const Place& a, const Place& b) {
+        const double dx = static_cast<double>(a.x) - static_cast<double>(b.x),
+                     dy = static_cast<double>(a.y) - static_cast<double>(b.y);
         return std::sqrt(dx * dx + dy * dy);  // cells
     };
-    for (std::uint32_t s = 0; s < count; ++s)
-        if (counts(s)) buckets[0].push_back({s, s});
     for (std::size_t b = 0; b < buckets.size() && !stop.stop_requested(); ++b) {
         for (std::size_t i = 0; i < buckets[b].size(); ++i) {
             const Wave wave = buckets[b][i];
-            const auto far = static_cast<float>((distance(wave.span, wave.source) + 0.5) * space.cell_m);
-            if (!(far < found[wave.span])) continue;
-            found[wave.span] = far;
-            source[wave.span] = wave.source;
-            for (const std::uint32_t n : space.spans[wave.span].next) {
+            Place& here = places[wave.span];
+            const Place& from = places[wave.source];
+            const auto far = static_cast<float>((distance(here, from) + 0.5) * space.cell_m);
+            if (!(far < here.found)) continue;
+            here.found = far;
+            here.source = wave.source;
+            for (const std::uint32_t n : here.next) {
                 if (n == kNothing) continue;
-                const double next_far = distance(n, wave.source);
-                if (!((next_far + 0.5) * space.cell_m < static_cast<double>(found[n]))) continue;
+                const double next_far = distance(places[n], from);
+                if (!((next_far + 0.5) * space.cell_m < static_cast<double>(places[n].found))) continue;
                 const auto bucket = std::max(static_cast<std::size_t>(next_far * 2.0), b);
                 if (bucket >= buckets.size()) buckets.resize(bucket + 1);
                 buckets[bucket].push_back({n, wave.source});
             }
         }
         std::vector<Wave>().swap(buckets[b]);  // nothing comes back to it
+    }
+    std::vector<float> found(count);
+    source.resize(count);
+    for (std::uint32_t s = 0; s < count; ++s) {
+        found[s] = places[s].found;
+        source[s] = places[s].source;
     }
     return found;
 }
@@ -88,17 +104,33 @@ void measure_clearance(SpanGrid<WallSpan>& walls, const std::stop_token& stop) {
 // Where the floor rises step by step.
 template <class Span>
 void find_stairs(SpanGrid<Span>& space, double step_up_m) {
-    const int reach = std::max(2, static_cast<int>(std::lround(kStairWindow_m / space.cell_m)));
+    const auto reach = static_cast<std::size_t>(std::max(2L, std::lround(kStairWindow_m / space.cell_m)));
     const double least_range_m = std::max(0.6, 2.0 * step_up_m);
     const auto count = static_cast<std::uint32_t>(space.spans.size());
-    const auto walk = [&](std::uint32_t s, int d) {
-        for (int i = 0; i < reach && space.spans[s].next[d] != kNothing; ++i) s = space.spans[s].next[d];
-        return static_cast<double>(space.spans[s].floor_m);
+    // Along each row of spans that are walked one after the other: a step to the east leads back to the west.
+    struct Tread {
+        float floor_m = 0.0F;
+        std::uint32_t next = kNothing;
     };
-    for (std::uint32_t s = 0; s < count; ++s)
-        space.spans[s].stairs =
-            std::abs(walk(s, 0) - walk(s, 2)) >= kStairRise_m || std::abs(walk(s, 1) - walk(s, 3)) >= kStairRise_m ? 1
-                                                                                                                   : 0;
+    std::vector<Tread> treads(count), row;
+    std::vector<std::uint32_t> of_row;
+    for (const int d : {0, 1}) {
+        for (std::uint32_t s = 0; s < count; ++s) treads[s] = {space.spans[s].floor_m, space.spans[s].next[d]};
+        for (std::uint32_t start = 0; start < count; ++start) {
+            if (space.spans[start].next[d + 2] != kNothing) continue;
+            row.clear();
+            of_row.clear();
+            for (std::uint32_t s = start; s != kNothing; s = treads[s].next) {
+                row.push_back(treads[s]);
+                of_row.push_back(s);
+            }
+            for (std::size_t i = 0; i < row.size(); ++i) {
+                const Tread &ahead = row[std::min(i + reach, row.size() - 1)], &behind = row[i - std::min(i, reach)];
+                if (std::abs(static_cast<double>(ahead.floor_m) - static_cast<double>(behind.floor_m)) >= kStairRise_m)
+                    space.spans[of_row[i]].stairs = 1;
+            }
+        }
+    }
     std::vector<bool> seen(count, false);
     std::vector<std::uint32_t> piece;
     for (std::uint32_t s = 0; s < count; ++s) {

@@ -24,10 +24,10 @@ WalkTiles::WalkTiles(const Scene& scene, const WalkBody& body, const Obstacles& 
 
 void WalkTiles::drop_unreached() {
     while (!kept_.empty()) {
-        tiles_[kept_.front()].columns.reset();
+        tiles_[kept_.front()]->columns.reset();
         kept_.pop_front();
     }
-    for (Tile& tile : tiles_) drop_unreached(tile);
+    for (const auto& tile : tiles_) drop_unreached(*tile);
 }
 
 // A step from where one has been leads to where one has been, so nothing is missed.
@@ -35,11 +35,12 @@ void WalkTiles::drop_unreached(Tile& tile) {
     std::vector<Spot>().swap(tile.open);
     if (tile.places.empty()) return;
     std::vector<Place> places;
-    std::vector<std::uint8_t> marks;
+    std::vector<std::uint8_t> marks, steps;
     const auto count = static_cast<std::size_t>(
         std::count_if(tile.marks.begin(), tile.marks.end(), [](std::uint8_t m) { return m != 0; }));
     places.reserve(count);
     marks.reserve(count);
+    steps.reserve(count);
     for (std::size_t cell = 0; cell < kTile * kTile; ++cell) {
         const std::uint32_t from = tile.first[cell], to = tile.first[cell + 1];
         const bool parted = !tile.split.empty() && tile.split[cell] != kSame;
@@ -50,21 +51,18 @@ void WalkTiles::drop_unreached(Tile& tile) {
             if (tile.marks[k] == 0) continue;
             places.push_back(tile.places[k]);
             marks.push_back(tile.marks[k]);
+            steps.push_back(tile.steps[k]);
         }
         if (split == to && parted) tile.split[cell] = static_cast<std::uint8_t>(places.size() - tile.first[cell]);
     }
     tile.first.back() = static_cast<std::uint32_t>(places.size());
     tile.places = std::move(places);
     tile.marks = std::move(marks);
+    tile.steps = std::move(steps);
     if (tile.places.empty()) {
         std::vector<std::uint32_t>().swap(tile.first);
         std::vector<std::uint8_t>().swap(tile.split);
     }
-}
-
-std::size_t WalkTiles::local(Cell c) {
-    const auto m = [](std::int64_t v) { return static_cast<std::size_t>(((v % kTile) + kTile) % kTile); };
-    return m(c.y) * kTile + m(c.x);
 }
 
 Vec2 WalkTiles::middle(Cell c) const {
@@ -93,12 +91,12 @@ std::uint32_t WalkTiles::tile_at(std::int64_t tx, std::int64_t ty) {
     const std::uint64_t key = (static_cast<std::uint64_t>(tx) << 32) ^ (static_cast<std::uint64_t>(ty) & 0xffffffffU);
     const auto [found, is_new] = tile_number_.try_emplace(key, static_cast<std::uint32_t>(tiles_.size()));
     if (is_new) {
-        Tile& tile = tiles_.emplace_back();
+        Tile& tile = *tiles_.emplace_back(std::make_unique<Tile>());
         tile.x = tx;
         tile.y = ty;
         fill(tile, true);
         tile_bytes_ += sizeof(Tile) + 64 + tile.first.size() * sizeof(std::uint32_t) + tile.split.size() +
-                       tile.places.size() * (sizeof(Place) + 1);
+                       tile.places.size() * (sizeof(Place) + 2);
         keep(found->second);
     }
     return found->second;
@@ -114,10 +112,10 @@ std::uint32_t WalkTiles::beside(std::uint32_t tile, std::size_t cell, int d) {
     const std::size_t x = cell % kTile, y = cell / kTile;
     const bool inside = d == 0 ? x + 1 < kTile : d == 2 ? x > 0 : d == 1 ? y + 1 < kTile : y > 0;
     if (inside) return tile;
-    if (const std::uint32_t known = tiles_[tile].beside[static_cast<std::size_t>(d)]; known != kNothing) return known;
-    const Cell to = neighbour({tiles_[tile].x, tiles_[tile].y}, d);
+    if (const std::uint32_t known = tiles_[tile]->beside[static_cast<std::size_t>(d)]; known != kNothing) return known;
+    const Cell to = neighbour({tiles_[tile]->x, tiles_[tile]->y}, d);
     const std::uint32_t found = tile_at(to.x, to.y);
-    return tiles_[tile].beside[static_cast<std::size_t>(d)] = found;
+    return tiles_[tile]->beside[static_cast<std::size_t>(d)] = found;
 }
 
 // The columns of a tile, and the first time the places in them.
@@ -156,8 +154,7 @@ void WalkTiles::fill(Tile& tile, bool places) {
         std::copy(first.begin(), first.end() - 1, next.begin());
         for (const InCell& f : found) all[next[f.cell]++] = f.interval;
         for (std::size_t c = 0; c < kTile * kTile; ++c)
-            std::stable_sort(all.begin() + first[c], all.begin() + first[c + 1],
-                             [](const Interval& a, const Interval& b) { return a.low < b.low; });
+            from_below(std::span(all).subspan(first[c], first[c + 1] - first[c]));
         return all;
     };
     std::vector<InCell> found;
@@ -201,10 +198,11 @@ void WalkTiles::fill(Tile& tile, bool places) {
     if (any_split) tile.split = std::move(split);
     tile.places.assign(made.begin(), made.end());
     tile.marks.assign(made.size(), 0);
+    tile.steps.assign(made.size(), 0);
 }
 
 const WalkTiles::Columns& WalkTiles::columns_of(std::uint32_t number) {
-    Tile& tile = tiles_[number];
+    Tile& tile = *tiles_[number];
     if (!tile.columns) {
         fill(tile, false);
         keep(number);
@@ -215,26 +213,17 @@ const WalkTiles::Columns& WalkTiles::columns_of(std::uint32_t number) {
 // A tile's columns stay as long as there is room for them, the latest longest.
 void WalkTiles::keep(std::uint32_t number) {
     const auto bytes = [this](std::uint32_t of) {
-        return sizeof(Columns) + tiles_[of].columns->intervals.size() * sizeof(Interval);
+        return sizeof(Columns) + tiles_[of]->columns->intervals.size() * sizeof(Interval);
     };
     kept_bytes_ += bytes(number);
     kept_.push_back(number);
     while (kept_bytes_ > kIntervalBytes && kept_.size() > 1) {
         kept_bytes_ -= bytes(kept_.front());
-        tiles_[kept_.front()].columns.reset();
+        tiles_[kept_.front()]->columns.reset();
         kept_.pop_front();
     }
 }
 
-WalkTiles::Range WalkTiles::column(const Tile& tile, std::size_t cell, Layer layer) {
-    if (tile.first.empty()) return {};
-    const std::uint32_t from = tile.first[cell], to = tile.first[cell + 1];
-    if (tile.split.empty() || tile.split[cell] == kSame) return {from, to};
-    const std::uint32_t parted = from + tile.split[cell];
-    return layer == kFurnished ? Range{from, parted} : Range{parted, to};
-}
-
-// The place in that column one comes to by a step, kNothing for none.
 std::uint32_t WalkTiles::step(const Place& here, const Tile& tile, std::size_t cell, Layer layer) const {
     const Range range = column(tile, cell, layer);
     std::uint32_t best = kNothing;

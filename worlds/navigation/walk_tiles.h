@@ -22,6 +22,9 @@ public:
     enum Layer : std::uint8_t { kFurnished, kWalls };
     static constexpr std::uint8_t kReached[2] = {1, 2}, kNearEdge = 4;
     static constexpr std::uint8_t kSame = 255;
+    static constexpr std::uint8_t step_bit(Layer layer, std::size_t d) {
+        return static_cast<std::uint8_t>(1U << (4U * layer + d));
+    }
 
     using Interval = ColumnInterval;
     struct Place {  // a span in the making
@@ -45,6 +48,7 @@ public:
                                            // furniture changes nothing. Empty: nowhere
         std::vector<Place> places;
         std::vector<std::uint8_t> marks;  // of each place
+        std::vector<std::uint8_t> steps;  // of each reached one, the bits step_bit() of the ways one can step from it
         std::vector<Spot> open;
         std::unique_ptr<Columns> columns;  // while they are kept
         bool waits = false;
@@ -60,13 +64,23 @@ public:
     WalkTiles(const Scene& scene, const WalkBody& body, const Obstacles& obstacles);
 
     // A tile stays where it is.
-    Tile& operator[](std::uint32_t tile) { return tiles_[tile]; }
-    const std::deque<Tile>& all() const { return tiles_; }
+    Tile& operator[](std::uint32_t tile) { return *tiles_[tile]; }
+    const Tile& operator[](std::uint32_t tile) const { return *tiles_[tile]; }
+    std::uint32_t count() const { return static_cast<std::uint32_t>(tiles_.size()); }
     std::size_t bytes() const { return tile_bytes_; }
 
     static Cell neighbour(Cell c, int d) { return {c.x + (d == 0) - (d == 2), c.y + (d == 1) - (d == 3)}; }
-    static std::size_t local(Cell c);
-    static Range column(const Tile& tile, std::size_t cell, Layer layer);
+    static std::size_t local(Cell c) {
+        static_assert((kTile & (kTile - 1)) == 0);
+        return (static_cast<std::size_t>(c.y) & (kTile - 1)) * kTile + (static_cast<std::size_t>(c.x) & (kTile - 1));
+    }
+    static Range column(const Tile& tile, std::size_t cell, Layer layer) {
+        if (tile.first.empty()) return {};
+        const std::uint32_t from = tile.first[cell], to = tile.first[cell + 1];
+        if (tile.split.empty() || tile.split[cell] == kSame) return {from, to};
+        const std::uint32_t parted = from + tile.split[cell];
+        return layer == kFurnished ? Range{from, parted} : Range{parted, to};
+    }
     Vec2 middle(Cell c) const;
     Cell cell_at(const Vec3& p) const;
 
@@ -76,7 +90,20 @@ public:
     // Made anew where they were not kept.
     const Columns& columns_of(std::uint32_t tile);
 
+    // The place in that column one comes to by a step, kNothing for none.
     std::uint32_t step(const Place& here, const Tile& tile, std::size_t cell, Layer layer) const;
+    // The same after the flood, from a place that it reached.
+    std::uint32_t known_step(const Tile& from, std::uint32_t place, std::size_t d, const Tile& to, std::size_t cell,
+                             Layer layer) const {
+        if (!(from.steps[place] & step_bit(layer, d))) return kNothing;
+        const Range range = column(to, cell, layer);
+        return range.to - range.from == 1 ? range.from : step(from.places[place], to, cell, layer);
+    }
+    // True where the step from `place` in the column of `cell` to `there` of another tile leads back as well.
+    bool leads_back(const Tile& tile, std::size_t cell, std::uint32_t place, const Place& there, Layer layer) const {
+        const Range range = column(tile, cell, layer);
+        return range.to - range.from == 1 || step(there, tile, cell, layer) == place;  // a step is as high both ways
+    }
     std::uint32_t drop(const Place& here, const Tile& tile, std::size_t cell, Layer layer) const;
     // The mover that carries this ground, -1: none. And whether it is no thing that stands in the building.
     int passing_mover(std::uint32_t ground) const;
@@ -98,7 +125,7 @@ private:
     Vec3 anchor_{0.0};
     std::unordered_map<std::uint64_t, std::uint32_t>
         tile_number_;  // looked up, never walked through: no order of its own
-    std::deque<Tile> tiles_;
+    std::vector<std::unique_ptr<Tile>> tiles_;
     std::deque<std::uint32_t> kept_;  // tiles with columns, the oldest first
     std::size_t kept_bytes_ = 0, tile_bytes_ = 0;
     std::vector<std::uint32_t> near_;
