@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # Fuzzes every parser of the harness table, each for so many runs from a fixed seed, so that what it finds is found again:
-#   cmake --preset fuzz && cmake --build --preset fuzz && tests/fuzz/fuzz_all.sh
+#   cmake --preset asan && cmake --build --preset asan --target parsers_fuzzer && tests/fuzz/fuzz_all.sh
 #   tests/fuzz/fuzz_all.sh -max_total_time=600 -seed=7 map obj     longer, of one's own; what is new and worth keeping grows in build/fuzz/corpus
 # Ends with 1 if anything was found: then the input lies in build/fuzz/found. Mend it, and keep it in tests/fuzz/inputs/NAME/regressions.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-fuzzer=build/fuzz/bin/parsers_fuzzer
+fuzzer=build/asan/bin/parsers_fuzzer
 limits=(-seed=20261121) names=() grow=
 for word in "$@"; do
     case $word in
