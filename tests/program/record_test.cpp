@@ -178,7 +178,7 @@ TEST(ReportCommand, makes_a_page_and_tables_of_a_recording_and_replaces_nothing_
     if (test::kThreadSanitizer) GTEST_SKIP() << "RecordedUnderLoad.* runs the same threads";
     const TemporaryFolder folder;
     ProgramCall call = recorded_in(folder.path());
-    call.input = "where\nroutes\nkitchen\nleft 4\nforward 6\nexits\n";
+    call.input = "routes\nkitchen\nwhere\nleft 4\nforward 6\nexits\n";  // routes waits for the rooms
     EXPECT_EQ(run_program(call).exit_status, 0);
     const std::string recording = folders_in(folder.path()).at(0).string();
     call.input.clear();

@@ -25,8 +25,10 @@ pid_t serve(const std::string& display) {
         if (::getppid() != parent) ::_exit(1);
         ::close(ready[0]);
         const std::string number_to = std::to_string(ready[1]);
+        // Else it starts anew whenever its last client goes, as xdotool does again and again, and meanwhile lets in
+        // nobody.
         ::execlp("Xvfb", "Xvfb", display.c_str(), "-displayfd", number_to.c_str(), "-screen", "0", "1024x768x24",
-                 "-nolisten", "tcp", static_cast<char*>(nullptr));
+                 "-nolisten", "tcp", "-noreset", static_cast<char*>(nullptr));
         ::_exit(127);
     }
     ::close(ready[1]);
