@@ -64,7 +64,7 @@ TEST(WindowOfTheProgram, takes_keys_speaks_and_shows_first_person_wall_and_plan)
     call.program = "/usr/bin/xvfb-run";
     call.arguments = {"-a",
                       "-s",
-                      "-screen 0 1024x768x24",
+                      "-screen 0 1024x768x24 -noreset",
                       "sh",
                       script.string(),
                       test::built_program("handrail"),

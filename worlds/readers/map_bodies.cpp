@@ -11,7 +11,7 @@ constexpr NumberKey kMass{"mass", FreeBody::kLeast_kg, FreeBody::kMost_kg, "map.
 constexpr NumberKey kDensity{"density", 20.0, 20000.0, "map.range_density"};
 constexpr NumberKey kElasticity{"elasticity", 0.0, 0.95, "map.range"};
 constexpr NumberKey kRolling{"rolling", 0.0, 1.0, "map.range"};
-constexpr NumberKey kStiffness{"stiffness_n_per_m", 0.1, 10000.0, "map.range_stiffness"};
+constexpr NumberKey kStringStiffness{"stiffness_n_per_m", 0.1, 10000.0, "map.range_stiffness"};
 constexpr double kStaticOverSliding = 1.25;
 
 double volume_of(const Scene& scene, FeatureId feature) {
@@ -47,7 +47,7 @@ std::optional<BodyWish> body_wish_of(const MapEntity& entity, bool dynamic, bool
     if (const MapKey* string = entity.find("string")) {
         wish.string = trimmed(string->value);
         wish.string_place = string->place;
-        wish.string_n_per_m = keys.number_of(entity, kStiffness).value_or(wish.string_n_per_m);
+        wish.string_n_per_m = keys.number_of(entity, kStringStiffness).value_or(wish.string_n_per_m);
         if (wish.string.empty()) diagnostics.warn(string->place, "map.then_loose", "map.string_empty");
     }
     return wish;

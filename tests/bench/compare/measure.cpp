@@ -9,13 +9,14 @@
 #include "worlds/base/clock.h"
 
 namespace handrail::bench {
-namespace {
 
 double thread_s() {
     timespec time{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
+
+namespace {
 
 // A clock read in some 10 ns, or 25 where the processor has no counter that can be read so.
 #if defined(__x86_64__)

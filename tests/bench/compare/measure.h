@@ -11,6 +11,9 @@
 
 namespace handrail::bench {
 
+// The processor time of this thread.
+double thread_s();
+
 struct Measured {
     std::string scene, family, renderer, title, knob;
     std::uint32_t seed = 0;

@@ -1,21 +1,12 @@
 // The worst places that are known for a tick: time, counted work, and how often ball or body had to wait.
 #include <algorithm>
-#include <ctime>
 
 #include "haptic/render/proxy_solver.h"
 #include "tests/bench/compare/bench.h"
+#include "tests/bench/compare/measure.h"
 #include "tests/support/worst_cases.h"
 
 namespace handrail::bench {
-namespace {
-
-double thread_s() {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-}  // namespace
 
 WorstTicks run_worst_case(int number, int ticks, int passes) {
     const test::WorstCase worst = test::worst_case(number, ticks);
