@@ -1,4 +1,5 @@
 #include <csignal>
+#include <cstdlib>
 
 #include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
@@ -92,7 +93,10 @@ TEST(Explore, after_a_crash_the_next_start_says_where_a_report_lies_that_names_n
     crashing.signal_when_said = SIGSEGV;
     crashing.signal_after = "Facing east";
     // A sanitizer would take the signal for a fault of its own finding, and end with its status instead.
-    crashing.environment["ASAN_OPTIONS"] = crashing.environment["TSAN_OPTIONS"] = "handle_segv=0";
+    for (const char* options : {"ASAN_OPTIONS", "TSAN_OPTIONS"}) {  // with what they hold, as what is suppressed
+        const char* given = std::getenv(options);
+        crashing.environment[options] = (given ? std::string(given) + ":" : std::string()) + "handle_segv=0";
+    }
     const ProgramRun first = explore({"--no-window", "--set", "workspace.scale=33", "--set", "haptic.device=none"},
                                      "mark\nAnna's corner\nforward 3\nback 3\nforward 3\nright 4\nheading\n", crashing);
     EXPECT_EQ(first.exit_status, 128 + SIGSEGV) << first.out << first.err;
