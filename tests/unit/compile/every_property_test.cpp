@@ -62,7 +62,6 @@ TEST_F(EveryProperty, liquids_drag_lift_hold_and_stream) {
 }
 
 TEST_F(EveryProperty, each_effect_is_felt_as_its_keys_say) {
-    const Vec3 up(0, 0, 1);
     EXPECT_NEAR(felt({2.02, 9, 3}).x, -1.5, 1e-6) << "magnet, strongest at its width";
     EXPECT_NEAR(felt({5.3, 9, 3.01}).z, 1.0, 1e-6) << "pushes away from the line";
     EXPECT_EQ(felt({5.3, 9, 3}), Vec3(0.0)) << "on it";

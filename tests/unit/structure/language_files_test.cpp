@@ -203,8 +203,9 @@ TEST(LanguageFiles, have_every_key_that_the_code_names_and_no_other) {
             if (std::regex_match(literal.content, kKey)) named.insert(literal.content);
     }
     for (const auto& [key, pattern] : english) {
-        const bool made = std::any_of(kMadeOfNames.begin(), kMadeOfNames.end(),
-                                      [&](const std::string& section) { return key.starts_with(section); });
+        const bool made =
+            std::any_of(kMadeOfNames.begin(), kMadeOfNames.end(),
+                        [&, &name = key](const std::string& section) { return name.starts_with(section); });
         // What is said to who types words stands beside what is said to who presses keys (typist.h).
         const std::string for_keys = key.ends_with("_typed") ? key.substr(0, key.size() - 6) : key;
         const std::string& said = english.contains(for_keys) ? for_keys : key;
