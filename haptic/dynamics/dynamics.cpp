@@ -274,8 +274,8 @@ World::World(const DynamicsScene& scene) {
         rigid.setSpinningFriction(body.nature.rolling * body.half_width_m);
         rigid.setRestitution(body.nature.elasticity);
         rigid.setSleepingThresholds(0.01, 0.02);  // Bullet's own would stop what a hand pushes slowly
-        // Its middle is swept whenever it could come through what the rest of it is in already: 2 of 1,000 thrown boxes
-        // left a room by its corners where all but half of it was.
+        // Its middle is swept whenever it could come through what the rest of it is in already, by a sphere so small
+        // that it is seldom in that too: a sweep that begins in something finds nothing.
         rigid.setCcdMotionThreshold(0.1 * body.half_width_m);
         rigid.setCcdSweptSphereRadius(0.1 * body.half_width_m);
         world.addRigidBody(&rigid, kFreeGroup, kStillGroup | kFreeGroup);
