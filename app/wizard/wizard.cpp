@@ -146,6 +146,8 @@ void Wizard::answer(const WizardEvent& event, double now_s) {
     switch (*key) {
         case WizardKey::Enter:
             return accept();
+        case WizardKey::Forces:  // nothing has taken it away
+            return repeat_question();
         case WizardKey::Repeat:
             if (asked_.step == Step::Press) begin_force(felt_.scene);
             begin_bell();

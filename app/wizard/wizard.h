@@ -25,7 +25,8 @@
 
 namespace handrail {
 
-enum class WizardKey : std::uint8_t { Enter, Repeat, Back, Leave, Left, Right, Up, Down, Stop };
+// Forces brings the force back after a fault, as the fault's own sentence says.
+enum class WizardKey : std::uint8_t { Enter, Repeat, Back, Leave, Left, Right, Up, Down, Stop, Forces };
 // A key, or figures as they are typed.
 using WizardEvent = std::variant<WizardKey, std::string>;
 

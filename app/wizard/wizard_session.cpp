@@ -30,6 +30,7 @@ constexpr std::array kWordKeys{
     WordKey{"up", " Up ", WizardKey::Up},
     WordKey{"down", " Down ", WizardKey::Down},
     WordKey{"stop", " F12 ", WizardKey::Stop},
+    WordKey{"forces", " F Grave ", WizardKey::Forces},
 };
 
 struct HandWord {
@@ -63,7 +64,8 @@ Result<WizardLine> parse_wizard_line(std::string_view line) {
     const std::size_t blank = std::min(line.find_first_of(kBlank), line.size());
     const std::string typed = lower_ascii(line.substr(0, blank));
     std::string word = english_word("wizard_word", kTypedWords, typed);
-    if (const auto command = command_of_word(typed); command && info(*command).word.starts_with("hand-"))
+    if (const auto command = command_of_word(typed);
+        command && (info(*command).word.starts_with("hand-") || *command == Command::ToggleForces))
         word = info(*command).word;
     std::string_view rest = line.substr(blank);
     rest.remove_prefix(std::min(rest.find_first_not_of(kBlank), rest.size()));

@@ -15,6 +15,7 @@
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/times_in.h"
 #include "tests/umockdev/mock_usb.h"
 
 extern "C" char** environ;
@@ -24,6 +25,7 @@ namespace guard_test {
 
 using namespace std::chrono_literals;
 using Clock_ = std::chrono::steady_clock;
+using test::times_in;
 
 const std::filesystem::path kGuard = test::built_program("handrail-guard");
 
@@ -43,11 +45,6 @@ bool gives_its_time() {
     return worst < kLate;
 }
 
-std::size_t times_in(const std::string& text, std::string_view words) {
-    std::size_t count = 0;
-    for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) ++count;
-    return count;
-}
 constexpr std::size_t kBusyEnough = 4;  // so often told that the computer is too busy, nobody goes on trying
 
 // The processes that this one has started, the oldest first; any of its threads may have.
@@ -220,8 +217,8 @@ public:
         const std::lock_guard guard(mutex_);
         return said_;
     }
-    bool says(const std::string& words) {
-        for (const auto end = Clock_::now() + 30s; Clock_::now() < end; std::this_thread::sleep_for(10ms))
+    bool says(const std::string& words, std::chrono::seconds allowed = 30s) {
+        for (const auto end = Clock_::now() + allowed; Clock_::now() < end; std::this_thread::sleep_for(10ms))
             if (said().find(words) != std::string::npos) return true;
         return false;
     }
@@ -515,18 +512,19 @@ protected:
     // servo said too often that it has none.
     bool hears(const std::string& words) {
         for (const auto end = Clock_::now() + 90s; Clock_::now() < end; std::this_thread::sleep_for(10ms)) {
-            const std::string said = program_->said();
-            if (said.find(words) != std::string::npos) return true;
-            if (said.find("I go on without it") != std::string::npos ||
-                times_in(said, "too busy for steady touch") >= kBusyEnough) {
-                lost_ = true;
-                return false;
-            }
-            const std::size_t faults = times_in(said, "Here an empty line goes on");
-            if (std::exchange(faults_, faults) < faults) program_->type("\n");
+            if (program_->said().find(words) != std::string::npos) return true;
+            if (!answers_what_came_between()) return false;
         }
         ADD_FAILURE() << "\"" << words << "\" was never said:\n" << program_->said();
         return false;
+    }
+    bool answers_what_came_between() {
+        const std::string said = program_->said();
+        lost_ = said.find("I go on without it") != std::string::npos ||
+                times_in(said, "too busy for steady touch") >= kBusyEnough;
+        const std::size_t faults = times_in(said, "Here an empty line goes on");
+        if (std::exchange(faults_, faults) < faults) program_->type("\n");
+        return !lost_;
     }
     bool hears_and_types(const std::string& words, std::string_view line) {
         if (!hears(words)) return false;
@@ -551,15 +549,23 @@ protected:
         const std::lock_guard guard(bus_.lock);
         bus_.falcon.buttons = down ? 4 : 0;
     }
+    // Presses once it feels something; again where a fault came between and the question is asked anew, and also when
+    // the device has meanwhile let go.
     bool feels_and_presses() {
-        for (const auto end = Clock_::now() + 60s; Clock_::now() < end;) {
-            if (!hears("I will press")) return false;  // and answers what came between
-            if (wait([this] { return glm::length(bus_.falcon.force_on_hand_n()) > 0.2; }, 1s)) break;
+        if (!hears("I will press")) return false;
+        const auto feels = [this] { return glm::length(bus_.falcon.force_on_hand_n()) > 0.2; };
+        std::size_t let_go = 0;
+        for (const auto end = Clock_::now() + 90s; Clock_::now() < end;) {
+            if (!answers_what_came_between()) return false;
+            const std::size_t times = times_in(program_->said(), "have let go");
+            if (!wait(feels, 1s) && std::exchange(let_go, times) == times) continue;
+            press_button(true);
+            const bool felt = program_->says("Felt at", 1s);
+            press_button(false);
+            if (felt) return true;
+            std::this_thread::sleep_for(100ms);  // the program looks sixty times a second
         }
-        press_button(true);
-        const bool felt = hears("Felt at");
-        press_button(false);
-        return felt;
+        return hears("Felt at");
     }
     bool sweeps() {
         for (const Vec3& side : {Vec3(0.03, 0.0, 0.125), Vec3(-0.03, 0.0, 0.125), Vec3(0.0, 0.02, 0.125),

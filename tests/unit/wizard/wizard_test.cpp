@@ -336,22 +336,26 @@ TEST(Wizard, goes_on_without_a_device_that_is_unplugged_and_without_its_force) {
         << "after the alarm";
 }
 
-TEST(Wizard, a_latched_fault_is_told_and_confirmed_with_enter) {
-    HeldSimulated held;
-    WizardRig rig("gentlest", &held);
-    ASSERT_TRUE(rig.run_until([&] { return rig.asks("Move the grip a little"); }));
-    held.aim({0.0, 0.0, 0.01});
-    ASSERT_TRUE(rig.run_until([&] { return rig.force_n() > 0.2; }));
-    DeviceTrouble trouble;
-    trouble.not_a_number_samples = 5;
-    held.hand->trouble.publish(trouble);
-    rig.run(0.3);
-    EXPECT_EQ(rig.force_n(), 0.0);
-    EXPECT_TRUE(rig.has_said("The touch device sent positions that cannot be."));
-    EXPECT_TRUE(rig.run_until([&] { return rig.has_said("Here Enter goes on"); }, 15.0)) << "after the alarm";
-    rig.key("Enter");
-    held.aim({0.0, 0.0, -0.01});
-    EXPECT_TRUE(rig.run_until([&] { return rig.force_n() > 0.2; })) << joined(rig.said());
+// With Enter, or with the force key, which the sentence of some faults names.
+TEST(Wizard, a_latched_fault_is_told_and_confirmed_with_enter_or_the_force_key) {
+    for (const char* key : {"Enter", "F"}) {
+        SCOPED_TRACE(key);
+        HeldSimulated held;
+        WizardRig rig("gentlest", &held);
+        ASSERT_TRUE(rig.run_until([&] { return rig.asks("Move the grip a little"); }));
+        held.aim({0.0, 0.0, 0.01});
+        ASSERT_TRUE(rig.run_until([&] { return rig.force_n() > 0.2; }));
+        DeviceTrouble trouble;
+        trouble.not_a_number_samples = 5;
+        held.hand->trouble.publish(trouble);
+        rig.run(0.3);
+        EXPECT_EQ(rig.force_n(), 0.0);
+        EXPECT_TRUE(rig.has_said("The touch device sent positions that cannot be."));
+        EXPECT_TRUE(rig.run_until([&] { return rig.has_said("Here Enter goes on"); }, 15.0)) << "after the alarm";
+        rig.key(key);
+        held.aim({0.0, 0.0, -0.01});
+        EXPECT_TRUE(rig.run_until([&] { return rig.force_n() > 0.2; })) << joined(rig.said());
+    }
 }
 
 TEST(Wizard, does_only_the_parts_that_are_asked_for_and_homes_only_what_does_not_know_its_place) {
@@ -411,6 +415,7 @@ TEST(WizardWords, are_said_and_typed_in_german_or_as_ever) {
     EXPECT_EQ(parse_wizard_line("verlassen")->events, parse_wizard_line("leave")->events);
     EXPECT_EQ(parse_wizard_line("zurueck")->events, parse_wizard_line("back")->events);
     EXPECT_EQ(parse_wizard_line("halt")->events, parse_wizard_line("stop")->events);
+    EXPECT_EQ(parse_wizard_line("kraft")->events, parse_wizard_line("forces")->events);
     EXPECT_EQ(parse_wizard_line("hand-vor 2")->hand_by_m, parse_wizard_line("hand-forward 2")->hand_by_m);
     EXPECT_TRUE(parse_wizard_line("hilfe")->help);
     EXPECT_EQ(parse_wizard_line("schluss")->events.size(), 2U);
