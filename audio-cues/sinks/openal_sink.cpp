@@ -35,7 +35,6 @@ struct OpenALSink::Impl {
     Impl& operator=(const Impl&) = delete;
 
     Options options;
-    SoundBank bank;
     Listening hearing;
     OpenALDevice device;
     OpenALRoom room;
@@ -74,7 +73,6 @@ struct OpenALSink::Impl {
 
     bool make_sources() {
         alGetError();
-        voices.make_buffers(bank);
         dropouts.reset();
         alDistanceModel(AL_NONE);  // distance_gain() has its own say
         const bool filters = voices.load_filters(device.handle());

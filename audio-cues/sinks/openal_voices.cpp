@@ -50,20 +50,16 @@ bool is_in_room(SoundKind kind) { return !is_earcon(kind) && kind != SoundKind::
 
 // ---- buffers, filters and sources ----
 
-void OpenALVoices::make_buffers(const SoundBank& bank) {
-    buffers_.assign(SoundBank::size(), 0);
-    for (int k = 0; k < kSoundKinds; ++k) {
-        for (int m = 0; m < kSoundClasses; ++m) {
-            const auto kind = static_cast<SoundKind>(k);
-            const auto material = static_cast<SoundClass>(m);
-            ALuint& buffer = buffers_[SoundBank::index(kind, material)];
-            if (buffer != 0) continue;
-            const auto samples = bank.sound(kind, material);
-            alGenBuffers(1, &buffer);
-            alBufferData(buffer, AL_FORMAT_MONO_FLOAT32, samples.data(), static_cast<ALsizei>(samples.size_bytes()),
-                         kSampleRate_hz);
-        }
+// Made when it is first heard; OpenAL keeps the samples.
+ALuint OpenALVoices::buffer_of(const SoundCue& cue) {
+    ALuint& buffer = buffers_[sound_index(cue.kind, cue.material)];
+    if (buffer == 0) {
+        const std::vector<float> samples = synthesise(cue.kind, cue.material);
+        alGenBuffers(1, &buffer);
+        alBufferData(buffer, AL_FORMAT_MONO_FLOAT32, samples.data(),
+                     static_cast<ALsizei>(samples.size() * sizeof(float)), kSampleRate_hz);
     }
+    return buffer;
 }
 
 // Filters are an extension; without it what is behind walls is quieter alone.
@@ -101,7 +97,7 @@ void OpenALVoices::drop_sources() {
 void OpenALVoices::drop_buffers() {
     for (ALuint& buffer : buffers_)
         if (buffer != 0) alDeleteBuffers(1, &buffer);
-    buffers_.clear();
+    buffers_.fill(0);
 }
 
 // ---- what one of them sounds like ----
@@ -247,7 +243,8 @@ void OpenALVoices::set_loop(const SoundCue& cue) {
     SinkVoice* loop = loop_of(cue);
     if (loop == nullptr) return;
     if (cue.loudness <= 0.0) return end(*loop, false);
-    if (!loop->active || loop->ending || buffer_of(loop->cue) != buffer_of(cue)) return start(*loop, cue, 0.0);
+    const bool same = sound_index(loop->cue.kind, loop->cue.material) == sound_index(cue.kind, cue.material);
+    if (!loop->active || loop->ending || !same) return start(*loop, cue, 0.0);
     loop->cue = cue;
     loop->leaving = false;
 }

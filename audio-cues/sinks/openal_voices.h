@@ -56,8 +56,7 @@ public:
     // Both outlive this object. `most`: sounds that are heard at once.
     OpenALVoices(const Listening& hearing, OpenALRoom& room, int most) : hearing_(hearing), room_(room), most_(most) {}
 
-    // In the order of making: the samples of the bank, the filters (false: there is no such extension), the sources.
-    void make_buffers(const SoundBank& bank);
+    // In the order of making: the filters (false: there is no such extension), the sources.
     bool load_filters(ALCdevice* device);
     void make_sources(bool filters);
     void drop_sources();
@@ -75,7 +74,7 @@ public:
     void go_on(const Loops& before);
 
 private:
-    ALuint buffer_of(const SoundCue& cue) const { return buffers_[SoundBank::index(cue.kind, cue.material)]; }
+    ALuint buffer_of(const SoundCue& cue);
     bool muffle(SinkVoice& voice) const;
     void send_to_room(const SinkVoice& voice) const;
     void apply(SinkVoice& voice) const;
@@ -96,7 +95,7 @@ private:
     LPALDELETEFILTERS delete_filters_ = nullptr;
     LPALFILTERI filter_i_ = nullptr;
     LPALFILTERF filter_f_ = nullptr;
-    std::vector<ALuint> buffers_;  // as SoundBank::index
+    std::array<ALuint, kSounds> buffers_{};  // by sound_index(); 0: not heard yet
     std::array<SinkVoice, kOneShots> one_shots_{};
     Loops loops_{};
     double duck_ = 1.0;

@@ -685,18 +685,7 @@ std::vector<float> synthesise_notes(std::span<const Note> notes) {
     return out;
 }
 
-SoundBank::SoundBank() : sounds_(size()) {
-    for (int k = 0; k < kSoundKinds; ++k) {
-        const auto kind = static_cast<SoundKind>(k);
-        for (int m = 0; m < kSoundClasses; ++m) {
-            const auto material = static_cast<SoundClass>(m);
-            std::vector<float>& sound = sounds_[index(kind, material)];
-            if (sound.empty()) sound = synthesise(kind, material);
-        }
-    }
-}
-
-std::size_t SoundBank::index(SoundKind kind, SoundClass material) {
+std::size_t sound_index(SoundKind kind, SoundClass material) {
     const auto column = varies_by_material(kind) ? static_cast<std::size_t>(material) : 0U;
     return static_cast<std::size_t>(kind) * kSoundClasses + column;
 }

@@ -1,9 +1,9 @@
 // Every sound of the program, computed: what a material sounds like when it is struck, stroked, stepped on or run into,
 // what a world's own sounds are, and the earcons. Pure functions of their arguments, so the same sound is the same
-// samples on every machine and run. Mono, 48 kHz, peak at most 0.5. Cost: all of them together about 150 ms once, 21 MB
-// (see the test's printed figure). Struck things are a few decaying modes and a burst of noise: van den Doel & Pai, The
-// sounds of physical shapes, Presence 7(4), 1998. Stroked things are filtered noise with grains: van den Doel, Kry &
-// Pai, FoleyAutomatic, SIGGRAPH 2001.
+// samples on every machine and run. Mono, 48 kHz, peak at most 0.5. Cost: all of them together about 150 ms and 21 MB,
+// so each is made when it is first heard; a struck thing takes 0.1 to 5 ms (see the test's printed figures). Struck
+// things are a few decaying modes and a burst of noise: van den Doel & Pai, The sounds of physical shapes, Presence
+// 7(4), 1998. Stroked things are filtered noise with grains: van den Doel, Kry & Pai, FoleyAutomatic, SIGGRAPH 2001.
 #pragma once
 
 #include <span>
@@ -32,17 +32,8 @@ struct Note {
 };
 std::vector<float> synthesise_notes(std::span<const Note> notes);
 
-// All sounds, made once. Immutable; any thread.
-class SoundBank {
-public:
-    SoundBank();
-    std::span<const float> sound(SoundKind kind, SoundClass material) const { return sounds_[index(kind, material)]; }
-    // Where sound() stands in the bank: the same for all materials of a kind that does not vary. Less than size().
-    static std::size_t index(SoundKind kind, SoundClass material);
-    static constexpr std::size_t size() { return static_cast<std::size_t>(kSoundKinds) * kSoundClasses; }
-
-private:
-    std::vector<std::vector<float>> sounds_;
-};
+// Where a sound stands among all: the same for all materials of a kind that does not vary. Less than kSounds.
+inline constexpr std::size_t kSounds = static_cast<std::size_t>(kSoundKinds) * kSoundClasses;
+std::size_t sound_index(SoundKind kind, SoundClass material);
 
 }  // namespace handrail
