@@ -155,7 +155,9 @@ TEST(ReplayCommand, checks_hears_and_tells_what_differs) {
     call.arguments = {"replay", recording.string(), "--speed", "4"};
     const ProgramRun heard = run_program(call);
     EXPECT_EQ(heard.exit_status, 0);
-    EXPECT_THAT(heard.out, HasSubstr("At the door, base, facing north."));
+    // As `where` answers before the rooms are found, or after it.
+    EXPECT_THAT(heard.out, testing::AnyOf(HasSubstr("At the door, base, facing north."),
+                                          HasSubstr("Hall, at the door, base, facing north.")));
     // Another question than was recorded.
     std::string events = content_of(recording / "events.jsonl");
     const std::size_t where = events.find("\"command\":\"where\"");
@@ -191,7 +193,8 @@ TEST(ReportCommand, makes_a_page_and_tables_of_a_recording_and_replaces_nothing_
     EXPECT_THAT(html, testing::StartsWith("<!DOCTYPE html>\n<html lang=\"en\">"));
     EXPECT_THAT(html, HasSubstr("Kim"));
     EXPECT_THAT(html, HasSubstr("<svg"));
-    EXPECT_THAT(html, HasSubstr("At the door, base, facing north."));  // the course is what was said
+    // The course is what was said. What the program says by itself at the start is cut by what is typed early.
+    EXPECT_THAT(html, HasSubstr("Hall, at the door, base, facing north."));
     EXPECT_THAT(content_of(table),
                 testing::AllOf(HasSubstr(",time,"), HasSubstr(",contacts_hand,"), testing::Not(HasSubstr("Kim"))));
     EXPECT_TRUE(std::filesystem::exists(table + "-metadata.json"));
