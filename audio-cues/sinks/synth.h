@@ -1,7 +1,7 @@
 // Every sound of the program, computed: what a material sounds like when it is struck, stroked, stepped on or run into,
 // what a world's own sounds are, and the earcons. Pure functions of their arguments, so the same sound is the same
-// samples on every machine and run. Mono, 48 kHz, peak at most 0.5. Cost: all of them together about 150 ms and 21 MB,
-// so each is made when it is first heard; a struck thing takes 0.1 to 5 ms (see the test's printed figures). Struck
+// samples on every machine and run. Mono, 48 kHz, peak at most 0.5. Cost: all of them together about 150 ms and 23 MB,
+// so each is made when it is first heard; a struck thing takes at most 2 ms (see the test's printed figures). Struck
 // things are a few decaying modes and a burst of noise: van den Doel & Pai, The sounds of physical shapes, Presence
 // 7(4), 1998. Stroked things are filtered noise with grains: van den Doel, Kry & Pai, FoleyAutomatic, SIGGRAPH 2001.
 #pragma once

@@ -101,7 +101,7 @@ protected:
     Outcome take(std::initializer_list<Step> steps) {
         constexpr std::size_t kBusyEnough = 6;  // nobody goes on trying
         std::size_t from = 0, busy = 0, stopped = 0;
-        const Step* last = nullptr;
+        const Step* last = steps.begin();
         for (const Step& step : steps) {
             std::size_t at = std::string::npos;
             for (const auto end = Clock::now() + std::chrono::seconds(60); at == std::string::npos;
@@ -180,6 +180,7 @@ TEST_F(FirstMinutesWithTouch, run_through_the_set_up_to_the_first_wall_and_the_c
                              "Bring your hand to the middle",
                              "You are in a small room, six by four metres",
                              "Reach forward slowly.",
+                             "North wall, plaster",
                              "Your first wall.",
                              "Slide left along it",
                              "Radiator, metal",
@@ -197,9 +198,6 @@ TEST_F(FirstMinutesWithTouch, run_through_the_set_up_to_the_first_wall_and_the_c
                              "Settings",
                              "Saved. Next time you start here.",
                              "facing north"});
-    // On a machine with little time to spare the hand of this script, which does not wait for words, can be at the wall
-    // before the room is described.
-    expect_in_order(said(), {"Bring your hand to the middle", "North wall, plaster", "Your first wall."});
 }
 
 // The choice leads somewhere: a hunt here, and the same in the house, which is read first.

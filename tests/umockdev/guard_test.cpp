@@ -558,9 +558,10 @@ protected:
         for (const auto end = Clock_::now() + 90s; Clock_::now() < end;) {
             if (!answers_what_came_between()) return false;
             const std::size_t times = times_in(program_->said(), "have let go");
-            if (!wait(feels, 1s) && std::exchange(let_go, times) == times) continue;
+            const bool has_let_go = std::exchange(let_go, times) < times;
+            if (!has_let_go && !wait(feels, 1s)) continue;
             press_button(true);
-            const bool felt = program_->says("Felt at", 1s);
+            const bool felt = program_->says("Felt at", 5s);  // a second press would answer the next question
             press_button(false);
             if (felt) return true;
             std::this_thread::sleep_for(100ms);  // the program looks sixty times a second

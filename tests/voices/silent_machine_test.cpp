@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "tests/support/project_root.h"
+#include "tests/support/times_in.h"
 #include "tests/voices/braille_server.h"
 #include "tests/voices/desktop.h"
 #include "tests/voices/exploring.h"
@@ -24,12 +25,6 @@ using testing::Not;
 constexpr const char* kThreeKeys = "Press Enter to begin, Space to hear again, Escape to leave.";
 
 double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
-std::size_t count_of(const std::string& words, const std::string& in) {
-    std::size_t count = 0;
-    for (std::size_t at = in.find(words); at != std::string::npos; at = in.find(words, at + 1)) ++count;
-    return count;
-}
 
 // The first start, with a window that has the keyboard and a sound card that tells when the program's own voice begins
 // and is cut.
@@ -52,7 +47,7 @@ protected:
         return {};
     }
     bool says_times(const std::string& words, std::size_t times) const {
-        return eventually([&] { return count_of(words, said()) == times; }, 60.0);
+        return eventually([&] { return times_in(said(), words) == times; }, 60.0);
     }
     // Space repeats the welcome, nothing expires, Enter goes on, Space repeats what that said.
     void go_on(VirtualDisplay& display, const std::string& everything) {
