@@ -15,13 +15,13 @@
 namespace handrail {
 namespace {
 
-// What a handler needs: written before `taken` is set, and only read while it is.
+// What a handler needs: written before `is_taken` is set, and only read while it is.
 struct Held {
     int input = -1, output = -1;
     termios before{}, raw{};
 };
 Held held;
-std::atomic<bool> taken{false};
+std::atomic<bool> is_taken{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 // Those that end a program which does not ask for them. What a session asks for (EndSignals) or ignores stays with it.
@@ -51,13 +51,13 @@ void write_if_ready(std::string_view text) {
 }
 
 void give_back() {
-    if (!taken.load(std::memory_order_acquire) || !is_ours(held.input)) return;
+    if (!is_taken.load(std::memory_order_acquire) || !is_ours(held.input)) return;
     ::tcsetattr(held.input, TCSANOW, &held.before);
     write_if_ready(kMarkNoPastes);
 }
 
 void take_again() {
-    if (!taken.load(std::memory_order_acquire) || !is_ours(held.input)) return;
+    if (!is_taken.load(std::memory_order_acquire) || !is_ours(held.input)) return;
     ::tcsetattr(held.input, TCSANOW, &held.raw);
     write_if_ready(kMarkPastes);
 }
@@ -148,7 +148,7 @@ void set_a_stack_aside() {
 }  // namespace
 
 std::unique_ptr<RawTerminal> RawTerminal::take(int input, int output) {
-    if (taken.load(std::memory_order_acquire) || ::isatty(input) != 1 || ::isatty(output) != 1 || !is_ours(input))
+    if (is_taken.load(std::memory_order_acquire) || ::isatty(input) != 1 || ::isatty(output) != 1 || !is_ours(input))
         return nullptr;
     termios before{};
     if (::tcgetattr(input, &before) != 0) return nullptr;
@@ -162,11 +162,11 @@ std::unique_ptr<RawTerminal> RawTerminal::take(int input, int output) {
     static const int at_exit = std::atexit(give_back);
     static_cast<void>(at_exit);
     set_a_stack_aside();
-    taken.store(true, std::memory_order_release);
+    is_taken.store(true, std::memory_order_release);
     catch_signals();
     if (::tcsetattr(input, TCSANOW, &held.raw) != 0) {
         let_signals_go();
-        taken.store(false, std::memory_order_release);
+        is_taken.store(false, std::memory_order_release);
         return nullptr;
     }
     write_if_ready(kMarkPastes);
@@ -179,7 +179,7 @@ RawTerminal::~RawTerminal() {
     // Keys that were meant for us are none of the shell's: Up and Enter would repeat its last command.
     if (is_ours(held.input)) ::tcflush(held.input, TCIFLUSH);
     give_back();
-    taken.store(false, std::memory_order_release);
+    is_taken.store(false, std::memory_order_release);
     let_signals_go();
 }
 

@@ -56,11 +56,11 @@ MeshShading shade_mesh(std::span<const Vec3> points, std::span<const Corners> tr
     }
     // 1. Edges by their ends; smooth where two facets run along them in opposite senses and are nearly flat to each
     // other.
-    struct Side {
+    struct EdgeSide {
         std::uint32_t triangle, edge;
         bool forward;
     };
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Side>> edges;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<EdgeSide>> edges;
     for (std::uint32_t t = 0; t < count; ++t)
         for (std::uint32_t k = 0; k < 3; ++k) {
             const std::uint32_t a = weld[triangles[t][k]], b = weld[triangles[t][(k + 1) % 3]];
@@ -73,13 +73,13 @@ MeshShading shade_mesh(std::span<const Vec3> points, std::span<const Corners> tr
         while (root[i] != i) i = root[i] = root[root[i]];
         return i;
     };
-    std::vector<std::pair<Side, Side>> smooth;
+    std::vector<std::pair<EdgeSide, EdgeSide>> smooth;
     for (const auto& [ends, sides] : edges) {
         if (sides.size() != 2 || sides[0].forward == sides[1].forward || sides[0].triangle == sides[1].triangle)
             continue;
         if (glm::dot(normals[sides[0].triangle], normals[sides[1].triangle]) < crease_cosine) continue;
         smooth.emplace_back(sides[0], sides[1]);
-        const auto corner = [](const Side& side, std::uint32_t end) {
+        const auto corner = [](const EdgeSide& side, std::uint32_t end) {
             return 3 * side.triangle + (side.edge + end) % 3;
         };
         root[find(corner(sides[0], 0))] = find(corner(sides[1], 1));

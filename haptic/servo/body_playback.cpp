@@ -8,8 +8,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kLongestFrameS =
-    0.1;  // bodies that were still for longer start to move from where they stood, one usual frame before
+constexpr double kStillS = 0.1;  // bodies that were still for longer begin where they stood, a frame before
 constexpr double kUsualFrameS = 1.0 / 60.0;
 std::atomic<std::uint64_t> pushes{0};
 
@@ -27,7 +26,7 @@ void BodyFrame::push(std::uint32_t scene, double time_s, std::vector<BodyPose> p
         moments_ = {};
         first_ = count_ = 0;
     }
-    if (count_ > 0 && time_s - last().time_s > kLongestFrameS) {
+    if (count_ > 0 && time_s - last().time_s > kStillS) {
         Moment rest = std::move(last());
         rest.time_s = time_s - kUsualFrameS;
         moments_ = {};

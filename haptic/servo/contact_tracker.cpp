@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptic/servo/vectors.h"
+
 namespace handrail {
 namespace {
 
 constexpr double kSlidePoleS = 0.005;
-
-double length(const Vec3& v) noexcept { return std::sqrt(glm::dot(v, v)); }
 
 }  // namespace
 

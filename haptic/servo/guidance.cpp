@@ -3,19 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptic/servo/vectors.h"
+
 namespace handrail {
 namespace {
 
 constexpr double kVelocityPole_s = 0.020;
 constexpr int kMostCornersATick = 8;
-
-double length(const Vec3& v) noexcept { return std::sqrt(glm::dot(v, v)); }
-
-// Shortened to `most` where it is longer.
-Vec3 at_most(const Vec3& v, double most) noexcept {
-    const double l = length(v);
-    return l > most ? v * (most / l) : v;
-}
 
 }  // namespace
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptic/servo/vectors.h"
+
 namespace handrail {
 namespace {
 
@@ -10,17 +12,6 @@ constexpr double kStrain_n = 1.2, kStrainShare = 0.9, kStrain_s = 0.6, kStrainMo
 constexpr double kSame_hand_m = 0.05e-3;
 constexpr double kWrist_per_s = 30.0;  // how fast what is held turns back to how it was taken
 constexpr double kLeastFelt_kg = 0.2;  // what two hands can lead
-
-Vec3 turn_between(const Rotation& from, const Rotation& to) noexcept {
-    const Rotation d = to * Rotation{from.w, -from.x, -from.y, -from.z};
-    const double two = d.w < 0.0 ? -2.0 : 2.0;
-    return {two * d.x, two * d.y, two * d.z};
-}
-
-Vec3 at_most(const Vec3& v, double most) noexcept {
-    const double length = glm::length(v);
-    return length > most ? v * (most / length) : v;
-}
 
 }  // namespace
 

@@ -3,18 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptic/servo/vectors.h"
+
 namespace handrail {
 namespace {
 
 Rotation turned(const Rotation& q, const Vec3& by_rad) noexcept {
     const Rotation p = Rotation{0.0, by_rad.x, by_rad.y, by_rad.z} * q;
     return normalized({q.w + 0.5 * p.w, q.x + 0.5 * p.x, q.y + 0.5 * p.y, q.z + 0.5 * p.z});
-}
-
-Vec3 turn_between(const Rotation& from, const Rotation& to) noexcept {
-    const Rotation d = to * Rotation{from.w, -from.x, -from.y, -from.z};
-    const double two = d.w < 0.0 ? -2.0 : 2.0;
-    return {two * d.x, two * d.y, two * d.z};
 }
 
 // The inverse of the inertia about the middle, as it stands in the world.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "haptic/servo/vectors.h"
+
 namespace handrail {
 namespace {
 
@@ -19,8 +21,6 @@ constexpr double kZeroAfterSlowS =
 constexpr double kLongestTouchStepS = 0.1;
 constexpr double kDeskBallRadiusM = 0.002;  // a felt diameter of 4 mm, as in a room
 constexpr double kDeskPressDepth = 0.15;    // of the reach: most that a push may need on a soft device
-
-double length(const Vec3& v) noexcept { return std::sqrt(glm::dot(v, v)); }
 
 Fault fault_of(DeviceLoss loss) noexcept {
     return loss == DeviceLoss::MayPush    ? Fault::MayPush

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptic/servo/vectors.h"
+
 namespace handrail {
 namespace {
 
@@ -22,8 +24,6 @@ constexpr double kEase_n_per_s = 33.0;  // so that 2.5 N are gone after 75 ms, l
 constexpr double kBack_n_per_s = 5.0;
 constexpr double kRimGainMoving = 0.2;
 constexpr double kRimGain_per_s = 60.0;
-
-double length(const Vec3& v) noexcept { return std::sqrt(glm::dot(v, v)); }
 
 // What is left of a motion that must not go into any of the contacts.
 Vec3 along_contacts(Vec3 motion, const ContactSet& contacts) noexcept {

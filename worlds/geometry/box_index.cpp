@@ -11,10 +11,10 @@ namespace {
 
 namespace bg = boost::geometry;
 using Point = bg::model::point<double, 3, bg::cs::cartesian>;
-using Box = bg::model::box<Point>;
-using Entry = std::pair<Box, std::uint32_t>;
+using IndexBox = bg::model::box<Point>;
+using Entry = std::pair<IndexBox, std::uint32_t>;
 
-Box box_of(const Aabb& box) {
+IndexBox box_of(const Aabb& box) {
     return {Point(box.min_m.x, box.min_m.y, box.min_m.z), Point(box.max_m.x, box.max_m.y, box.max_m.z)};
 }
 

@@ -4,7 +4,7 @@ namespace handrail {
 namespace {
 
 constexpr int kBins = 16;
-constexpr std::size_t kFew = 16;  // so many are cut by fours, which fills the lowest nodes
+constexpr std::size_t kFewItems = 16;  // so many are cut by fours, which fills the lowest nodes
 constexpr std::size_t kDepthOfPlainHalving =
     32;  // beyond it items are halved by count, so that 2^31 items end within 64 levels
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -68,14 +68,14 @@ std::size_t Bvh::split(std::span<Item> items, std::size_t depth) {
             return x.middle(a) != y.middle(a) ? x.middle(a) < y.middle(a) : x.number() < y.number();
         };
     };
-    if (items.size() <= kFew) {
+    if (items.size() <= kFewItems) {
         float best_cost = kInfinity;
         int best_axis = axis;
         std::size_t best = 4;
         for (int a = 0; a < 3; ++a) {
             if (!(spread[a] > 0.0F)) continue;
             std::sort(items.begin(), items.end(), before(a));
-            std::array<float, kFew> right_cost{};
+            std::array<float, kFewItems> right_cost{};
             FloatBox swept;
             for (std::size_t i = items.size(); i-- > 4;) {
                 swept.include(items[i].low, items[i].high);

@@ -9,7 +9,6 @@
 namespace handrail {
 namespace {
 
-constexpr double kSideless_m = 1e-12;       // nearer than this a direction to the query point is only rounding
 constexpr double kStraight_m = 1e-9;        // a corner of a polygon that lies this near to the line past it is none
 constexpr double kLowestTriangle_m = 1e-7;  // height over the longest edge below which a triangle is a segment
 

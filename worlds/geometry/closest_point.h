@@ -15,6 +15,8 @@
 
 namespace handrail {
 
+inline constexpr double kSideless_m = 1e-12;  // nearer than this a direction to the query point is only rounding
+
 struct ClosestPoint {
     Vec3 point_m{0.0};  // of the shape's surface
     Vec3 normal{

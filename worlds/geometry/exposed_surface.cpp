@@ -13,7 +13,7 @@
 namespace handrail {
 namespace {
 
-constexpr std::size_t kFew = 48;  // solids at a face: more of them are worth a grid
+constexpr std::size_t kFewSolids = 48;  // solids at a face: more of them are worth a grid
 
 // Which of faces in one place keeps what they share: one order of all faces, so that of any number of them one is left.
 // Of one rank those that stick out farther come first, as they cover the others where they do so by more than the
@@ -275,7 +275,7 @@ std::vector<ExposedPiece> exposed_surface(std::span<const SurfaceSolid> solids, 
             std::erase_if(near, [&](std::uint32_t other) {
                 return other == s || again[other] || !solids[other].covers || solids[other].group != own.group;
             });
-            if (near.size() > kFew) {
+            if (near.size() > kFewSolids) {
                 FaceParts parts(own.shape->faces[f], box, near.size(), tolerance.cut_m);
                 for (const std::uint32_t other : near) {
                     if (parts.all_gone()) break;

@@ -6,8 +6,6 @@
 namespace handrail {
 namespace {
 
-constexpr double kSideless_m = 1e-12;  // nearer than this a direction to the query point is only rounding
-
 // A point seen from an axis: how far along it, how far from it, and which way out.
 struct AroundAxis {
     double along_m;

@@ -1,0 +1,27 @@
+// What the parts of a tick compute of vectors and turns. Pure functions, any thread, no allocation.
+#pragma once
+
+#include <cmath>
+
+#include "worlds/base/vec.h"
+#include "worlds/geometry/placement.h"
+
+namespace handrail {
+
+inline double length(const Vec3& v) noexcept { return std::sqrt(glm::dot(v, v)); }
+
+// Shortened to `most` where it is longer.
+inline Vec3 at_most(const Vec3& v, double most) noexcept {
+    const double l = length(v);
+    return l > most ? v * (most / l) : v;
+}
+
+// The turn that leads from one orientation to the other, along its axis: in radians where it is small, for every turn
+// twice the sine of half of it. Of unit quaternions.
+inline Vec3 turn_between(const Rotation& from, const Rotation& to) noexcept {
+    const Rotation d = to * Rotation{from.w, -from.x, -from.y, -from.z};
+    const double two = d.w < 0.0 ? -2.0 : 2.0;
+    return {two * d.x, two * d.y, two * d.z};
+}
+
+}  // namespace handrail
