@@ -13,12 +13,13 @@ if [ "${1:-}" = -s ]; then seconds=$2; shift 2; fi
 # A folder of its own: configuring that of the tests would take their lists away while they run.
 case "${1:-}" in '' | all) preset=release commands=build/tidy/together ;; *) preset=apart commands=build/apart seconds=100000 ;; esac
 
-# Without g++'s precompiled headers, which clang cannot read: what they hold is included instead. Nor with options that only g++ knows.
+# Without precompiled headers, g++'s, which clang cannot read, and its own, which nobody makes here: what they hold is included instead. Nor with options that
+# only g++ knows.
 mkdir -p build/tidy
 cmake --preset $preset -B $commands >build/tidy/configured.log || { cat build/tidy/configured.log; exit 1; }
 sed -E -e "s# -Winvalid-pch -include [^ ]*/handrail_test_support.dir/cmake_pch.hxx# -include $PWD/tests/support/precompiled.h#" \
     -e "s# -Winvalid-pch -include [^ ]*/cmake_pch.hxx# -include $PWD/worlds/base/precompiled.h#" -e 's/ -fpch-preprocess//' \
-    -e 's/ -Wno-subobject-linkage//' -e 's/ --param [^ ]*//g' \
+    -e 's/ -Xclang -include-pch -Xclang [^ ]*//' -e 's/ -mllvm [^ ]*//' -e 's/ -Wno-subobject-linkage//' -e 's/ --param [^ ]*//g' \
     $commands/compile_commands.json >build/tidy/compile_commands.json
 
 # The sources in FILE, or of a name, that the build compiles: those named, or the file that includes them beside others.

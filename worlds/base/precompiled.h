@@ -1,20 +1,26 @@
-// Headers that nearly every source file needs; compiled once. Nothing of the project itself stands here.
+// Headers that nearly every source file needs, or that many need and take long; compiled once. Nothing of the project
+// itself stands here.
 #pragma once
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <boost/lockfree/spsc_queue.hpp>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
 #include <utility>
+#include <variant>
 #include <vector>
