@@ -76,7 +76,7 @@ public:
             changed = false;
             for (const Seam& seam : seams_)
                 if ((parts_[seam.one].rounded() || parts_[seam.other].rounded()) && is_open(seam))
-                    changed = sharpen(seam.one) | sharpen(seam.other) | changed;
+                    for (const std::uint32_t part : {seam.one, seam.other}) changed = sharpen(part) || changed;
             for (std::uint32_t i = 0; i < parts_.size(); ++i)
                 if (parts_[i].rounded() && !stopped()) changed = close_holes(i) || changed;
         }

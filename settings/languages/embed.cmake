@@ -1,5 +1,5 @@
 # Writes the language files into a C++ source: cmake -DOUTPUT=FILE.cpp -DFILES="en.toml;de.toml" -P embed.cmake
-# Compilers need take no string literal above 65,536 bytes, so a file stands in pieces, each a string of its own whose length is written by the
+# Compilers need take no string literal above 65,536 bytes, so a file stands in pieces of whole lines, each a string of its own whose length is written by the
 # compiler and never counted while compiling (clang gives up counting 190,000 characters).
 set(source "// Made of settings/languages by embed.cmake.\n#include \"worlds/base/bundled_languages.h\"\n\nnamespace handrail {\nnamespace {\n\nusing namespace std::string_view_literals;\n\n")
 set(table "constexpr BundledLanguage kLanguages[] = {\n")
@@ -11,8 +11,11 @@ foreach(file IN LISTS FILES)
   set(at 0)
   while(at LESS length)
     string(SUBSTRING "${content}" ${at} 4000 piece)
+    string(FIND "${piece}" "\n" end REVERSE)  # no character in two pieces, whose bytes would be none
+    math(EXPR end "${end} + 1")
+    string(SUBSTRING "${piece}" 0 ${end} piece)
     string(APPEND source "R\"toml(${piece})toml\"sv,\n")
-    math(EXPR at "${at} + 4000")
+    math(EXPR at "${at} + ${end}")
   endwhile()
   string(APPEND source "};\n\n")
   string(APPEND table "    {\"${code}\"sv, k_${code}},\n")

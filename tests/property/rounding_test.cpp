@@ -5,6 +5,7 @@
 #include "haptic/compile/compile_haptic.h"
 #include "tests/property/closed_loops.h"
 #include "tests/support/random_families.h"
+#include "tests/support/touch_worlds.h"
 #include "worlds/geometry/clip.h"
 #include "worlds/scene/surfaces.h"
 
@@ -12,8 +13,6 @@ namespace handrail::test {
 namespace rounding_test {
 
 constexpr double kRounding_m = 0.04;
-
-double unit(std::mt19937& random) { return static_cast<double>(random()) / 4294967296.0; }
 
 std::vector<Plane> box_planes(const Vec3& low, const Vec3& high) {
     std::vector<Plane> planes;

@@ -5,12 +5,12 @@
 #include "haptic/compile/compile_haptic.h"
 #include "tests/property/replay.h"
 #include "tests/support/real_worlds.h"
+#include "tests/support/touch_worlds.h"
 #include "worlds/readers/reader.h"
 
 namespace handrail::test {
 namespace seams_test {
 
-double unit(std::mt19937& random) { return static_cast<double>(random()) / 4294967296.0; }
 Vec3 direction(std::mt19937& random) {
     for (;;) {
         const double x = 2 * unit(random) - 1, y = 2 * unit(random) - 1, z = 2 * unit(random) - 1;

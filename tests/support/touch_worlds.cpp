@@ -19,8 +19,6 @@ std::vector<Plane> planes_of(const Vec3& low, const Vec3& high) {
             {{0, -1, 0}, -low.y}, {{0, 0, 1}, high.z},  {{0, 0, -1}, -low.z}};
 }
 
-// A number in [0, 1) that is the same with every standard library.
-double unit(std::mt19937& random) { return static_cast<double>(random()) / 4294967296.0; }
 double between(std::mt19937& random, double low, double high) { return low + (high - low) * unit(random); }
 Vec3 in_cube(std::mt19937& random, double half) {
     const double x = between(random, -half, half), y = between(random, -half, half), z = between(random, -half, half);

@@ -21,6 +21,8 @@ struct Motion {
     Vec3 operator()(const Vec3& p) const { return turn * p + shift_m; }
     Vec3 back(const Vec3& p) const { return glm::transpose(turn) * (p - shift_m); }
 };
+// A number in [0, 1) that is the same with every standard library.
+inline double unit(std::mt19937& random) { return static_cast<double>(random()) / 4294967296.0; }
 Motion random_turn(std::mt19937& random);
 
 class TouchWorld {

@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "tests/support/sphere_mesh.h"
+#include "tests/support/touch_worlds.h"
 
 namespace handrail::test {
 namespace {
 
-double unit(std::mt19937& random) { return static_cast<double>(random()) / 4294967296.0; }
 Vec3 in_box(std::mt19937& random, double half_m) {
     const double x = unit(random), y = unit(random), z = unit(random);
     return (Vec3(x, y, z) * 2.0 - 1.0) * half_m;

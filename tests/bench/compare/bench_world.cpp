@@ -18,7 +18,7 @@
 namespace handrail::bench {
 namespace {
 
-double unit(std::mt19937& random) { return static_cast<double>(random()) / 4294967296.0; }
+using test::unit;
 
 std::size_t heap_bytes() {
     const auto info = mallinfo2();

@@ -17,7 +17,6 @@ namespace prepare_mesh_test {
 
 constexpr std::uint32_t kSeed = 20241109;
 
-double unit(std::mt19937& random) { return static_cast<double>(random()) / 4294967296.0; }
 double between(std::mt19937& random, double low, double high) { return low + (high - low) * unit(random); }
 
 using Soup = std::vector<Vec3>;  // three corners for each triangle
