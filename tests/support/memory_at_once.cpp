@@ -1,6 +1,6 @@
-// In programs of tests under a sanitizer: memory that is asked for in blocks of 128 kB and more comes at once instead of
-// page by page as it is touched, each page of which costs a virtual machine some microseconds; blocks of 2 MB and more in
-// pages of that size, where the kernel has them. What glibc does by itself elsewhere (glibc.malloc.hugetlb, see
+// In programs of tests under a sanitizer: memory that is asked for in blocks of 128 kB and more comes at once instead
+// of page by page as it is touched, each page of which costs a virtual machine some microseconds; blocks of 2 MB and
+// more in pages of that size, where the kernel has them. What glibc does by itself elsewhere (glibc.malloc.hugetlb, see
 // CMakePresets.json) the sanitizers' allocators do not. It changes nothing that a test can see.
 
 #include <sanitizer/allocator_interface.h>
