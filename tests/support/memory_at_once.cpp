@@ -18,12 +18,7 @@ void at_once(const volatile void* begin, std::size_t size) {
     const auto address = reinterpret_cast<std::uintptr_t>(begin);
     const std::uintptr_t whole = (address + kPage - 1) / kPage * kPage;
     const std::size_t length = (address + size - whole) / kPage * kPage;
-#ifdef MADV_POPULATE_WRITE
-    constexpr int kTouched = MADV_POPULATE_WRITE;
-#else
-    constexpr int kTouched = 23;  // Linux 5.14
-#endif
-    ::madvise(reinterpret_cast<void*>(whole), length, size < kLargePage ? kTouched : MADV_HUGEPAGE);
+    ::madvise(reinterpret_cast<void*>(whole), length, size < kLargePage ? MADV_POPULATE_WRITE : MADV_HUGEPAGE);
 }
 
 const int installed = __sanitizer_install_malloc_and_free_hooks(at_once, [](const volatile void*) {});
