@@ -80,6 +80,7 @@ BlindGround::BlindGround(const WalkSpace& space, std::vector<WordDoor> doors)
     if (doors_.empty()) return;
     shut_leaf_.assign(count, 0);
     open_leaf_.assign(count, 0);
+    in_leaf_.assign(count, 0);
     near_door_.assign(count, kNothing);
     std::vector<std::uint32_t> wave;
     for (std::uint32_t d = 0; d < doors_.size(); ++d)
@@ -92,6 +93,7 @@ BlindGround::BlindGround(const WalkSpace& space, std::vector<WordDoor> doors)
             visit_leaf(space_, leaf.own_m, leaf.open,
                        [&](std::uint32_t s) { open_leaf_[s] = static_cast<std::uint16_t>(d + 1); });
         }
+    for (std::size_t s = 0; s < count; ++s) in_leaf_[s] = shut_leaf_[s] || open_leaf_[s] ? 1 : 0;
     find_free();
     // Whoever stands a little before it can open it.
     const int rings = static_cast<int>(std::lround(kDoorReach_m / space_.cell_m));
@@ -114,7 +116,7 @@ void BlindGround::find_free() {
     std::vector<std::uint32_t> ring;
     std::vector<bool> seen(space_.spans.size(), false);
     for (std::uint32_t s = 0; s < space_.spans.size(); ++s)
-        if (shut_leaf_[s] || open_leaf_[s]) {
+        if (in_leaf_[s]) {
             ring.push_back(s);
             seen[s] = true;
             free_m_[s] = 0.0F;
@@ -160,7 +162,7 @@ BlindBody BlindGround::body_at(const Vec3& feet_m) const {
 
 // A leaf holds whoever is not in it already: an opening leaf goes past a body.
 bool BlindGround::held(std::uint32_t from, std::uint32_t to, const DoorsOpen& open, bool through_doors) const {
-    if (shut_leaf_.empty()) return false;
+    if (in_leaf_.empty() || !in_leaf_[to]) return false;
     const auto in = [&](std::uint32_t span, std::uint32_t& door) {
         if (const std::uint16_t d = shut_leaf_[span]; d && !open[d - 1U] && !through_doors) {
             door = d;
@@ -176,45 +178,68 @@ bool BlindGround::held(std::uint32_t from, std::uint32_t to, const DoorsOpen& op
     return in(to, there) && !(in(from, here) && here == there);
 }
 
+// A body with the column and row of its cell and the borders of these, which most strides look at and few change.
+struct BlindGround::OnCell : BlindBody {
+    double low_m[2], high_m[2];
+    std::uint32_t at_cell[2];
+
+    OnCell(const WalkSpace& space, const BlindBody& body) : BlindBody(body) {
+        const std::uint32_t cell = space.spans[span].cell;
+        at_cell[0] = cell % space.width;
+        at_cell[1] = cell / space.width;
+        border(space, 0);
+        border(space, 1);
+    }
+    void border(const WalkSpace& space, int axis) {
+        low_m[axis] = (axis == 0 ? space.origin_m.x : space.origin_m.y) + at_cell[axis] * space.cell_m;
+        high_m[axis] = low_m[axis] + space.cell_m;
+    }
+};
+
+// So far at a time, less than a cell, and past which neighbour it goes along each axis.
+struct BlindGround::Stride {
+    Vec2 by_m;
+    std::uint8_t next[2];
+
+    explicit Stride(const Vec2& by) : by_m(by) {
+        next[0] = by.x > 0.0 ? 0 : 2;
+        next[1] = by.y > 0.0 ? 1 : 3;
+    }
+};
+
 // Each axis by itself, so that it slides. False: it went on in neither.
-bool BlindGround::advance(BlindBody& body, const Vec2& by_m, const DoorsOpen& open, bool through_doors,
-                          bool& edge) const {
+bool BlindGround::advance(OnCell& body, const Stride& by, const DoorsOpen& open, bool through_doors, bool& edge) const {
     bool moved = false;
     for (int axis = 0; axis < 2; ++axis) {
-        const double by = by_m[axis];
-        if (by == 0.0) continue;
-        const std::uint32_t cell = space_.spans[body.span].cell;
-        const double low = (axis == 0 ? space_.origin_m.x + (cell % space_.width) * space_.cell_m
-                                      : space_.origin_m.y + (cell / space_.width) * space_.cell_m),
-                     high = low + space_.cell_m;
-        const double to = body.at_m[axis] + by;
-        if (to > low && to < high) {
-            body.at_m[axis] = to;
-            moved = true;
-            continue;
+        if (by.by_m[axis] == 0.0) continue;
+        const double to = body.at_m[axis] + by.by_m[axis];
+        if (!(to > body.low_m[axis] && to < body.high_m[axis])) {
+            const std::uint32_t n = space_.spans[body.span].next[by.next[axis]];
+            if (n == kNothing || held(body.span, n, open, through_doors)) {
+                edge = edge || (n == kNothing && space_.spans[body.span].near_edge);
+                continue;
+            }
+            body.span = n;
+            body.at_cell[axis] += by.next[axis] < 2 ? 1U : ~0U;
+            body.border(space_, axis);
         }
-        const int d = axis == 0 ? (by > 0.0 ? 0 : 2) : (by > 0.0 ? 1 : 3);
-        const std::uint32_t n = space_.spans[body.span].next[d];
-        if (n == kNothing || held(body.span, n, open, through_doors)) {
-            edge = edge || (n == kNothing && space_.spans[body.span].near_edge);
-            continue;
-        }
-        body.span = n;
         body.at_m[axis] = to;
         moved = true;
     }
     return moved;
 }
 
-Paced BlindGround::walk(BlindBody& body, double heading_rad, double most_m, PaceEnd end, const DoorsOpen& open,
+Paced BlindGround::walk(BlindBody& walks, double heading_rad, double most_m, PaceEnd end, const DoorsOpen& open,
                         const std::function<bool(const BlindBody&)>& each_step, double step_m) const {
     Paced paced;
-    if (body.span == kNothing) {
+    if (walks.span == kNothing) {
         paced.stopped = true;
         return paced;
     }
+    OnCell body(space_, walks);
     const double stride_m = kPartOfCell * space_.cell_m;
     const Vec2 ahead{std::sin(heading_rad), std::cos(heading_rad)};
+    const Stride whole(ahead * stride_m);
     const double start_z = space_.place_m(body.span).z;
     const int window = std::max(2, static_cast<int>(std::lround(kStoppedWindow_m / stride_m)));
     double window_from_m = 0.0, level_z = start_z, level_from_m = 0.0, next_step_m = step_m;
@@ -233,7 +258,8 @@ Paced BlindGround::walk(BlindBody& body, double heading_rad, double most_m, Pace
         if (const auto free_m = static_cast<double>(free_m_[body.span]); free_m > 2.0 * stride_m) {
             double by_m = std::min(free_m, most_m - paced.walked_m);
             if (each_step) by_m = std::min(by_m, next_step_m - paced.walked_m);
-            if (by_m > stride_m && leap(body, ahead, by_m)) {
+            if (by_m > stride_m && leap(walks = body, ahead, by_m)) {
+                body = OnCell(space_, walks);
                 paced.walked_m += by_m;
                 strides = 0;
                 window_from_m = paced.walked_m;
@@ -243,7 +269,7 @@ Paced BlindGround::walk(BlindBody& body, double heading_rad, double most_m, Pace
         }
         const double by_m = std::min(stride_m, most_m - paced.walked_m);
         const Vec2 was = body.at_m;
-        advance(body, ahead * by_m, open, false, edge);
+        advance(body, by_m == stride_m ? whole : Stride(ahead * by_m), open, false, edge);
         paced.walked_m += glm::length(body.at_m - was);
         if (edge) {
             paced.at_edge = paced.stopped = true;
@@ -267,10 +293,11 @@ Paced BlindGround::walk(BlindBody& body, double heading_rad, double most_m, Pace
             break;
         }
         ++lined_up;
-        const Vec2 right = Vec2{ahead.y, -ahead.x} * std::copysign(stride_m, *aside_m);
+        const Stride aside(Vec2{ahead.y, -ahead.x} * std::copysign(stride_m, *aside_m));
         for (double left_m = std::abs(*aside_m); left_m > 0.0; left_m -= stride_m)
-            advance(body, right, open, false, edge);
+            advance(body, aside, open, false, edge);
     }
+    walks = body;
     paced.rise_m = space_.place_m(body.span).z - start_z;
     return paced;
 }
@@ -278,28 +305,33 @@ Paced BlindGround::walk(BlindBody& body, double heading_rad, double most_m, Pace
 std::optional<double> BlindGround::line_up_m(const BlindBody& body, double heading_rad, const DoorsOpen& open) const {
     const double stride_m = kPartOfCell * space_.cell_m;
     const Vec2 ahead{std::sin(heading_rad), std::cos(heading_rad)}, right{ahead.y, -ahead.x};
-    const auto goes_m = [&](BlindBody& from, const Vec2& way, double most_m, bool through_doors) {
+    const auto goes_m = [&](OnCell& from, const Vec2& way, double most_m, bool through_doors, double least_m = 0.0) {
         bool edge = false;
         const Vec2 start = from.at_m;
-        for (double left_m = most_m; left_m > 0.0 && !edge; left_m -= stride_m)
-            if (!advance(from, way * stride_m, open, through_doors, edge)) break;
+        const Stride by(way * stride_m);
+        for (double left_m = most_m; left_m > 0.0 && !edge; left_m -= stride_m) {
+            if (!advance(from, by, open, through_doors, edge)) break;
+            // Where all strides that are left would not do, which is most often.
+            if (glm::dot(from.at_m - start, way) + left_m + kLeast_m < least_m) break;
+        }
         return edge ? 0.0 : glm::dot(from.at_m - start, way);
     };
     // In a doorway it goes on, though for no wide way to the sides.
-    const auto opens_there = [&](BlindBody probe) {
-        if (goes_m(probe, ahead, kLineUpDeep_m, true) < kLineUpDeep_m - 2.0 * stride_m) return false;
-        BlindBody left = probe, to_right = probe;
-        return goes_m(left, -right, kDoorway_m, true) + goes_m(to_right, right, kDoorway_m, true) < kDoorway_m;
+    const auto opens_there = [&](OnCell probe) {
+        const double least_m = kLineUpDeep_m - 2.0 * stride_m;
+        if (goes_m(probe, ahead, kLineUpDeep_m, true, least_m) < least_m) return false;
+        OnCell left = probe;
+        const double left_m = goes_m(left, -right, kDoorway_m, true);
+        return left_m < kDoorway_m && left_m + goes_m(probe, right, kDoorway_m, true) < kDoorway_m;
     };
-    if (opens_there(body)) return 0.0;
-    BlindBody sides[2] = {body, body};
+    if (opens_there(OnCell(space_, body))) return 0.0;
+    OnCell sides[2] = {OnCell(space_, body), OnCell(space_, body)};
     bool goes[2] = {true, true};
     for (double aside_m = stride_m; aside_m <= kLineUp_m; aside_m += stride_m)
         for (int side = 0; side < 2; ++side) {
             if (!goes[side]) continue;
             const double sign = side == 0 ? 1.0 : -1.0;
-            const Vec2 way = right * sign;
-            goes[side] = goes_m(sides[side], way, stride_m, false) > 0.25 * stride_m;
+            goes[side] = goes_m(sides[side], right * sign, stride_m, false) > 0.25 * stride_m;
             // A little farther in than where it just goes.
             if (goes[side] && opens_there(sides[side])) return sign * (aside_m + stride_m);
         }

@@ -118,6 +118,90 @@ TEST(BlindGround, slides_a_body_into_the_doorway_whose_frame_it_has_met_and_into
     EXPECT_FALSE(room.ground->line_up_m(at(room, 3.4, 4.6), 0.0, {}));
 }
 
+// The doorway looked for by strides that each ask for the borders of their cell and go all their way, where no doors
+// are.
+struct PlainStrides {
+    const WalkSpace& space;
+    double stride_m = 0.8 * space.cell_m;
+
+    bool go(BlindBody& body, const Vec2& by_m, bool& edge) const {
+        bool moved = false;
+        for (int axis = 0; axis < 2; ++axis) {
+            if (by_m[axis] == 0.0) continue;
+            const WalkSpan& span = space.spans[body.span];
+            const std::uint32_t at = axis == 0 ? span.cell % space.width : span.cell / space.width;
+            const double low = space.origin_m[axis] + at * space.cell_m, to = body.at_m[axis] + by_m[axis];
+            if (!(to > low && to < low + space.cell_m)) {
+                const std::uint32_t next = span.next[axis + (by_m[axis] > 0.0 ? 0 : 2)];
+                edge = edge || (next == kNothing && span.near_edge);
+                if (next == kNothing) continue;
+                body.span = next;
+            }
+            body.at_m[axis] = to;
+            moved = true;
+        }
+        return moved;
+    }
+    double goes_m(BlindBody& body, const Vec2& way, double most_m) const {
+        bool edge = false;
+        const Vec2 start = body.at_m;
+        for (double left_m = most_m; left_m > 0.0 && !edge; left_m -= stride_m)
+            if (!go(body, way * stride_m, edge)) break;
+        return edge ? 0.0 : glm::dot(body.at_m - start, way);
+    }
+    std::optional<double> line_up_m(const BlindBody& body, double heading_rad) const {
+        const Vec2 ahead{std::sin(heading_rad), std::cos(heading_rad)}, right{ahead.y, -ahead.x};
+        const auto opens = [&](BlindBody probe) {
+            const bool deep = goes_m(probe, ahead, kLineUpDeep_m) >= kLineUpDeep_m - 2.0 * stride_m;
+            BlindBody one = probe, other = probe;
+            return deep && goes_m(one, -right, kDoorway_m) + goes_m(other, right, kDoorway_m) < kDoorway_m;
+        };
+        if (opens(body)) return 0.0;
+        BlindBody sides[2] = {body, body};
+        bool goes[2] = {true, true};
+        for (double aside_m = stride_m; aside_m <= kLineUp_m; aside_m += stride_m)
+            for (const int side : {0, 1}) {
+                const double sign = side == 0 ? 1.0 : -1.0;
+                goes[side] = goes[side] && goes_m(sides[side], right * sign, stride_m) > 0.25 * stride_m;
+                if (goes[side] && opens(sides[side])) return sign * (aside_m + stride_m);
+            }
+        return std::nullopt;
+    }
+};
+
+TEST(BlindGround, lines_up_bit_for_bit_as_strides_do_that_look_at_all_and_go_all_their_way) {
+    std::mt19937 random(test::seed_of_run());
+    RecordProperty("seed", static_cast<int>(test::seed_of_run()));
+    const auto part = [&] { return static_cast<double>(random() % 10001) / 10000.0; };
+    int there = 0, edges = 0;
+    for (const double far_m : {0.0, 1e5}) {
+        SceneBuilder b = two_rooms(2.0 + 6.0 * part(), 0.8 + 0.8 * part());
+        b.box({10, 0, -0.2}, {12, 12, 0}, "terrace", SolidRole::Solid, "stone", FeatureKind::Floor);  // to edges
+        b.start({11, 6, 0}, 0.0);
+        for (int i = 0; i < 4; ++i) {
+            const double x = 9.0 * part(), y = 9.0 * part();
+            wall(b, {x, y, 0}, {x + 0.1 + part(), y + 0.1 + part(), 2.6});
+        }
+        const Room room = room_of(b);
+        WalkSpace moved = room.navigation->space();  // what is far from the origin is coarser by rounding alone
+        moved.origin_m += Vec3(far_m, -far_m, 0.0);
+        const BlindGround ground(moved, {});
+        const PlainStrides twin{moved};
+        for (int i = 0; i < 2000; ++i) {
+            const Vec3 place = moved.place_m(static_cast<std::uint32_t>(random() % moved.spans.size()));
+            const double dx = 0.04 * part() - 0.02, dy = 0.04 * part() - 0.02;
+            const BlindBody body = ground.body_at(place + Vec3(dx, dy, 0.0));
+            const double heading = i % 2 ? 2.0 * kPi * part() : notch_heading_rad(static_cast<int>(random() % 16));
+            const auto found = ground.line_up_m(body, heading, {}), expected = twin.line_up_m(body, heading);
+            ASSERT_EQ(found, expected) << far_m << " " << body.at_m.x << " " << body.at_m.y << " " << heading;
+            there += found ? 1 : 0;
+            edges += moved.spans[body.span].near_edge ? 1 : 0;
+        }
+    }
+    EXPECT_GT(there, 20);
+    EXPECT_GT(edges, 20);
+}
+
 TEST(BlindGround, mirrored_is_mirrored) {
     SceneBuilder b = two_rooms(4.0), mirrored = two_rooms(6.0);
     const Room one = room_of(b), other = room_of(mirrored);
