@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstring>
 #include <ctime>
+#include <new>
 #include <system_error>
 
 #include "worlds/base/descriptor.h"
@@ -120,6 +121,7 @@ Result<MappedFile> map_file(const fs::path& path, std::size_t max_bytes) {
     if (from->size > max_bytes) return fail(phrase("files.too_large", {{"megabytes", max_bytes >> 20}}), name);
     if (from->size == 0) return MappedFile({});
     void* const at = ::mmap(nullptr, from->size, PROT_READ, MAP_PRIVATE, from->file.get(), 0);
+    if (at == MAP_FAILED && errno == ENOMEM) throw std::bad_alloc();
     if (at == MAP_FAILED) return fail(phrase("files.cannot_read", {{"reason", reason_of(errno)}}), name);
     return MappedFile({static_cast<const char*>(at), from->size});
 }

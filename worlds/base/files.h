@@ -39,7 +39,7 @@ private:
     std::string_view bytes_;
 };
 
-// Fails as read_whole_file does.
+// Fails as read_whole_file does; throws std::bad_alloc, as that does, where there is no room in memory.
 Result<MappedFile> map_file(const std::filesystem::path& path, std::size_t max_bytes = std::size_t{1} << 30);
 
 // Replaces `path` with `content`, or leaves it exactly as it was and says why. Creates missing parent folders.

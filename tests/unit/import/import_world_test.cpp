@@ -235,6 +235,10 @@ TEST(ReaderProcess, is_bounded_in_memory) {
     const auto much = read_apart(bomb, {}, find_reader_program(), {60'000'000, 60, 60.0});
     ASSERT_FALSE(much.has_value());
     EXPECT_THAT(much.error().sentence(), HasSubstr("gigabytes of memory"));
+    fs::resize_file(bomb, 80'000'000);  // there is no room for the file itself
+    const auto larger = read_apart(bomb, {}, find_reader_program(), {60'000'000, 60, 60.0});
+    ASSERT_FALSE(larger.has_value());
+    EXPECT_THAT(larger.error().sentence(), HasSubstr("gigabytes of memory"));
 }
 
 TEST(ReaderProcess, ends_at_once_when_it_is_not_wanted_any_more) {
