@@ -137,7 +137,8 @@ private:
 TEST_F(FirstMinutesWithTouch, run_through_the_set_up_to_the_first_wall_and_the_choice) {
     const std::string to_wall = "hand-forward 30\nhand-forward 30\n";
     const std::string to_radiator = "hand-left 20\nhand-down 10\nhand-left 10\nhand-up 10\n";
-    const std::string push = "hand-back 20\nhand-forward 20\nwait 1\n\n";
+    // Back again, so that the hand is not at a wall of the room when that begins, and names it before it is asked to.
+    const std::string push = "hand-back 20\nhand-forward 20\nwait 1\nhand-back 20\n\n";
     const std::string anew = "hand-centre\nhome\n";  // in this order: what is behind a wall stays there otherwise
     const Outcome outcome = take({
         {"An empty line begins", "space\n\n"},
