@@ -80,7 +80,6 @@ BlindGround::BlindGround(const WalkSpace& space, std::vector<WordDoor> doors)
     if (doors_.empty()) return;
     shut_leaf_.assign(count, 0);
     open_leaf_.assign(count, 0);
-    in_leaf_.assign(count, 0);
     near_door_.assign(count, kNothing);
     std::vector<std::uint32_t> wave;
     for (std::uint32_t d = 0; d < doors_.size(); ++d)
@@ -93,7 +92,6 @@ BlindGround::BlindGround(const WalkSpace& space, std::vector<WordDoor> doors)
             visit_leaf(space_, leaf.own_m, leaf.open,
                        [&](std::uint32_t s) { open_leaf_[s] = static_cast<std::uint16_t>(d + 1); });
         }
-    for (std::size_t s = 0; s < count; ++s) in_leaf_[s] = shut_leaf_[s] || open_leaf_[s] ? 1 : 0;
     find_free();
     // Whoever stands a little before it can open it.
     const int rings = static_cast<int>(std::lround(kDoorReach_m / space_.cell_m));
@@ -116,7 +114,7 @@ void BlindGround::find_free() {
     std::vector<std::uint32_t> ring;
     std::vector<bool> seen(space_.spans.size(), false);
     for (std::uint32_t s = 0; s < space_.spans.size(); ++s)
-        if (in_leaf_[s]) {
+        if (shut_leaf_[s] || open_leaf_[s]) {
             ring.push_back(s);
             seen[s] = true;
             free_m_[s] = 0.0F;
@@ -133,49 +131,6 @@ void BlindGround::find_free() {
                 }
         ring = std::move(next);
     }
-}
-
-// Where nothing is near, all of the way at once. False: it is not known that nothing is.
-bool BlindGround::leap(BlindBody& body, const Vec2& ahead, double by_m) const {
-    const Vec2 to = body.at_m + ahead * by_m;
-    const auto x = static_cast<std::int64_t>(std::floor((to.x - space_.origin_m.x) / space_.cell_m)),
-               y = static_cast<std::int64_t>(std::floor((to.y - space_.origin_m.y) / space_.cell_m));
-    if (x < 0 || y < 0 || x >= space_.width || y >= space_.depth) return false;
-    const std::size_t cell = static_cast<std::size_t>(y) * space_.width + static_cast<std::size_t>(x);
-    for (std::uint32_t s = space_.first[cell]; s < space_.first[cell + 1]; ++s)
-        if (std::abs(space_.spans[s].floor_m - space_.spans[body.span].floor_m) < 0.01F && !space_.spans[s].stairs) {
-            body = {to, s};
-            return true;
-        }
-    return false;
-}
-
-BlindBody BlindGround::body_at(const Vec3& feet_m) const {
-    const std::uint32_t span = space_.nearest(feet_m, 1.0, 0.6, 3.0);
-    if (span == kNothing) return {};
-    const Vec3 place = space_.place_m(span);
-    const double half_m = 0.5 * space_.cell_m - kLeast_m;
-    return {{std::clamp(feet_m.x, place.x - half_m, place.x + half_m),
-             std::clamp(feet_m.y, place.y - half_m, place.y + half_m)},
-            span};
-}
-
-// A leaf holds whoever is not in it already: an opening leaf goes past a body.
-bool BlindGround::held(std::uint32_t from, std::uint32_t to, const DoorsOpen& open, bool through_doors) const {
-    if (in_leaf_.empty() || !in_leaf_[to]) return false;
-    const auto in = [&](std::uint32_t span, std::uint32_t& door) {
-        if (const std::uint16_t d = shut_leaf_[span]; d && !open[d - 1U] && !through_doors) {
-            door = d;
-            return true;
-        }
-        if (const std::uint16_t d = open_leaf_[span]; d && open[d - 1U]) {
-            door = d;
-            return true;
-        }
-        return false;
-    };
-    std::uint32_t there = 0, here = 0;
-    return in(to, there) && !(in(from, here) && here == there);
 }
 
 // A body with the column and row of its cell and the borders of these, which most strides look at and few change.
@@ -195,6 +150,49 @@ struct BlindGround::OnCell : BlindBody {
         high_m[axis] = low_m[axis] + space.cell_m;
     }
 };
+
+// Where nothing is near, all of the way at once. False: it is not known that nothing is.
+bool BlindGround::leap(OnCell& body, const Vec2& ahead, double by_m) const {
+    const Vec2 to = body.at_m + ahead * by_m;
+    const auto x = static_cast<std::int64_t>(std::floor((to.x - space_.origin_m.x) / space_.cell_m)),
+               y = static_cast<std::int64_t>(std::floor((to.y - space_.origin_m.y) / space_.cell_m));
+    if (x < 0 || y < 0 || x >= space_.width || y >= space_.depth) return false;
+    const std::size_t cell = static_cast<std::size_t>(y) * space_.width + static_cast<std::size_t>(x);
+    for (std::uint32_t s = space_.first[cell]; s < space_.first[cell + 1]; ++s)
+        if (std::abs(space_.spans[s].floor_m - space_.spans[body.span].floor_m) < 0.01F && !space_.spans[s].stairs) {
+            body = OnCell(space_, {to, s});
+            return true;
+        }
+    return false;
+}
+
+BlindBody BlindGround::body_at(const Vec3& feet_m) const {
+    const std::uint32_t span = space_.nearest(feet_m, 1.0, 0.6, 3.0);
+    if (span == kNothing) return {};
+    const Vec3 place = space_.place_m(span);
+    const double half_m = 0.5 * space_.cell_m - kLeast_m;
+    return {{std::clamp(feet_m.x, place.x - half_m, place.x + half_m),
+             std::clamp(feet_m.y, place.y - half_m, place.y + half_m)},
+            span};
+}
+
+// A leaf holds whoever is not in it already: an opening leaf goes past a body.
+bool BlindGround::held(std::uint32_t from, std::uint32_t to, const DoorsOpen& open, bool through_doors) const {
+    if (shut_leaf_.empty()) return false;
+    const auto in = [&](std::uint32_t span, std::uint32_t& door) {
+        if (const std::uint16_t d = shut_leaf_[span]; d && !open[d - 1U] && !through_doors) {
+            door = d;
+            return true;
+        }
+        if (const std::uint16_t d = open_leaf_[span]; d && open[d - 1U]) {
+            door = d;
+            return true;
+        }
+        return false;
+    };
+    std::uint32_t there = 0, here = 0;
+    return in(to, there) && !(in(from, here) && here == there);
+}
 
 // So far at a time, less than a cell, and past which neighbour it goes along each axis.
 struct BlindGround::Stride {
@@ -258,8 +256,7 @@ Paced BlindGround::walk(BlindBody& walks, double heading_rad, double most_m, Pac
         if (const auto free_m = static_cast<double>(free_m_[body.span]); free_m > 2.0 * stride_m) {
             double by_m = std::min(free_m, most_m - paced.walked_m);
             if (each_step) by_m = std::min(by_m, next_step_m - paced.walked_m);
-            if (by_m > stride_m && leap(walks = body, ahead, by_m)) {
-                body = OnCell(space_, walks);
+            if (by_m > stride_m && leap(body, ahead, by_m)) {
                 paced.walked_m += by_m;
                 strides = 0;
                 window_from_m = paced.walked_m;

@@ -93,13 +93,12 @@ private:
     struct Stride;
     bool held(std::uint32_t from, std::uint32_t to, const DoorsOpen& open, bool through_doors) const;
     void find_free();
-    bool leap(BlindBody& body, const Vec2& ahead, double by_m) const;
+    bool leap(OnCell& body, const Vec2& ahead, double by_m) const;
     bool advance(OnCell& body, const Stride& by, const DoorsOpen& open, bool through_doors, bool& edge) const;
 
     const WalkSpace& space_;
     std::vector<WordDoor> doors_;
     std::vector<std::uint16_t> shut_leaf_, open_leaf_;  // of each span: 1 + the door whose leaf it is in; 0: none
-    std::vector<std::uint8_t> in_leaf_;                 // of each span: whether it is in any, looked at most often
     std::vector<std::uint32_t> near_door_;
     std::vector<float> free_m_;  // of each span: nothing stands, ends or rises nearer; 0 where that is not known
 };
