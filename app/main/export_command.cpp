@@ -149,9 +149,8 @@ int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream
     const Result<fs::path> given = world_given(arguments.world);
     if (!given) return failed(given.error(), 1);
     const fs::path& world = *given;
-    Result<Scene> read =
-        mended_and_valid(imported(world, progress.followed(arguments.common.read_options(world))), world,
-                         arguments.common);
+    Result<Scene> read = mended_and_valid(imported(world, progress.followed(arguments.common.read_options(world))),
+                                          world, arguments.common);
     if (!read) return failed(read.error(), 1);
     const auto scene = std::make_shared<const Scene>(std::move(*read));
     progress.at(phrase("progress.rooms"));

@@ -26,8 +26,7 @@ struct LongWork::State {
 
     std::string words(double now_s) const {
         if (!reads)
-            return phrase("program.so_far",
-                          {{"what", what}, {"seconds", std::lround(patience->waited_s(now_s))}});
+            return phrase("program.so_far", {{"what", what}, {"seconds", std::lround(patience->waited_s(now_s))}});
         if (what.empty()) return phrase("program.loading", {{"percent", percent}});
         return phrase("program.loading_at", {{"percent", percent}, {"stage", what}});
     }

@@ -6,8 +6,8 @@
 
 #include "app/core/whereabouts/rooms_of_world.h"
 #include "app/core/world/body_heights.h"
-#include "app/core/world/wall_beside.h"
 #include "app/core/world/walker.h"
+#include "app/core/world/wall_beside.h"
 #include "app/results/measures.h"
 #include "app/results/strategy.h"
 #include "worlds/base/language.h"

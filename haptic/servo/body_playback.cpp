@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kStillS = 0.1;  // bodies that were still for longer begin where they stood, a frame before
 constexpr double kUsualFrameS = 1.0 / 60.0;
-std::atomic<std::uint64_t> pushes{0};
+std::atomic<std::uint64_t> frames_pushed{0};
 
 MovingBody on_the_way(std::size_t body, const Placement& from, const Placement& to) {
     const Vec3 way = glm::abs(to.position_m - from.position_m);
@@ -39,7 +39,7 @@ void BodyFrame::push(std::uint32_t scene, double time_s, std::vector<BodyPose> p
     for (std::size_t i = 0; count_ > 0 && i < poses.size(); ++i)
         if (const BodyPose& before = (*last().poses)[i]; !(poses[i] == before))
             moved.push_back(on_the_way(i, before.at, poses[i].at));
-    number_ = ++pushes;
+    number_ = ++frames_pushed;
     if (count_ == kMoments) {
         first_ = (first_ + 1) % kMoments;
         --count_;

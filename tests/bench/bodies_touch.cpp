@@ -2,6 +2,8 @@
 // bodies around it that stand still, move afar, or of which one pushes the ball. Under callgrind, instructions.sh
 // counts touch_tick.
 //   bodies_touch TICKS none|still|far|pushing [BODIES]
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>

@@ -3,6 +3,8 @@
 // ball rolling off an edge does not explain.
 //   long_walk [TICKS] [SEED]     20,000,000 ticks take minutes; ctest runs a short walk. Exit status 1 on the first
 //   thing that does not hold.
+#include <fmt/format.h>
+
 #include <chrono>
 #include <cstdlib>
 #include <iostream>

@@ -2,6 +2,8 @@
 // what the density of triangles costs. One line per sphere: build time, memory, time per tick.  mesh_touch [TICKS
 // [FREQUENCY [count]]]; a frequency of n gives 20 n^2 triangles. Under callgrind, instructions.sh counts what
 // measured_ticks() does; "count" leaves the timing out.
+#include <fmt/format.h>
+
 #include <malloc.h>
 
 #include <algorithm>

@@ -3,6 +3,8 @@
 // every optional feature compiled out (plain), or with all compiled in, used or not (all). servo: nothing guides the
 // hand; pull and grooves: it is pulled, or among 32 grooves.
 //   touch_walk [TICKS [servo|pull|grooves|touch|plain|all]]
+#include <fmt/format.h>
+
 #include <chrono>
 #include <cstdlib>
 #include <iostream>

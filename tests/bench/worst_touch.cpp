@@ -1,6 +1,8 @@
 // What the worst places cost that tests/support/worst_cases knows: time, counted work, and what had to wait.
 // worst_touch [TICKS [CASE [count]]] Under callgrind, instructions.sh counts what measured_ticks() does; "count" leaves
 // the timing out.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>

@@ -1,33 +1,26 @@
-// Linked into test programs of which not every test says THREADS: who starts a thread elsewhere ends the program with a
-// sentence. So the thread sanitizer, which is given only what says THREADS, misses none. Stands in front of the C
-// library's own function by the order in which names are looked up. HANDRAIL_THREADS_IN: the tests of the program that
-// may start threads, as `Suite.*` and `Suite.name` with colons between.
+// Part of test programs in which only some tests start threads: a thread in any other test ends the program with a
+// sentence. The thread sanitizer is given the tests that handrail_test() calls THREADED, so it misses none. This
+// function takes the place of the C library's own because the linker finds it first. HANDRAIL_THREADED: patterns of the
+// tests that may start threads, with colons between.
 #include <dlfcn.h>
+#include <fnmatch.h>
 #include <gtest/gtest.h>
 #include <pthread.h>
 
 #include <cstdio>
 #include <cstdlib>
+#include <sstream>
 #include <string>
-#include <string_view>
 
 namespace one_thread {
 
 bool may_start_threads() {
-#ifdef HANDRAIL_THREADS_IN
-    constexpr std::string_view listed = HANDRAIL_THREADS_IN;
-#else
-    constexpr std::string_view listed;
-#endif
     const testing::TestInfo* const test = testing::UnitTest::GetInstance()->current_test_info();
     if (!test) return false;
-    const std::string suite = std::string(test->test_suite_name()) + ".", name = suite + test->name();
-    for (std::string_view left = listed; !left.empty();) {
-        const std::size_t end = left.find(':');
-        const std::string_view one = left.substr(0, end);
-        left = end == std::string_view::npos ? std::string_view() : left.substr(end + 1);
-        if (one == name || (one.ends_with(".*") && one.substr(0, one.size() - 1) == suite)) return true;
-    }
+    const std::string name = std::string(test->test_suite_name()) + "." + test->name();
+    std::istringstream patterns(HANDRAIL_THREADED);
+    for (std::string pattern; std::getline(patterns, pattern, ':');)
+        if (::fnmatch(pattern.c_str(), name.c_str(), 0) == 0) return true;
     return false;
 }
 
@@ -41,9 +34,8 @@ extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attribute
         if (create) return create(thread, attributes, start, argument);
     }
     std::fputs(
-        "A thread was started in a test that has none: say THREADS in its handrail_test(), or name it in THREADS_IN "
-        "there, so that the "
-        "thread sanitizer runs it too.\n",
+        "A test started a thread that handrail_test() does not call THREADED. Name the test there, so that the thread "
+        "sanitizer runs it, too.\n",
         stderr);
     std::abort();
 }

@@ -1,24 +1,17 @@
-// The files of settings/languages as they were when the program was built, so that it can speak wherever it stands.
+// The files of settings/languages, built into the program, so that it can speak wherever it is installed.
 #pragma once
 
 #include <span>
-#include <string>
 #include <string_view>
 
 namespace handrail {
 
 struct BundledLanguage {
-    std::string_view code;                     // "en"
-    std::span<const std::string_view> pieces;  // one behind another they are the file
-
-    [[nodiscard]] std::string content() const {
-        std::string whole;
-        for (const std::string_view piece : pieces) whole += piece;
-        return whole;
-    }
+    std::string_view code;     // "en"
+    std::string_view content;  // of the whole file
 };
 
-extern const std::span<const BundledLanguage>
-    kBundledLanguages;  // defined in a source that settings/languages/embed.cmake writes
+// Defined in a source that settings/languages/embed.cmake writes.
+extern const std::span<const BundledLanguage> kBundledLanguages;
 
 }  // namespace handrail

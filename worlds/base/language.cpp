@@ -67,8 +67,8 @@ const Language* make_bundled(const BundledLanguage& source) {
     Language made{std::string(source.code), icu::Locale(std::string(source.code).c_str()), {}, {}};
     std::vector<Diagnostic> faults;
     gather(
-        toml::parse(source.content()), "", "", [](const std::string&, const std::string&) { return std::string(); },
-        made, faults);
+        toml::parse(source.content), "", "", [](const std::string&, const std::string&) { return std::string(); }, made,
+        faults);
     return &kept(std::move(made));
 }
 

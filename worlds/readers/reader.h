@@ -26,7 +26,7 @@ struct ReadOptions {
     std::function<Result<std::string>(const std::string& name)> read_beside;
     std::function<void(double fraction)> progress;      // 0 to 1, called from the reading thread; may be empty
     std::function<void(std::string_view stage)> stage;  // what it is at, a text's key ("import.shapes"); may be empty
-    bool mapped = false;  // look at the file where the system maps it (MappedFile); for a process that may end by that
+    bool mapped = false;   // look at the file where the system maps it (MappedFile); for a process that may end by that
     std::stop_token stop;  // looked at many times a second, whatever the file holds; the reading fails then, and nobody
                            // needs its sentence
 };
