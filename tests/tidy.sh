@@ -14,5 +14,5 @@ case "${1:-}" in
 esac
 mapfile -t sources < <(files "$@" | sed -nE 's#^((app|audio-cues|haptic|settings|worlds)/.*)\.(cpp|h)$#\1.cpp#p' | sort -u |
     while read -r source; do [ ! -e "$source" ] || echo "$source"; done)
-printf '%s\0' "${sources[@]}" | xargs -0 -r -n 1 -P "$(nproc)" clang-tidy --quiet -p build/tidy
+printf '%s\0' "${sources[@]}" | xargs -0 -r -n 1 -P "$(nproc)" clang-tidy --quiet -p build/tidy 2> >(grep -v " warnings\? generated" >&2)
 echo "clang-tidy finds nothing in ${#sources[@]} sources."
