@@ -415,7 +415,7 @@ std::vector<SettingRow> SettingsStore::explain() const {
 Result<void> SettingsStore::save_user_file() {
     const auto wanted = to_save();
     if (!wanted) return tl::unexpected(wanted.error());
-    return *wanted ? write_file_atomically((*wanted)->file, (*wanted)->text) : Result<void>{};
+    return *wanted ? write_named_file_atomically((*wanted)->file, (*wanted)->text) : Result<void>{};
 }
 
 Result<std::optional<SettingsStore::ToSave>> SettingsStore::to_save() const {

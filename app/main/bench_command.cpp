@@ -1,5 +1,4 @@
 #include <cstdlib>
-#include <fstream>
 
 #include "app/main/commands.h"
 #include "app/main/world_files.h"
@@ -22,14 +21,10 @@ std::vector<fs::path> bundled_maps() {
     return maps;
 }
 
-// False, and a sentence on `err`, when it could not be written.
-bool write(const fs::path& file, const std::string& content, std::ostream& err) {
-    std::ofstream out(file, std::ios::binary);
-    out << content;
-    out.close();
-    if (out) return true;
-    err << phrase("program.not_written", {{"file", file.string()}}) << '\n';
-    return false;
+// False, and a sentence on `err`, if it could not be written.
+bool told(const Result<void>& written, std::ostream& err) {
+    if (!written) err << written.error().sentence() << '\n';
+    return written.has_value();
 }
 
 }  // namespace
@@ -89,14 +84,16 @@ int run_bench_command(const BenchArguments& arguments, std::ostream& out, std::o
         std::error_code ec;
         fs::create_directories(*arguments.svg_folder, ec);
         for (const auto& [name, content] : bench::plots_of(report))
-            written = written && write(*arguments.svg_folder / name, content, err);
+            written = written && told(write_file_atomically(*arguments.svg_folder / name, content), err);
     }
     if (arguments.markdown) {
         const fs::path& file = *arguments.markdown;
         fs::path families = file;
         families.replace_filename(file.stem().string() + "-families" + file.extension().string());
-        written = written && write(file, bench::markdown_of(report, families.filename().string()), err) &&
-                  write(families, bench::families_markdown_of(report, file.filename().string()), err);
+        const std::string markdown = bench::markdown_of(report, families.filename().string()),
+                          of_families = bench::families_markdown_of(report, file.filename().string());
+        written = written && told(write_named_file_atomically(file, markdown), err) &&
+                  told(write_file_atomically(families, of_families), err);
     }
     return written ? 0 : 1;
 }

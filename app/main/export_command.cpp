@@ -24,6 +24,7 @@ namespace fs = std::filesystem;
 struct MadeFile {
     fs::path path;
     std::string content, said;
+    bool named = true;  // by the person; else its name is made of theirs
 };
 
 std::string ending_of(const fs::path& path) { return lower_ascii(path.extension().string()); }
@@ -87,7 +88,7 @@ Result<void> add_swell(const fs::path& path, const Storey& storey, const Wishes&
     } else {
         const auto add = [&](const fs::path& file, const SheetPage& page) {
             files.push_back({file, svg_of(page, language),
-                             phrase("export.wrote", {{"file", file.string()}, {"title", page.title}})});
+                             phrase("export.wrote", {{"file", file.string()}, {"title", page.title}}), false});
         };
         files.push_back({path, svg_of(sheet->plan, language), said(path)});
         for (std::size_t i = 0; i < sheet->key.size(); ++i)
@@ -130,7 +131,8 @@ Result<void> write_all(const std::vector<MadeFile>& files, bool force, std::ostr
             if (fs::exists(fs::symlink_status(file.path, ec)))
                 return fail(phrase("export.exists", {{"file", file.path.string()}}));
     for (const MadeFile& file : files) {
-        if (Result<void> written = write_file_atomically(file.path, file.content); !written) return written;
+        const auto write = file.named ? write_named_file_atomically : write_file_atomically;
+        if (Result<void> written = write(file.path, file.content); !written) return written;
         out << file.said << '\n';
     }
     return {};

@@ -35,7 +35,7 @@ private:
     Clock& clock_;
     const SessionVoice& say_;
     SaveSoon save_;
-    WriteBeside writer_;
+    WriteBeside writer_{write_named_file_atomically};
 };
 
 }  // namespace handrail

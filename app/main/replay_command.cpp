@@ -232,7 +232,7 @@ int run_replay(const ReplayArguments& arguments, const Settings& settings, std::
         const auto scenario = scenario_of(*recording, folder.filename().string());
         if (!scenario) return refuse(scenario.error());
         for (const std::string& sentence : scenario->left_out) out << sentence << '\n';
-        if (const auto written = write_file_atomically(*arguments.scenario, scenario->toml); !written)
+        if (const auto written = write_named_file_atomically(*arguments.scenario, scenario->toml); !written)
             return refuse(written.error());
     }
     if (arguments.check) return check(*recording, out, err, progress);

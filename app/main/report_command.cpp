@@ -155,13 +155,14 @@ private:
         struct Made {
             fs::path path;
             std::string content;
+            bool named = true;  // by the person
         };
         std::vector<Made> files;
         if (arguments_.html) files.push_back({*arguments_.html, std::move(page)});
         if (arguments_.csv) {
             files.push_back({*arguments_.csv, results_csv(rows)});
-            files.push_back(
-                {arguments_.csv->string() + "-metadata.json", results_metadata(arguments_.csv->filename().string())});
+            files.push_back({arguments_.csv->string() + "-metadata.json",
+                             results_metadata(arguments_.csv->filename().string()), false});
         }
         if (arguments_.json) files.push_back({*arguments_.json, results_json(rows)});
         std::error_code ec;
@@ -169,8 +170,8 @@ private:
             if (!arguments_.force && fs::exists(fs::symlink_status(made.path, ec)))
                 return refuse({{}, 0, 0, phrase("export.exists", {{"file", made.path.string()}})});
         for (const Made& made : files) {
-            if (const auto written = write_file_atomically(made.path, made.content); !written)
-                return refuse(written.error());
+            const auto write = made.named ? write_named_file_atomically : write_file_atomically;
+            if (const auto written = write(made.path, made.content); !written) return refuse(written.error());
             // So that deleting the learner can take it away.
             if (!learner_folder_.empty() && !lies_in(made.path, learner_folder_))
                 if (const auto noted = note_exported(learner_folder_, made.path); !noted)

@@ -165,7 +165,7 @@ int run_scenarios(const ScenarioArguments& arguments, std::ostream& out, std::os
                phrase("program.scenarios_hold",
                       {{"hold", outcomes.size() - static_cast<std::size_t>(failed)}, {"all", outcomes.size()}}));
     if (arguments.junit) {
-        if (const auto written = write_file_atomically(*arguments.junit, junit_xml(outcomes)); !written) {
+        if (const auto written = write_named_file_atomically(*arguments.junit, junit_xml(outcomes)); !written) {
             fmt::print(err, "{}\n", written.error().sentence());
             return 1;
         }

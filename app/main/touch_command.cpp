@@ -227,7 +227,7 @@ int run_touch(const TouchArguments& arguments, std::ostream&, std::ostream& err,
     progress.at(phrase("progress.path"));
     const std::string result = replay(std::make_shared<const Scene>(std::move(*scene)), *rows,
                                       tuning_of(arguments, limits ? *limits : ideal_device_spec()), limits);
-    const Result<void> written = write_file_atomically(arguments.out_csv, result);
+    const Result<void> written = write_named_file_atomically(arguments.out_csv, result);
     progress.done();
     return written ? 0 : refuse(written.error());
 }

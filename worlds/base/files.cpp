@@ -126,16 +126,11 @@ Result<MappedFile> map_file(const fs::path& path, std::size_t max_bytes) {
     return MappedFile({static_cast<const char*>(at), from->size});
 }
 
-Result<void> write_file_atomically(const fs::path& path, std::string_view content) {
+namespace {
+
+// `fresh_mode`: the permission bits of a file that was not there before.
+Result<void> replace(const fs::path& target, std::string_view content, mode_t fresh_mode) {
     std::error_code ec;
-    // Link by link, since the last one may point to a file that is still to be made.
-    fs::path target = path;
-    for (int links = 0; fs::is_symlink(target, ec); ++links) {
-        if (links == 40)
-            return fail(phrase("files.cannot_save", {{"reason", reason_of(ELOOP)}}),
-                        path.filename().string());  // the system's own limit
-        target = target.parent_path() / fs::read_symlink(target, ec);
-    }
     const std::string name = target.filename().string();
     const auto refused = [&](int error) {
         return fail(phrase("files.save_refused", {{"reason", reason_of(error)}}), name);
@@ -145,10 +140,11 @@ Result<void> write_file_atomically(const fs::path& path, std::string_view conten
         if (ec) return refused(ec.value());
     }
     struct stat old {};
-    const bool there = ::stat(target.c_str(), &old) == 0;
+    const bool there = ::lstat(target.c_str(), &old) == 0;
+    if (there && S_ISLNK(old.st_mode)) return fail(phrase("files.link"), name);
     if (there && !S_ISREG(old.st_mode))
         return fail(phrase(S_ISDIR(old.st_mode) ? "files.folder" : "files.no_file"), name);
-    const mode_t mode = there ? (old.st_mode & 07777) : 0644;
+    const mode_t mode = there ? (old.st_mode & 07777) : fresh_mode;
     sweep_up_beside(target);
     std::string beside = target.string() + std::string(kBeside) + std::string(kRandomLetters, 'X');
     int error = 0;
@@ -176,6 +172,28 @@ Result<void> write_file_atomically(const fs::path& path, std::string_view conten
     if (parent.get() >= 0)
         ::fsync(parent.get());  // the rename itself survives a power cut; failure here changes nothing
     return {};
+}
+
+}  // namespace
+
+Result<void> write_file_atomically(const fs::path& path, std::string_view content) {
+    return replace(path, content, 0644);
+}
+
+Result<void> write_private_file_atomically(const fs::path& path, std::string_view content) {
+    return replace(path, content, 0600);
+}
+
+Result<void> write_named_file_atomically(const fs::path& path, std::string_view content) {
+    std::error_code ec;
+    // Link by link, because the last one may point to a file that does not exist yet.
+    fs::path target = path;
+    for (int links = 0; fs::is_symlink(target, ec); ++links) {
+        if (links == 40)  // the system's own limit
+            return fail(phrase("files.cannot_save", {{"reason", reason_of(ELOOP)}}), path.filename().string());
+        target = target.parent_path() / fs::read_symlink(target, ec);
+    }
+    return replace(target, content, 0644);
 }
 
 }  // namespace handrail

@@ -43,9 +43,14 @@ private:
 Result<MappedFile> map_file(const std::filesystem::path& path, std::size_t max_bytes = std::size_t{1} << 30);
 
 // Replaces `path` with `content`, or leaves it exactly as it was and says why. Creates missing parent folders.
-// A symbolic link is followed, so that the link stays a link. Keeps the permission bits of an existing file. What
-// stands there must be an ordinary file. Removes what an earlier replacement of this file left beside it when the
-// program was ended in the middle.
+// Refuses a symbolic link in one sentence: somebody who prepared the folder could point it at any file of the person's.
+// Keeps the permission bits of an existing file, which must be an ordinary file. Removes what an earlier replacement of
+// this file left next to it when the program was killed in the middle.
 Result<void> write_file_atomically(const std::filesystem::path& path, std::string_view content);
+// The same, but only the person may read a new file.
+Result<void> write_private_file_atomically(const std::filesystem::path& path, std::string_view content);
+// The same for a path that the person chose (their settings, the file of an export): a symbolic link is followed, so
+// that it stays a link.
+Result<void> write_named_file_atomically(const std::filesystem::path& path, std::string_view content);
 
 }  // namespace handrail

@@ -58,6 +58,10 @@ bool is_there(const fs::path& path) {
     std::error_code ec;
     return fs::exists(fs::symlink_status(path, ec));
 }
+bool is_link(const fs::path& path) {
+    std::error_code ec;
+    return fs::is_symlink(path, ec);
+}
 
 // True where the folder of `near` can be written, or there is nowhere else.
 bool lies_beside(const fs::path& near, const fs::path& far, bool shipped) {
@@ -290,8 +294,20 @@ struct SideFile::Content {
         return merged;
     }
 
+    // Files that may be this world's, the preferred one first. A link in place of one was not put there by Handrail.
+    void lies_in(const fs::path& first, const fs::path& second) {
+        const bool first_is_link = is_link(first);
+        const bool swaps = first_is_link && !second.empty() && !is_link(second);
+        path = swaps ? second : first;
+        other_path = swaps ? first : second;
+        if (first_is_link)
+            news.push_back(
+                phrase(swaps ? "side_file.link" : "side_file.link_only", {{"file", first.filename().string()}}));
+    }
+
     // Under the lock of its folder, merged with what stands there.
     Result<void> write(const fs::path& to) {
+        if (is_link(to)) return fail(phrase("files.link"), to.filename().string());
         const fs::path folder = to.has_parent_path() ? to.parent_path() : fs::path(".");
         std::error_code ec;
         fs::create_directories(folder, ec);  // a lock needs it; what is wrong with it writing tells
@@ -391,11 +407,10 @@ SideFile SideFile::of_world(const fs::path& world, const fs::path& data_folder, 
     if (const auto bytes = read_whole_file(world)) content.checksum = checksum_of(*bytes);
     const fs::path near = beside(world), far = data_folder.empty() ? fs::path() : in_data_folder(world, data_folder);
     const bool near_works = lies_beside(near, far, shipped);
-    content.path = near_works ? near : far;
-    content.other_path = near_works ? far : near;
+    content.lies_in(near_works ? near : far, near_works ? far : near);
     // A folder that could not be written when something was added may be writable now, and the other way round.
     for (const fs::path& from : {content.path, content.other_path})
-        if (!from.empty() && is_there(from)) {
+        if (!from.empty() && is_there(from) && !is_link(from)) {
             content.read(from);
             break;
         }
@@ -405,7 +420,7 @@ SideFile SideFile::of_world(const fs::path& world, const fs::path& data_folder, 
 SideEntry SideFile::peek(const fs::path& world, const fs::path& data_folder, bool shipped, const std::string& name) {
     const fs::path near = beside(world), far = data_folder.empty() ? fs::path() : in_data_folder(world, data_folder);
     for (const fs::path& from : {shipped ? far : near, shipped ? near : far}) {
-        if (from.empty() || !is_there(from)) continue;
+        if (from.empty() || !is_there(from) || is_link(from)) continue;
         return table_of_text(read_whole_file(from, kLongestFile_bytes).value_or(""), name);
     }
     return {};

@@ -6,7 +6,6 @@
 #include <system_error>
 
 #include "worlds/base/contract.h"
-#include "worlds/base/files.h"
 
 namespace handrail {
 
@@ -16,9 +15,7 @@ bool WriteBeside::busy() const {
 
 void WriteBeside::write(std::filesystem::path file, std::string content) {
     contract_pre(!busy());
-    const auto job = [file = std::move(file), content = std::move(content)] {
-        return write_file_atomically(file, content);
-    };
+    const auto job = [how = how_, file = std::move(file), content = std::move(content)] { return how(file, content); };
     try {
         writing_ = std::async(std::launch::async, job);
     } catch (const std::system_error&) {

@@ -6,13 +6,16 @@
 #include <optional>
 #include <string>
 
-#include "worlds/base/result.h"
+#include "worlds/base/files.h"
 
 namespace handrail {
 
 class WriteBeside {
 public:
-    WriteBeside() = default;
+    // One of the functions of worlds/base/files.h.
+    using Write = Result<void> (*)(const std::filesystem::path&, std::string_view);
+
+    explicit WriteBeside(Write how = write_file_atomically) : how_(how) {}
     ~WriteBeside() { wait(); }
     WriteBeside(const WriteBeside&) = delete;
     WriteBeside& operator=(const WriteBeside&) = delete;
@@ -27,6 +30,7 @@ public:
     void wait() const;
 
 private:
+    Write how_;
     std::future<Result<void>> writing_;
 };
 

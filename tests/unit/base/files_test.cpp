@@ -80,7 +80,7 @@ TEST(ReadWholeFile, opens_ordinary_files_only_and_waits_for_nothing) {
         const auto content = read_whole_file(path);
         ASSERT_FALSE(content) << path;
         EXPECT_THAT(content.error().sentence(), HasSubstr("no ordinary file")) << path;
-        const auto saved = write_file_atomically(path, "x");
+        const auto saved = write_named_file_atomically(path, "x");
         ASSERT_FALSE(saved) << path;
         EXPECT_THAT(saved.error().sentence(), HasSubstr("no ordinary file")) << path;
     }
@@ -167,23 +167,47 @@ TEST(WriteFileAtomically, keeps_permission_bits_and_gives_new_files_ordinary_one
               fs::perms::owner_read | fs::perms::owner_write);
 }
 
-TEST(WriteFileAtomically, follows_a_symbolic_link_so_that_it_stays_a_link) {
+TEST(WriteNamedFileAtomically, follows_a_symbolic_link_so_that_it_stays_a_link) {
     const TemporaryFolder folder;
     fs::create_directory(folder.path() / "real");
     const fs::path target = folder.write("real/file", "old");
     fs::create_symlink("real/file", folder.path() / "link");
     fs::create_symlink("link", folder.path() / "link-to-link");
-    ASSERT_TRUE(write_file_atomically(folder.path() / "link-to-link", "new"));
+    ASSERT_TRUE(write_named_file_atomically(folder.path() / "link-to-link", "new"));
     EXPECT_TRUE(fs::is_symlink(folder.path() / "link"));
     EXPECT_TRUE(fs::is_symlink(folder.path() / "link-to-link"));
     EXPECT_EQ(content_of(target), "new");
     fs::create_symlink("real/later", folder.path() / "dangling");
-    ASSERT_TRUE(write_file_atomically(folder.path() / "dangling", "made"));
+    ASSERT_TRUE(write_named_file_atomically(folder.path() / "dangling", "made"));
     EXPECT_EQ(content_of(folder.path() / "real" / "later"), "made");
     EXPECT_TRUE(fs::is_symlink(folder.path() / "dangling"));
     fs::create_symlink("circle", folder.path() / "circle");
-    EXPECT_FALSE(write_file_atomically(folder.path() / "circle", "x"));
+    EXPECT_FALSE(write_named_file_atomically(folder.path() / "circle", "x"));
     EXPECT_TRUE(fs::is_symlink(folder.path() / "circle"));
+}
+
+// Somebody else's folder may hold such a link to any file of the person's.
+TEST(WriteFileAtomically, refuses_a_symbolic_link_and_leaves_it_and_its_target_as_they_are) {
+    const TemporaryFolder folder;
+    const fs::path target = folder.write("diary", "mine");
+    fs::create_symlink("diary", folder.path() / "link");
+    fs::create_symlink("later", folder.path() / "dangling");
+    for (const auto write : {write_file_atomically, write_private_file_atomically})
+        for (const char* name : {"link", "dangling"}) {
+            const Result<void> written = write(folder.path() / name, "new");
+            ASSERT_FALSE(written) << name;
+            EXPECT_THAT(written.error().sentence(), testing::StartsWith(std::string(name) + ": This is a link"));
+            EXPECT_TRUE(fs::is_symlink(folder.path() / name));
+        }
+    EXPECT_EQ(content_of(target), "mine");
+    EXPECT_FALSE(fs::exists(folder.path() / "later"));
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 3) << "nothing else";
+}
+
+TEST(WritePrivateFileAtomically, gives_new_files_to_the_person_alone) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(write_private_file_atomically(folder.path() / "fresh", "new"));
+    EXPECT_EQ(fs::status(folder.path() / "fresh").permissions(), fs::perms::owner_read | fs::perms::owner_write);
 }
 
 // In a child process that has given up being root, since root may write anywhere.

@@ -60,6 +60,47 @@ TEST(SideFile, keeps_what_it_does_not_know) {
     EXPECT_EQ(SideFile::of_world(world, {}).entries("mark"), marks);
 }
 
+// Somebody else's folder may hold such a link to any file of the person's.
+TEST(SideFile, is_neither_read_nor_written_through_a_link) {
+    const TemporaryFolder folder, data;
+    const fs::path world = folder.write("a.map", "x");
+    const std::string diary = "[[mark]]\nname = \"mine\"\nplace_m = [0.0, 0.0, 0.0]\n";
+    for (const char* content : {diary.c_str(), "not of this form"}) {
+        folder.write("diary", content);
+        const fs::path link = folder.path() / "a.map.handrail.toml";
+        fs::create_symlink("diary", link);
+        for (const fs::path& elsewhere : {data.path(), fs::path()}) {
+            SideFile file = SideFile::of_world(world, elsewhere);
+            ASSERT_EQ(file.news().size(), 1U);
+            EXPECT_THAT(file.news()[0], HasSubstr("a.map.handrail.toml is a link to another file"));
+            EXPECT_TRUE(file.entries("mark").empty());
+            EXPECT_TRUE(SideFile::peek(world, elsewhere, false, "unit").empty());
+            file.set_entries("mark", {mark("new", 1.0)});
+            const Result<void> saved = file.save();
+            EXPECT_EQ(saved.has_value(), !elsewhere.empty());
+            if (saved) EXPECT_EQ(SideFile::of_world(world, elsewhere).entries("mark").size(), 1U);
+            else EXPECT_THAT(saved.error().sentence(), HasSubstr("a.map.handrail.toml: This is a link"));
+        }
+        EXPECT_EQ(test::content_of(folder.path() / "diary"), content);
+        EXPECT_TRUE(fs::is_symlink(link));
+        EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 3) << "nothing aside";
+        fs::remove(link);
+        fs::remove_all(data.path() / "worlds");
+    }
+}
+
+TEST(SideFile, is_not_written_through_a_link_that_came_later) {
+    const TemporaryFolder folder;
+    const fs::path world = folder.write("a.map", "x"), diary = folder.write("diary", "mine");
+    SideFile file = SideFile::of_world(world, {});
+    file.set_entries("mark", {mark("new", 1.0)});
+    fs::create_symlink("diary", folder.path() / "a.map.handrail.toml");
+    EXPECT_FALSE(file.save());
+    EXPECT_EQ(test::content_of(diary), "mine");
+    fs::remove(folder.path() / "a.map.handrail.toml");
+    EXPECT_TRUE(file.save()) << "nothing is lost";
+}
+
 TEST(SideFile, puts_a_damaged_file_aside_says_so_and_starts_empty) {
     const TemporaryFolder folder;
     const fs::path world = folder.write("a.map", "x");
