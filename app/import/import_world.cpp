@@ -9,9 +9,9 @@
 
 #include "app/import/kept_scene.h"
 #include "worlds/base/descriptor.h"
-#include "worlds/base/files.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
+#include "worlds/cache/sha256.h"
 #include "worlds/stored/stored_scene.h"
 
 namespace handrail {
@@ -23,94 +23,78 @@ namespace fs = std::filesystem;
 struct FileState {
     std::uint64_t size = 0;
     timespec changed{};
-    std::uint32_t checksum = 0;
+    std::string sha256;
 
     bool same_as(const FileState& other) const {
         return size == other.size && changed.tv_sec == other.changed.tv_sec &&
-               changed.tv_nsec == other.changed.tv_nsec && checksum == other.checksum;
+               changed.tv_nsec == other.changed.tv_nsec && sha256 == other.sha256;
     }
 };
 
-// Nothing of what is no ordinary file, cannot be read or is not wanted any more: reading it says so.
-std::optional<FileState> state_of(const fs::path& path, const std::stop_token& stop) {
+// Nothing if it is smaller than that, no ordinary file, cannot be read or is not wanted any more: reading it says so.
+std::optional<FileState> state_of(const fs::path& path, std::uint64_t least_bytes, const std::stop_token& stop) {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     struct stat of {};
     if (file.get() < 0 || ::fstat(file.get(), &of) != 0 || !S_ISREG(of.st_mode)) return std::nullopt;
-    FileState state{static_cast<std::uint64_t>(of.st_size), of.st_mtim, 0};
+    FileState state{static_cast<std::uint64_t>(of.st_size), of.st_mtim, {}};
+    if (state.size < least_bytes) return std::nullopt;
+    Sha256 sum;
     std::string bytes(std::size_t{1} << 20, '\0');
     for (;;) {
         if (stop.stop_requested()) return std::nullopt;
         const ssize_t got = ::read(file.get(), bytes.data(), bytes.size());
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) return std::nullopt;
-        if (got == 0) return state;
-        state.checksum = checksum(state.checksum, std::string_view(bytes.data(), static_cast<std::size_t>(got)));
+        if (got == 0) break;
+        sum.add(std::string_view(bytes.data(), static_cast<std::size_t>(got)));
     }
+    state.sha256 = sum.hex();
+    return state;
 }
 
-// Everything but the file that decides what becomes of it. A person's own words may change between two starts.
-std::string said_by(const ReadOptions& options, const fs::path& path) {
-    std::string said = fmt::format("{} {} {} {} {} {}\n{}\n{}", options.map_metres_per_unit,
-                                   options.obj_metres_per_unit, options.unit_is_known, options.guess_materials,
-                                   options.solid_meshes, options.building, path.filename().string(), spoken_language());
+// Everything but the files next to it that decides what becomes of a file. A person's own words may change between two
+// starts.
+std::string name_in_cache(const FileState& file, const ReadOptions& options, const fs::path& path) {
+    Sha256 sum;
+    sum.add_counted(fmt::format("{:x} {} {} {} {} {} {}", kReaderVersion, file.sha256, options.map_metres_per_unit,
+                                options.obj_metres_per_unit, options.unit_is_known, options.guess_materials,
+                                options.solid_meshes));
+    for (const std::string& text : {options.building, path.filename().string(), spoken_language()})
+        sum.add_counted(text);
     const fs::path folder = spoken_language_folder();
-    std::error_code ec;
-    if (!folder.empty() && fs::is_directory(folder, ec))
+    if (!folder.empty())
         for (const std::string& code : {spoken_language(), std::string("en")})
-            if (const auto own = state_of(folder / (code + ".toml"), {}))
-                said += fmt::format("\n{} {} {:08x}", code, own->size, own->checksum);
-    return said;
+            if (const auto own = state_of(folder / (code + ".toml"), 0, {})) sum.add_counted(code + " " + own->sha256);
+    return sum.hex() + ".scene";
 }
 
-// True as long as those that were needed are there as they were, and those that were missing are missing.
-bool same_beside(const fs::path& path, const std::vector<BesideFile>& beside, const std::stop_token& stop) {
-    return std::all_of(beside.begin(), beside.end(), [&](const BesideFile& file) {
-        const Result<std::string> bytes = read_file_beside(path, file.name, stop);
-        return (bytes ? checksum(0, *bytes) : 0U) == file.checksum;
-    });
+Result<ImportedWorld> read_here(const fs::path& path, const ReadOptions& options) {
+    Result<Scene> scene = read_world(path, options);
+    if (!scene) return tl::unexpected(scene.error());
+    ImportedWorld world;
+    world.scene = std::move(*scene);
+    return world;
 }
 
 }  // namespace
 
 Result<ImportedWorld> import_world(const fs::path& path, const ReadOptions& options, const ImportHow& how) {
-    ImportedWorld world;
-    if (how.program.empty() || lower_ascii(path.extension().string()) == ".map" || options.read_beside) {
-        Result<Scene> scene = read_world(path, options);
-        if (!scene) return tl::unexpected(scene.error());
-        world.scene = std::move(*scene);
-        return world;
-    }
-    const bool keeps = !how.keep_in.empty();
-    const std::optional<FileState> before = keeps ? state_of(path, options.stop) : std::nullopt;
-    const std::string said = said_by(options, path);
-    if (before) {
-        if (const Result<std::string> file = read_whole_file(how.keep_in, std::size_t{2} << 30, options.stop)) {
-            Result<std::optional<Scene>> scene = scene_in(*file, [&](const KeptFrom& from) {
-                return from.version == kReaderVersion && from.size == before->size &&
-                       from.checksum == before->checksum && from.said == said &&
-                       same_beside(path, from.beside, options.stop);
-            });
-            if (scene && *scene) {
-                world.scene = std::move(**scene);
-                world.kept = true;
-                if (options.progress) options.progress(1.0);
-                return world;
-            }
-            world.kept_damaged = !scene.has_value();
-        }
-    }
-    Result<ReadApart> read = read_apart(path, options, how.program, how.limits);
+    if (how.program.empty() || lower_ascii(path.extension().string()) == ".map" || options.read_beside)
+        return read_here(path, options);
+    const std::optional<FileState> before =
+        how.cache ? state_of(path, kLeastKept_bytes, options.stop) : std::optional<FileState>();
+    const std::string name = before ? name_in_cache(*before, options, path) : std::string();
+    const Descriptor kept = before ? how.cache.open(name) : Descriptor(-1);
+    Result<ReadApart> read = read_apart(path, options, how.program, how.limits, {kept.get(), name});
     if (!read) return tl::unexpected(read.error());
     Result<Scene> scene = scene_from(read->scene);
     if (!scene) return tl::unexpected(scene.error());
-    world.scene = std::move(*scene);
-    // What changed while it was read is not kept. Where it cannot be written the next start reads it again.
-    if (before && before->size >= kLeastKept_bytes)
-        if (const auto after = state_of(path, options.stop); after && after->same_as(*before))
-            (void)write_file_atomically(
-                how.keep_in,
-                kept_file({kReaderVersion, before->size, before->checksum, said, read->beside}, read->scene));
-    return world;
+    if (read->kept && options.progress) options.progress(1.0);
+    // What changed while it was read is not kept.
+    if (before && !read->kept)
+        if (const auto after = state_of(path, 0, options.stop); after && after->same_as(*before))
+            how.cache.keep(name, kept_scene(read->beside, read->scene));
+    return ImportedWorld{std::move(*scene), read->kept, read->kept_damaged};
 }
 
 }  // namespace handrail

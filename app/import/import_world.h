@@ -1,15 +1,16 @@
 // How the program comes to a world from a file: .map files are read at once, all others in a process of their own
-// (reader_process), and what comes of those is kept, so that the next start is as fast as a .map's. Any thread but the
-// app thread: it waits.
+// (reader_process), and the cache keeps what comes of those, so that the next start is as fast as a .map's. Any thread
+// but the app's, because it waits.
 #pragma once
 
 #include "app/import/reader_process.h"
+#include "worlds/cache/cache.h"
 
 namespace handrail {
 
 struct ImportHow {
-    // Where to keep what was read; empty: nowhere. Written atomically; may go at any time.
-    std::filesystem::path keep_in;
+    // Where what was read is kept, and looked for first.
+    Cache cache{{}};
     std::filesystem::path program = find_reader_program();  // empty: the file is read in this process
     ReaderLimits limits;
 };
@@ -23,8 +24,9 @@ struct ImportedWorld {
     bool kept_damaged = false;  // what was kept could not be understood, so the file was read anew
 };
 
-// As read_world. What was kept counts only for the same bytes of the file and of those beside it, options, language and
-// build.
+// As read_world. What was kept counts only for the same bytes of the file and of those it needs next to it, the same
+// options, language and build: all but the files next to it are in the key, by SHA-256, and the digests of those are
+// kept with the scene.
 Result<ImportedWorld> import_world(const std::filesystem::path& path, const ReadOptions& options, const ImportHow& how);
 
 }  // namespace handrail

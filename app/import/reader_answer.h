@@ -7,14 +7,14 @@
 
 namespace handrail {
 
-inline constexpr int kAnswerFd = 3, kTellFd = 4;
-inline constexpr int kReaderWords = 11;  // with the program's own name
+inline constexpr int kAnswerFd = 3, kTellFd = 4, kKeptFd = 5;
+inline constexpr int kReaderWords = 12;  // with the program's own name
 inline constexpr int kWrongUse = 2, kNoMemory = 3, kNoRoom = 4, kCutMeanwhile = 5;
 inline constexpr std::size_t kMostHandedOver_bytes = std::size_t{1} << 30;
 
-// Before the bytes of the scene, which follow where it was read.
+// Before the bytes of the scene or of the ways, which follow if `read`.
 struct ReaderAnswer {
-    bool read = false;
+    bool read = false, kept = false, kept_damaged = false;
     Error error;
     std::vector<BesideFile> beside;
 };
@@ -26,13 +26,13 @@ void fields(A& a, T& v) {
 }
 template <class A, Is<BesideFile> T>
 void fields(A& a, T& v) {
-    auto& [name, sum] = v;
-    a(name, sum);
+    auto& [name, sha256] = v;
+    a(name, sha256);
 }
 template <class A, Is<ReaderAnswer> T>
 void fields(A& a, T& v) {
-    auto& [read, error, beside] = v;
-    a(read, error, beside);
+    auto& [read, kept, kept_damaged, error, beside] = v;
+    a(read, kept, kept_damaged, error, beside);
 }
 
 }  // namespace handrail

@@ -8,10 +8,14 @@
 #include <charconv>
 #include <new>
 
+#include "app/import/kept_scene.h"
 #include "app/import/reader_answer.h"
 #include "app/import/reader_process.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
+#include "worlds/cache/cache.h"
+#include "worlds/cache/sha256.h"
+#include "worlds/stored/stored_ways.h"
 
 namespace handrail {
 namespace {
@@ -53,16 +57,52 @@ void end_where_the_file_was_cut() {
     ::sigaction(SIGBUS, &act, nullptr);
 }
 
-int answer(int fd, const Result<Scene>& scene, const std::vector<BesideFile>& beside) {
-    ReaderAnswer told;
-    told.read = scene.has_value();
-    if (scene) told.beside = beside;
-    else told.error = scene.error();
+int answer(const ReaderAnswer& told, std::string_view bytes) {
     Packer pack;
     pack(told);
-    if (!write_all(fd, pack.take())) return kNoRoom;
-    if (scene && !write_all(fd, stored(*scene))) return kNoRoom;
-    return 0;
+    return write_all(kAnswerFd, pack.take()) && write_all(kAnswerFd, bytes) ? 0 : kNoRoom;
+}
+
+// True if the files that were needed next to the world's are as they were, and those that were missing are missing.
+bool same_beside(const fs::path& path, const std::vector<BesideFile>& beside) {
+    return std::all_of(beside.begin(), beside.end(), [&](const BesideFile& file) {
+        const Result<std::string> bytes = read_file_beside(path, file.name, {});
+        return (bytes ? sha256_of(*bytes) : std::string()) == file.sha256;
+    });
+}
+
+// The scene that was kept under that name; nothing if it is out of date or, as `damaged` then says, not to be believed.
+std::optional<Scene> scene_kept(const fs::path& path, const std::string& name, bool& damaged) {
+    const std::optional<std::string> kept = kept_content(kKeptFd, name);
+    Result<std::optional<Scene>> scene = fail("");
+    if (kept) scene = scene_in(*kept, [&](const auto& beside) { return same_beside(path, beside); });
+    damaged = !scene.has_value();
+    return scene ? std::move(*scene) : std::nullopt;
+}
+
+int answer_with_scene(const fs::path& path, ReadOptions& options, const std::string& kept_name) {
+    ReaderAnswer told;
+    if (!kept_name.empty())
+        if (const std::optional<Scene> kept = scene_kept(path, kept_name, told.kept_damaged)) {
+            told.read = told.kept = true;
+            return answer(told, stored(*kept));
+        }
+    options.read_beside = [&](const std::string& name) {
+        Result<std::string> bytes = read_file_beside(path, name, {});
+        told.beside.push_back({name, bytes ? sha256_of(*bytes) : std::string()});
+        return bytes;
+    };
+    const Result<Scene> scene = read_world(path, options);
+    told.read = scene.has_value();
+    if (!scene) told.error = scene.error();
+    return answer(told, scene ? stored(*scene) : std::string());
+}
+
+int answer_with_ways(const std::string& kept_name) {
+    ReaderAnswer told;
+    const std::string ways = unpacked_ways(kept_content(kKeptFd, kept_name).value_or(""));
+    told.read = told.kept = !ways.empty();
+    return answer(told, ways);
 }
 
 }  // namespace
@@ -92,12 +132,6 @@ int reader_process(int argc, char** argv) {
     options.solid_meshes = argv[9][2] == '1';
     options.building = argv[10];
     options.mapped = true;
-    std::vector<BesideFile> beside;
-    options.read_beside = [&](const std::string& name) {
-        Result<std::string> bytes = read_file_beside(path, name, {});
-        beside.push_back({name, bytes ? checksum(0, *bytes) : 0U});
-        return bytes;
-    };
     // Lines on the pipe; a reader that calls often is heard at every hundredth.
     int told = -1;
     options.progress = [&](double fraction) {
@@ -106,7 +140,7 @@ int reader_process(int argc, char** argv) {
     };
     options.stage = [](std::string_view stage) { write_all(kTellFd, fmt::format("s{}\n", stage)); };
     try {
-        return answer(kAnswerFd, read_world(path, options), beside);
+        return path.empty() ? answer_with_ways(argv[11]) : answer_with_scene(path, options, argv[11]);
     } catch (const std::bad_alloc&) {
         return kNoMemory;
     }

@@ -115,20 +115,23 @@ Result<ReadApart> read_answer(int fd) {
     if (!unpack.good()) return fail(phrase("import.damaged"));
     if (!answer.read) return tl::unexpected(answer.error);
     bytes->erase(0, bytes->size() - unpack.rest().size());
-    return ReadApart{std::move(*bytes), std::move(answer.beside)};
+    return ReadApart{std::move(*bytes), answer.kept, answer.kept_damaged, std::move(answer.beside)};
 }
 
-Result<pid_t> start(const fs::path& program, std::vector<std::string> words, int answer_fd, int tell_fd) {
-    // Numbers out of the way of 3 and 4 first, so that neither is overwritten before it is passed on.
+// kept_fd: -1 if there is none.
+Result<pid_t> start(const fs::path& program, std::vector<std::string> words, int answer_fd, int tell_fd, int kept_fd) {
+    // Numbers out of the way of 3 to 5 first, so that none is overwritten before it is passed on.
     const Descriptor answer(::fcntl(answer_fd, F_DUPFD_CLOEXEC, 64)), told(::fcntl(tell_fd, F_DUPFD_CLOEXEC, 64));
-    if (answer.get() < 0 || told.get() < 0) return fail(reason_of(errno));
+    const Descriptor kept(kept_fd < 0 ? -1 : ::fcntl(kept_fd, F_DUPFD_CLOEXEC, 64));
+    if (answer.get() < 0 || told.get() < 0 || (kept_fd >= 0 && kept.get() < 0)) return fail(reason_of(errno));
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     for (const int quiet : {STDIN_FILENO, STDOUT_FILENO})
         posix_spawn_file_actions_addopen(&actions, quiet, "/dev/null", O_RDWR, 0);
     posix_spawn_file_actions_adddup2(&actions, answer.get(), kAnswerFd);
     posix_spawn_file_actions_adddup2(&actions, told.get(), kTellFd);
-    posix_spawn_file_actions_addclosefrom_np(&actions, kTellFd + 1);
+    if (kept_fd >= 0) posix_spawn_file_actions_adddup2(&actions, kept.get(), kKeptFd);
+    posix_spawn_file_actions_addclosefrom_np(&actions, kept_fd >= 0 ? kKeptFd + 1 : kKeptFd);
     posix_spawnattr_t how;
     posix_spawnattr_init(&how);
     // A group of its own: what a terminal's keys send is for the program, which then ends this one.
@@ -162,7 +165,7 @@ fs::path find_reader_program() {
 }
 
 Result<ReadApart> read_apart(const fs::path& path, const ReadOptions& options, const fs::path& program,
-                             const ReaderLimits& limits) {
+                             const ReaderLimits& limits, const KeptForReader& kept) {
     const std::string name = path.filename().string();
     const auto problem = [&](const std::string& why) {
         return fail(phrase("import.cannot_start", {{"reason", why}}), name);
@@ -183,8 +186,8 @@ Result<ReadApart> read_apart(const fs::path& path, const ReadOptions& options, c
                   {program.string(), spoken_language(), spoken_language_folder().string(), std::to_string(::getpid()),
                    std::to_string(limits.memory_bytes), std::to_string(limits.cpu_s), path.string(),
                    fmt::format("{}", options.map_metres_per_unit), fmt::format("{}", options.obj_metres_per_unit),
-                   flags, options.building},
-                  answer.get(), theirs.get());
+                   flags, options.building, kept.file < 0 ? std::string() : kept.name},
+                  answer.get(), theirs.get(), kept.file);
         if (!started) return problem(started.error().message);
         process = *started;
     }
@@ -210,6 +213,14 @@ Result<ReadApart> read_apart(const fs::path& path, const ReadOptions& options, c
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
         return fail(end_words(status, limits, children_cpu_s() - before_s), name);
     return read_answer(answer.get());
+}
+
+std::string unpack_ways_apart(const KeptForReader& kept, const fs::path& program, const std::stop_token& stop,
+                              const ReaderLimits& limits) {
+    ReadOptions options;
+    options.stop = stop;
+    Result<ReadApart> read = read_apart({}, options, program, limits, kept);  // no file: the ways that are kept
+    return read ? std::move(read->scene) : std::string();
 }
 
 }  // namespace handrail

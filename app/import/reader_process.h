@@ -1,6 +1,7 @@
 // Reading a file in a process of its own (handrail-reader), so that no file takes the program down, whatever it holds:
-// its memory and time are bounded, and it dies with the program. What it made of the file comes back through a piece of
-// shared memory (worlds/stored), how far it is through a pipe.
+// its memory and time are bounded, and it dies with the program. The same process unpacks what the cache keeps. What it
+// made of either comes back through a piece of shared memory (worlds/stored), how far it is through a pipe. Of that
+// answer the program trusts nothing but its length: reading it back checks every count, enumerator and reference.
 #pragma once
 
 #include <cstdint>
@@ -18,16 +19,23 @@ struct ReaderLimits {
     double wall_s = 60.0;                      // on the clock, where the machine is busy or a disk hangs
 };
 
-// A file beside the world's that it needed, and its checksum; 0 where it was not to be had.
+// A file next to the world's that it needed, and its SHA-256 in hex; empty if it could not be read.
 struct BesideFile {
     std::string name;
-    std::uint32_t checksum = 0;
+    std::string sha256;
     bool operator==(const BesideFile&) const = default;
 };
 
 struct ReadApart {
     std::string scene;  // as bytes: scene_from(scene)
+    bool kept = false, kept_damaged = false;
     std::vector<BesideFile> beside;
+};
+
+// A file of the cache (worlds/cache), which the process checks and unpacks; -1: none.
+struct KeptForReader {
+    int file = -1;
+    std::string name;
 };
 
 // handrail-reader, beside this program or installed; empty: there is none.
@@ -35,9 +43,15 @@ std::filesystem::path find_reader_program();
 
 // As read_world. options.read_beside is not asked: the process looks beside the file itself. Waits for the process, and
 // ends it when `options.stop` says so, within a tenth of a second. One sentence for each way in which it can end. The
-// calling thread must outlive the call: the kernel ends the process with the thread.
+// calling thread must outlive the call: the kernel ends the process with the thread. The process takes the scene from
+// what was kept, and reads the file only if that is damaged or another file next to the world's has changed.
 Result<ReadApart> read_apart(const std::filesystem::path& path, const ReadOptions& options,
-                             const std::filesystem::path& program, const ReaderLimits& limits = {});
+                             const std::filesystem::path& program, const ReaderLimits& limits = {},
+                             const KeptForReader& kept = {});
+
+// The ways that were kept, unpacked in such a process (unpacked_ways); empty if they are damaged or it fails.
+std::string unpack_ways_apart(const KeptForReader& kept, const std::filesystem::path& program,
+                              const std::stop_token& stop = {}, const ReaderLimits& limits = {});
 
 // The main function of handrail-reader.
 int reader_process(int argc, char** argv);

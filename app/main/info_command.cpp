@@ -274,20 +274,12 @@ void tell(const Scene& scene, const TouchModel& touch, const Cost& cost, std::os
     if (cost.kept) line(phrase("info.kept"));
 }
 
-// A look at a world of ours, or at a small file, leaves nothing behind.
-std::filesystem::path ways_looked_for(const std::filesystem::path& world) {
-    std::error_code ec;
-    const std::uintmax_t bytes = std::filesystem::file_size(world, ec);
-    return ec || bytes < kLeastKept_bytes || is_shipped(world) ? std::filesystem::path() : ways_kept_of(world);
-}
-
 // The rooms that are found where the file states none, as a session finds them; why not, where it finds none.
 // `unreachable`: a sentence about those one cannot walk to, or empty.
-RoomGraph rooms_of(const std::shared_ptr<const Scene>& scene, const std::filesystem::path& world,
-                   std::string& unreachable, std::vector<std::string>& left_out) {
+RoomGraph rooms_of(const std::shared_ptr<const Scene>& scene, std::string& unreachable,
+                   std::vector<std::string>& left_out) {
     const BodySize size = body_size(*scene, Settings{}.walk.body_radius_m);
-    RoomsOfWorld rooms(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), true,
-                       ways_looked_for(world));
+    RoomsOfWorld rooms(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), true, ways_in_cache());
     if (!rooms.ready() || !rooms.found()) {
         if (!rooms.problem().empty()) left_out.push_back(rooms.problem());
         return {};
@@ -422,7 +414,7 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
     for (std::string& sentence : compiled.rounding.sentences()) scene->report.simplified.push_back(std::move(sentence));
     progress.at(phrase("progress.rooms"));
     std::string unreachable;
-    const RoomGraph graph = rooms_of(scene, *world, unreachable, scene->report.left_out);
+    const RoomGraph graph = rooms_of(scene, unreachable, scene->report.left_out);
     if (scale)
         for (std::string& sentence : simplified_at(*entered.scene, *scale, graph))
             scene->report.simplified.push_back(std::move(sentence));

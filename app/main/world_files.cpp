@@ -82,12 +82,20 @@ Result<fs::path> world_given(const fs::path& word) {
 
 Result<ImportedWorld> imported(const fs::path& world, const ReadOptions& options) {
     ImportHow how;
-    how.keep_in = kept_beside(kept_by(world), user_data_folder(), is_shipped(world), ".handrail.scene");
+    how.cache = Cache(user_cache_folder());
     return import_world(world, options, how);
 }
 
-fs::path ways_kept_of(const fs::path& world) {
-    return kept_beside(kept_by(world), user_data_folder(), is_shipped(world), ".handrail.ways");
+WaysKeeper ways_in_cache() {
+    const Cache cache(user_cache_folder());
+    const fs::path program = find_reader_program();
+    if (!cache || program.empty()) return {};
+    const auto name_of = [](const std::string& key) { return key + ".ways"; };
+    return {[=](const std::string& key, const std::stop_token& stop) {
+                const Descriptor file = cache.open(name_of(key));
+                return file.get() < 0 ? std::string() : unpack_ways_apart({file.get(), name_of(key)}, program, stop);
+            },
+            [=](const std::string& key, std::string_view packed) { cache.keep(name_of(key), packed); }};
 }
 
 Scene mended(Scene scene, const fs::path& world, const CommonArguments& common) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/core/kept/ways_keeper.h"
 #include "app/import/import_world.h"
 
 namespace handrail {
@@ -28,10 +29,10 @@ std::vector<std::string> world_names();
 // The world that a command was given: a file, or one of ours by its name, "house". Where there is neither and it may
 // have been meant for a name, fails with the nearest one; a file that is not there is for the reader to tell.
 Result<std::filesystem::path> world_given(const std::filesystem::path& word);
-// As import_world, with what is kept of the world lying where its side file does. Any thread but the app's.
+// As import_world, with the person's cache. Any thread but the app's.
 Result<ImportedWorld> imported(const std::filesystem::path& world, const ReadOptions& options);
-// Where its ways and rooms are kept, once they are found: beside that.
-std::filesystem::path ways_kept_of(const std::filesystem::path& world);
+// Keeps ways and rooms in the person's cache; nothing without one, or without handrail-reader, which unpacks them.
+WaysKeeper ways_in_cache();
 // With the doors that a person has said to be missing in it: of whoever keeps what they add in that folder. The same
 // where there are none. Any thread.
 Scene mended(Scene scene, const std::filesystem::path& world, const CommonArguments& common);

@@ -15,7 +15,7 @@ WorldLoading::WorldLoading(const std::filesystem::path& path, const CommonArgume
           progress_.reading("import.touch");
           EnteringWorld entering = make_ready_to_touch(
               std::make_shared<const Scene>(mended(std::move(world->scene), path, common)), stop_.get_token());
-          entering.ways_in = ways_kept_of(path);
+          entering.ways = ways_in_cache();
           return entering;
       })) {}
 

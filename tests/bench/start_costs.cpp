@@ -36,10 +36,10 @@ int measure(const char* file) {
     Result<Scene> scene = fail("");
     const double read_s = cpu_s([&] { scene = read_world(file); });
     if (!scene) return std::fprintf(stderr, "%s\n", scene.error().sentence().c_str()), 1;
-    const std::string kept = kept_file({}, stored(*scene));
+    const std::string kept = kept_scene({}, stored(*scene));
     bool whole = false;
     const double kept_s = cpu_s([&] {
-        const auto again = scene_in(kept, [](const KeptFrom&) { return true; });
+        const auto again = scene_in(kept, [](const std::vector<BesideFile>&) { return true; });
         whole = again && *again;
     });
     if (!whole) return std::fprintf(stderr, "%s cannot be kept\n", file), 1;
@@ -51,10 +51,9 @@ int measure(const char* file) {
     const double mesh_s = cpu_s([&] { (void)NavMesh::make(*space); });
     RoomGraph graph;
     const double rooms_s = cpu_s([&] { graph = make_rooms(*scene, *space); });
-    const double keeping_s = cpu_s([&] { ways = stored_ways(ways_made_of(*scene, {}), *space, graph); });
+    const double keeping_s = cpu_s([&] { ways = stored_ways(*space, graph); });
     bool whole_ways = false;
-    const double kept_ways_s =
-        cpu_s([&] { whole_ways = ways_from(ways, ways_made_of(*scene, {}), *scene).has_value(); });
+    const double kept_ways_s = cpu_s([&] { whole_ways = ways_from(unpacked_ways(ways), {}, *scene).has_value(); });
     if (!whole_ways) return std::fprintf(stderr, "the ways of %s cannot be kept\n", file), 1;
     const double rest_s = touch_s + mesh_s;
     std::printf(

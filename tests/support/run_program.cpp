@@ -39,6 +39,7 @@ void write_not_first(const std::filesystem::path& config, bool voice) {
 std::map<std::string, std::string> bare_environment(const std::string& home, bool voice) {
     write_not_first(std::filesystem::path(home) / ".config", voice);
     return {{"HOME", home},
+            {"XDG_CACHE_HOME", ""},
             {"XDG_CONFIG_HOME", ""},
             {"DISPLAY", ""},
             {"WAYLAND_DISPLAY", ""},

@@ -1,7 +1,6 @@
 #include "worlds/stored/stored_scene.h"
 
-#include <zlib.h>
-
+#include "worlds/cache/sha256.h"
 #include "worlds/scene/stated_building.h"
 #include "worlds/stored/archive.h"
 #include "worlds/stored/stored_basics.h"
@@ -308,20 +307,12 @@ Result<Scene> scene_from(std::string_view bytes) {
     return scene;
 }
 
-SceneSum sum_of(const Scene& scene) {
-    SceneSum sum;
-    const auto add = [&](std::string_view bytes) {
-        sum.bytes += bytes.size();
-        sum.checksum = checksum(sum.checksum, bytes);
-    };
-    Packer pack(add);
+std::string sum_of(const Scene& scene) {
+    Sha256 sum;
+    Packer pack([&](std::string_view bytes) { sum.add(bytes); });
     all_but_report(pack, scene);
-    add(pack.take());
-    return sum;
-}
-
-std::uint32_t checksum(std::uint32_t before, std::string_view bytes) {
-    return static_cast<std::uint32_t>(::crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+    sum.add(pack.take());
+    return sum.hex();
 }
 
 }  // namespace handrail

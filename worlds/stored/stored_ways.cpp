@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "worlds/base/files.h"
+#include "worlds/cache/sha256.h"
 #include "worlds/navigation/validate_ways.h"
 #include "worlds/stored/stored_basics.h"
 
@@ -18,20 +18,10 @@ inline constexpr int kLastOf<RoomKind> = static_cast<int>(RoomKind::Niche);
 template <>
 inline constexpr int kLastOf<RoomLook> = static_cast<int>(RoomLook::Hall);
 
-template <class A, Is<SceneSum> T>
-void fields(A& a, T& v) {
-    auto& [bytes, sum] = v;
-    a(bytes, sum);
-}
 template <class A, Is<WalkBody> T>
 void fields(A& a, T& v) {
     auto& [radius, height, step_up, most_drop, cell] = v;
     a(radius, height, step_up, most_drop, cell);
-}
-template <class A, Is<WaysFrom> T>
-void fields(A& a, T& v) {
-    auto& [version, scene, body] = v;
-    a(version, scene, body);
 }
 template <class A, Is<WalkLink> T>
 void fields(A& a, T& v) {
@@ -61,7 +51,6 @@ void fields(A& a, T& v) {
 
 namespace {
 
-constexpr std::string_view kWaysBegin = "handrail-ways\n";
 constexpr std::size_t kMostKept_bytes = std::size_t{512} << 20;  // unpacked; two million spans are 90 MB
 constexpr std::size_t kPacked_bytes = 1 << 18;                   // at once
 constexpr std::uint8_t kEdge = 1, kLiquid = 2, kStairs = 4;
@@ -204,6 +193,28 @@ void all_but_spans(A& a, T& space) {
     a(space.origin_m, space.cell_m, space.width, space.depth, space.body, space.links, space.obstacle_features);
 }
 
+// Empty: not to be kept.
+std::string plain_ways(const WalkSpace& space, const RoomGraph& graph) {
+    const std::optional<SpanColumns> columns = columns_of(space);
+    if (!columns || graph.room_of_span.size() != space.spans.size()) return {};
+    Packer all;
+    all_but_spans(all, space);
+    all(*columns, graph);
+    return all.take();
+}
+
+// What holds together by itself.
+std::optional<FoundWays> whole_ways(std::string_view plain) {
+    Unpacker all(plain);
+    FoundWays found;
+    SpanColumns columns;
+    all_but_spans(all, found.space);
+    all(columns, found.graph);
+    if (!all.good() || !all.rest().empty() || !put(columns, found.space)) return std::nullopt;
+    if (!validate(found.space) || !validate(found.graph, found.space)) return std::nullopt;
+    return found;
+}
+
 // What is not seen without the scene, and what no space of that body can be.
 bool belong_to(const Scene& scene, const WalkBody& asked, const WalkSpace& space, const RoomGraph& graph) {
     const auto known = [&](FeatureId id) { return !id || id.value < scene.features.size(); };
@@ -223,67 +234,46 @@ bool belong_to(const Scene& scene, const WalkBody& asked, const WalkSpace& space
 
 }  // namespace
 
-WaysFrom ways_made_of(const Scene& scene, const WalkBody& body) { return {kWaysVersion, sum_of(scene), body}; }
-
-std::string stored_ways(const WaysFrom& from, const WalkSpace& space, const RoomGraph& graph,
-                        const std::stop_token& stop) {
-    const std::optional<SpanColumns> columns = columns_of(space);
-    if (!columns || graph.room_of_span.size() != space.spans.size()) return {};
-    Packer all;
-    all_but_spans(all, space);
-    all(*columns, graph);
-    const std::string unpacked = all.take();
-    const std::string packed = unpacked.size() > kMostKept_bytes ? std::string() : deflated(unpacked, stop);
-    if (packed.empty()) return {};
-    Packer head;
-    head.raw(kWaysBegin.data(), kWaysBegin.size());
-    head(from, static_cast<std::uint64_t>(unpacked.size()));
-    const std::string begin = head.take();
-    Packer sums;
-    sums(checksum(checksum(0, begin), packed), static_cast<std::uint64_t>(begin.size() + packed.size()));
-    return sums.take() + begin + packed;
+std::string ways_key(const Scene& scene, const WalkBody& body) {
+    Packer pack;
+    pack(kWaysVersion, body);
+    Sha256 sum;
+    sum.add_counted(pack.take());
+    sum.add_counted(sum_of(scene));
+    return sum.hex();
 }
 
-std::optional<FoundWays> ways_from(std::string_view bytes, const WaysFrom& from, const Scene& scene) {
-    Unpacker outer(bytes);
-    std::uint32_t sum = 0;
+std::string stored_ways(const WalkSpace& space, const RoomGraph& graph, const std::stop_token& stop) {
+    const std::string plain = plain_ways(space, graph);
+    if (plain.empty() || plain.size() > kMostKept_bytes) return {};
+    const std::string packed = deflated(plain, stop);
+    if (packed.empty()) return {};
+    Packer head;
+    head(static_cast<std::uint64_t>(plain.size()));
+    return head.take() + packed;
+}
+
+std::string unpacked_ways(std::string_view packed) {
+    Unpacker head(packed);
     std::uint64_t size = 0;
-    outer(sum, size);
-    const std::string_view after = outer.rest();
-    if (!outer.good() || after.size() != size || !after.starts_with(kWaysBegin)) return std::nullopt;
-    Unpacker head(after.substr(kWaysBegin.size()));
-    WaysFrom made_of;
-    std::uint64_t unpacked_size = 0;
-    head(made_of, unpacked_size);
-    if (!head.good() || made_of != from || unpacked_size > kMostKept_bytes || checksum(0, after) != sum)
-        return std::nullopt;
-    std::string unpacked(unpacked_size, '\0');
-    if (!inflate_into(unpacked, head.rest())) return std::nullopt;
-    Unpacker all(unpacked);
-    FoundWays found;
-    SpanColumns columns;
-    all_but_spans(all, found.space);
-    all(columns, found.graph);
-    if (!all.good() || !all.rest().empty() || !put(columns, found.space)) return std::nullopt;
-    if (!belong_to(scene, from.body, found.space, found.graph) || !validate(found.space) ||
-        !validate(found.graph, found.space))
-        return std::nullopt;
-    found.space.said = said_of(found.space, from.body);
-    number_room_names(found.graph);  // in what is spoken now, which may be a person's own words
+    head(size);
+    if (!head.good() || size > kMostKept_bytes) return {};
+    std::string plain(size, '\0');
+    if (!inflate_into(plain, head.rest())) return {};
+    const std::optional<FoundWays> found = whole_ways(plain);
+    return found ? plain_ways(found->space, found->graph) : std::string();
+}
+
+std::optional<FoundWays> ways_from(std::string_view plain, const WalkBody& body, const Scene& scene) {
+    std::optional<FoundWays> found = whole_ways(plain);
+    if (!found || !belong_to(scene, body, found->space, found->graph)) return std::nullopt;
+    found->space.said = said_of(found->space, body);
+    number_room_names(found->graph);  // in what is spoken now, which may be a person's own words
     return found;
 }
 
-std::optional<FoundWays> take_ways(const std::filesystem::path& file, const WaysFrom& from, const Scene& scene,
-                                   const std::stop_token& stop) {
-    const Result<std::string> bytes = read_whole_file(file, kMostKept_bytes, stop);
-    return bytes ? ways_from(*bytes, from, scene) : std::nullopt;
-}
-
-void keep_ways_in(const std::filesystem::path& file, const WaysFrom& from, const Scene& scene, const WalkSpace& space,
-                  const RoomGraph& graph, const std::stop_token& stop) {
-    if (space.spans.size() < kLeastKeptSpans && scene.solids.size() + scene.triangles.size() < kLeastKeptShapes) return;
-    const std::string bytes = stored_ways(from, space, graph, stop);
-    if (!bytes.empty() && !stop.stop_requested()) (void)write_file_atomically(file, bytes);
+bool worth_keeping(const WalkSpace& space, const Scene& scene) {
+    return space.spans.size() >= kLeastKeptSpans || scene.solids.size() + scene.triangles.size() >= kLeastKeptShapes;
 }
 
 }  // namespace handrail

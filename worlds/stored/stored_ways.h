@@ -1,9 +1,9 @@
-// Where one can stand in a world and the rooms found there, kept in a file, so that the next start does not look for
-// them again. It holds for the same scene, body and build alone; whatever is damaged counts as not there. Pure but for
-// the file; any thread but the app's, which waits for no disk.
+// Where a body can stand in a world and the rooms found there, as bytes: the cache keeps them, so that the next start
+// does not look for them again. They are valid for the same scene, body and build alone, which their key says. Pure;
+// any thread but the app's, because a large building takes a while.
 #pragma once
 
-#include <filesystem>
+#include <cstdint>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -18,35 +18,26 @@ namespace handrail {
 // Another number whenever a source of the walkable space, of rooms, or of what a Scene is made of has changed.
 extern const std::uint64_t kWaysVersion;
 
-// What they were found of.
-struct WaysFrom {
-    std::uint64_t version = 0;
-    SceneSum scene;
-    WalkBody body;  // as it was asked for
-    bool operator==(const WaysFrom&) const = default;
-};
-
-WaysFrom ways_made_of(const Scene& scene, const WalkBody& body);
+// SHA-256, in hex, of what they are found from: the scene, the body as it was requested, and the version above.
+std::string ways_key(const Scene& scene, const WalkBody& body);
 
 struct FoundWays {
     WalkSpace space;  // without its walls, which only finding rooms needs
     RoomGraph graph;  // no names of a person
 };
 
-// The same values give the same bytes. Empty: stopped, or not to be kept (over 255 floors in one column). Time goes
-// with the spans, about a tenth of what finding them takes.
-std::string stored_ways(const WaysFrom& from, const WalkSpace& space, const RoomGraph& graph,
-                        const std::stop_token& stop = {});
-// Nothing of bytes that are damaged or were made of something else; `scene` is what `from` was made of. Names are in
-// the language spoken. What comes holds together by validate() of both.
-std::optional<FoundWays> ways_from(std::string_view bytes, const WaysFrom& from, const Scene& scene);
+// Compressed, as the cache keeps them; the same values give the same bytes. Empty: stopped, or not to be kept (over 255
+// floors in one column). Takes about a tenth of the time of finding them.
+std::string stored_ways(const WalkSpace& space, const RoomGraph& graph, const std::stop_token& stop = {});
+// Of stored_ways: uncompressed and written anew from values that hold together by validate(); empty if the bytes are
+// damaged. handrail-reader does this, so that the program itself decompresses nothing that was kept.
+std::string unpacked_ways(std::string_view packed);
+// Of unpacked_ways, for the scene and body of their key; nothing if they do not fit them. Names are in the language
+// spoken.
+std::optional<FoundWays> ways_from(std::string_view plain, const WalkBody& body, const Scene& scene);
 
-// With less floor than that, among fewer solids and triangles, they are found sooner than a file would be worth.
+// With less floor than that, among fewer solids and triangles, finding them is faster than keeping them.
 inline constexpr std::size_t kLeastKeptSpans = 50'000, kLeastKeptShapes = 2'000;
-// From and into the file; an error of the disk counts as nothing kept.
-std::optional<FoundWays> take_ways(const std::filesystem::path& file, const WaysFrom& from, const Scene& scene,
-                                   const std::stop_token& stop = {});
-void keep_ways_in(const std::filesystem::path& file, const WaysFrom& from, const Scene& scene, const WalkSpace& space,
-                  const RoomGraph& graph, const std::stop_token& stop = {});
+bool worth_keeping(const WalkSpace& space, const Scene& scene);
 
 }  // namespace handrail

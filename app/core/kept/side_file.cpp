@@ -39,19 +39,19 @@ std::string checksum_of(std::string_view bytes) {
     return fmt::format("{:08x}", crc);
 }
 
-fs::path beside(const fs::path& world, std::string_view ending = kEnding) {
+fs::path beside(const fs::path& world) {
     fs::path path = world;
-    path += ending;
+    path += kEnding;
     return path;
 }
 
 // Worlds of one name in different folders stay apart.
-fs::path in_data_folder(const fs::path& world, const fs::path& folder, std::string_view ending = kEnding) {
+fs::path in_data_folder(const fs::path& world, const fs::path& folder) {
     std::error_code ec;
     fs::path whole = fs::weakly_canonical(world, ec);
     if (ec) whole = world;
     const std::string name = world.filename().string();
-    return folder / "worlds" / fmt::format("{}-{}{}", name.substr(0, 150), checksum_of(whole.string()), ending);
+    return folder / "worlds" / fmt::format("{}-{}{}", name.substr(0, 150), checksum_of(whole.string()), kEnding);
 }
 
 bool is_there(const fs::path& path) {
@@ -394,12 +394,6 @@ SideFile::SideFile() : content_(std::make_unique<Content>()) {}
 SideFile::~SideFile() = default;
 SideFile::SideFile(SideFile&&) noexcept = default;
 SideFile& SideFile::operator=(SideFile&&) noexcept = default;
-
-fs::path kept_beside(const fs::path& world, const fs::path& folder, bool shipped, std::string_view ending) {
-    const fs::path near = beside(world, ending),
-                   far = folder.empty() ? fs::path() : in_data_folder(world, folder, ending);
-    return lies_beside(near, far, shipped) ? near : far;
-}
 
 SideFile SideFile::of_world(const fs::path& world, const fs::path& data_folder, bool shipped) {
     SideFile file;

@@ -151,11 +151,6 @@ void write_list(SideFile& file, const std::string& name, const std::vector<T>& a
 // {all} and {names}; empty where all fit.
 std::string unfit_words(std::string_view key, const std::vector<std::string>& unfit, std::size_t all);
 
-// Where another file about a world lies, by its ending (".handrail.toml" the side file's): beside the world, or in the
-// data folder where that folder cannot be written or the world is shipped.
-std::filesystem::path kept_beside(const std::filesystem::path& world, const std::filesystem::path& data_folder,
-                                  bool shipped, std::string_view ending);
-
 // $XDG_DATA_HOME/handrail, else ~/.local/share/handrail; empty when neither is known.
 std::filesystem::path user_data_folder();
 

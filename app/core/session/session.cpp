@@ -45,8 +45,7 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     keep_learnt(now_s);
     state_.body.walker.reset();
     // The world one leaves is let go of beside everything else.
-    std::shared_ptr<RoomsOfWorld> rooms_left =
-        where_.rooms.enter_world(std::move(world.file), std::move(world.ways_in));
+    std::shared_ptr<RoomsOfWorld> rooms_left = where_.rooms.enter_world(std::move(world.file), std::move(world.ways));
     auto left = std::make_shared<
         std::tuple<std::shared_ptr<RoomsOfWorld>, std::shared_ptr<const Scene>, std::shared_ptr<const BodyWorld>>>(
         std::move(rooms_left), std::move(state_.world.scene), std::move(state_.world.solids));

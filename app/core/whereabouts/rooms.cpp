@@ -13,12 +13,12 @@
 
 namespace handrail {
 
-std::shared_ptr<RoomsOfWorld> Rooms::enter_world(std::shared_ptr<const Scene> scene, std::filesystem::path kept_in) {
+std::shared_ptr<RoomsOfWorld> Rooms::enter_world(std::shared_ptr<const Scene> scene, WaysKeeper keeper) {
     const BodySize size = body_size(*scene, context_.settings.walk.body_radius_m);
     std::shared_ptr<RoomsOfWorld> left = std::move(of_world_);
     if (left) left->give_up();  // before the next begins
     const WalkBody body = walk_body(*scene, size.radius_m, size.height_m, size.step_up_m);
-    of_world_ = std::make_shared<RoomsOfWorld>(std::move(scene), body, !beside_, std::move(kept_in));
+    of_world_ = std::make_shared<RoomsOfWorld>(std::move(scene), body, !beside_, std::move(keeper));
     leaves_of_.reset();
     patience_.reset();
     told_ = false;

@@ -25,9 +25,9 @@ public:
     // asked for.
     void find_beside() { beside_ = true; }
     bool beside() const { return beside_; }
-    // scene: as its file has it. kept_in: see RoomsOfWorld. What is known of the world one leaves comes back, to be let
+    // scene: as its file has it. keeper: see RoomsOfWorld. What is known of the world one leaves comes back, to be let
     // go of beside everything else: that may wait for its thread and for a disk.
-    std::shared_ptr<RoomsOfWorld> enter_world(std::shared_ptr<const Scene> scene, std::filesystem::path kept_in = {});
+    std::shared_ptr<RoomsOfWorld> enter_world(std::shared_ptr<const Scene> scene, WaysKeeper keeper = {});
     // Exits, those not taken yet, and naming a room. False: it is another's.
     bool act(Command command, double now_s);
     void tick(double now_s);

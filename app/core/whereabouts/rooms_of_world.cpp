@@ -12,17 +12,16 @@
 
 namespace handrail {
 
-RoomsOfWorld::RoomsOfWorld(std::shared_ptr<const Scene> scene, const WalkBody& body, bool at_once,
-                           std::filesystem::path kept_in)
-    : scene_(std::move(scene)), body_(body), at_once_(at_once), kept_in_(std::move(kept_in)) {
+RoomsOfWorld::RoomsOfWorld(std::shared_ptr<const Scene> scene, const WalkBody& body, bool at_once, WaysKeeper keeper)
+    : scene_(std::move(scene)), body_(body), at_once_(at_once), keeper_(std::move(keeper)) {
     contract_pre(scene_ != nullptr);
     contract_pre(body.radius_m > 0.0 && body.height_m > 0.0);
     if (!at_once_) worker_ = std::jthread([this](const std::stop_token& stop) { find(stop); });
 }
 
-void RoomsOfWorld::find_or_take(const WaysFrom& from, const std::stop_token& stop) {
+void RoomsOfWorld::find_or_take(const std::string& key, const std::stop_token& stop) {
     std::optional<FoundWays> kept;
-    if (!kept_in_.empty()) kept = take_ways(kept_in_, from, *scene_, stop);
+    if (keeper_) kept = ways_from(keeper_.take(key, stop), body_, *scene_);
     Result<std::shared_ptr<Navigation>> made =
         kept ? Navigation::over(*scene_, std::move(kept->space), stop) : Navigation::make(*scene_, body_, stop);
     if (!made) {
@@ -39,13 +38,14 @@ void RoomsOfWorld::find_or_take(const WaysFrom& from, const std::stop_token& sto
 }
 
 void RoomsOfWorld::find(const std::stop_token& stop) {
-    WaysFrom from;
+    std::string key;
     std::shared_ptr<const Navigation> to_keep;
     RoomGraph graph;  // as it is now: the person's names come later
     try {
-        if (!kept_in_.empty()) from = ways_made_of(*scene_, body_);
-        find_or_take(from, stop);
-        if (navigation_ && !kept_ && !kept_in_.empty() && !stop.stop_requested()) {
+        if (keeper_) key = ways_key(*scene_, body_);
+        find_or_take(key, stop);
+        if (navigation_ && !kept_ && keeper_ && !stop.stop_requested() &&
+            worth_keeping(navigation_->space(), *scene_)) {
             graph = graph_;
             to_keep = navigation_;
         }
@@ -60,14 +60,15 @@ void RoomsOfWorld::find(const std::stop_token& stop) {
     done_.notify_all();
     if (!to_keep) return;
     try {
-        keep_ways_in(kept_in_, from, *scene_, to_keep->space(), graph, stop);
+        if (const std::string packed = stored_ways(to_keep->space(), graph, stop); !packed.empty())
+            keeper_.keep(key, packed);
     } catch (const std::bad_alloc&) {  // the next start finds them again
     }
 }
 
-// What was found of the same scene before, where somebody keeps it and no file does.
+// What was found of the same scene before, if this process still has it and no keeper does.
 void RoomsOfWorld::find_once() {
-    RoomsKept* const kept = kept_in_.empty() ? RoomsKept::here() : nullptr;
+    RoomsKept* const kept = keeper_ ? nullptr : RoomsKept::here();
     if (const RoomsKept::Found* before = kept ? kept->of(scene_, body_) : nullptr)
         if (auto made = Navigation::over(*scene_, before->space)) {
             navigation_ = std::move(*made);

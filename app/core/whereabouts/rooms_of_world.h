@@ -4,27 +4,24 @@
 #pragma once
 
 #include <atomic>
-#include <filesystem>
 #include <memory>
 #include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "app/core/kept/ways_keeper.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/navigation/rooms.h"
 
 namespace handrail {
 
-struct WaysFrom;
-
 class RoomsOfWorld {
 public:
     // at_once: found when ready() is first asked, which then takes as long as it takes, or before (RoomsKept).
-    // kept_in: the file in which they are kept, in whose place no RoomsKept is asked; what holds there is taken, and
-    // what was found anew is kept after ready(); empty: nowhere.
-    RoomsOfWorld(std::shared_ptr<const Scene> scene, const WalkBody& body, bool at_once,
-                 std::filesystem::path kept_in = {});
+    // keeper: takes what was kept for this scene and body, and keeps what was found anew, after ready(); used instead
+    // of RoomsKept.
+    RoomsOfWorld(std::shared_ptr<const Scene> scene, const WalkBody& body, bool at_once, WaysKeeper keeper = {});
     ~RoomsOfWorld() = default;  // gives up what is not done yet, and waits for that
     RoomsOfWorld(const RoomsOfWorld&) = delete;
     RoomsOfWorld& operator=(const RoomsOfWorld&) = delete;
@@ -34,7 +31,7 @@ public:
     bool done() { return at_once_ ? done_.load() : ready(); }             // ready(), without making it so
     bool told_ready() const { return at_once_ ? done_.load() : known_; }  // ready() has said so, without asking it
     bool found() const { return navigation_ != nullptr; }
-    bool kept() const { return kept_; }                      // they were not found but taken from the file
+    bool kept() const { return kept_; }                      // taken from the keeper instead of being found
     const std::string& problem() const { return problem_; }  // a sentence; empty: none
     // It is not wanted any more: ready() may never be true.
     void give_up() { worker_.request_stop(); }
@@ -50,12 +47,12 @@ public:
 private:
     void find(const std::stop_token& stop);
     void find_once();
-    void find_or_take(const WaysFrom& from, const std::stop_token& stop);
+    void find_or_take(const std::string& key, const std::stop_token& stop);
 
     std::shared_ptr<const Scene> scene_;
     WalkBody body_;
     bool at_once_, kept_ = false;
-    std::filesystem::path kept_in_;
+    WaysKeeper keeper_;
     std::shared_ptr<Navigation> navigation_;
     RoomGraph graph_;
     std::vector<std::string> out_of_reach_;

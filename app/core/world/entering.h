@@ -2,11 +2,11 @@
 // feels first. Pure; any thread.
 #pragma once
 
-#include <filesystem>
 #include <memory>
 #include <stop_token>
 #include <vector>
 
+#include "app/core/kept/ways_keeper.h"
 #include "app/core/world/body_world.h"
 #include "haptic/render/dynamics_scene.h"
 #include "haptic/render/haptic_scene.h"
@@ -22,8 +22,8 @@ struct EnteringWorld {
     double heading_rad = 0.0;
     std::unique_ptr<BodyWorld> body;
     std::shared_ptr<const HapticScene>
-        sharp;                      // felt until it has been rounded and simplified; null: that is done on entering
-    std::filesystem::path ways_in;  // where its ways and rooms are kept (worlds/stored/stored_ways.h); empty: nowhere
+        sharp;        // felt until it has been rounded and simplified; null: that is done on entering
+    WaysKeeper ways;  // keeps its ways and rooms for the next start
 };
 
 // At the base (or first) start of the scene.

@@ -1,14 +1,14 @@
 // Rooms and ways in a session: the room's name, its exits, the way to another room, in words and along it; on a thread
 // and when asked.
 #include <chrono>
-#include <filesystem>
+#include <map>
+#include <string>
 #include <thread>
 
 #include "app/core/whereabouts/rooms_of_world.h"
 #include "app/core/world/walker.h"
 #include "tests/support/map_text.h"
 #include "tests/support/spoken_language.h"
-#include "tests/support/temporary_folder.h"
 #include "tests/unit/core/app_session.h"
 #include "worlds/stored/stored_ways.h"
 
@@ -282,10 +282,12 @@ TEST(RoomsKept, are_as_if_they_were_found_anew_and_the_sessions_own) {
 }
 
 TEST(RoomsOfAWorld, are_taken_from_what_was_kept_and_are_the_same) {
-    const test::TemporaryFolder folder;
-    const std::filesystem::path file = folder.path() / "house.map.handrail.ways";
+    std::map<std::string, std::string> cache;
+    const WaysKeeper keeper{[&](const std::string& key, const std::stop_token&) { return unpacked_ways(cache[key]); },
+                            [&](const std::string& key, std::string_view packed) { cache[key] = packed; }};
     const auto scene = house();
     const WalkBody body = walk_body(*scene, 0.25, 1.8, 0.25);
+    const std::string key = ways_key(*scene, body);
     struct Known {
         bool kept = false;
         std::string ways;
@@ -294,12 +296,12 @@ TEST(RoomsOfAWorld, are_taken_from_what_was_kept_and_are_the_same) {
     };
     const auto look = [&](bool at_once) {
         Known known;
-        RoomsOfWorld rooms(scene, body, at_once, file);
+        RoomsOfWorld rooms(scene, body, at_once, keeper);
         while (!rooms.ready()) std::this_thread::yield();
         EXPECT_TRUE(rooms.found());
         if (!rooms.found()) return known;
         known.kept = rooms.kept();
-        known.ways = stored_ways(ways_made_of(*scene, body), rooms.navigation().space(), rooms.graph());
+        known.ways = stored_ways(rooms.navigation().space(), rooms.graph());
         known.way_m = rooms.navigation().plan(scene->starts[0].feet_m, rooms.graph().rooms.back().middle_m).points_m;
         known.out_of_reach = rooms.out_of_reach();
         return known;
@@ -313,12 +315,13 @@ TEST(RoomsOfAWorld, are_taken_from_what_was_kept_and_are_the_same) {
         EXPECT_EQ(again.way_m, first.way_m);
         EXPECT_EQ(again.out_of_reach, first.out_of_reach);
     }
-    const std::string whole = test::content_of(file);
-    folder.write("house.map.handrail.ways", whole.substr(0, whole.size() / 2));
+    const std::string whole = cache[key];
+    EXPECT_EQ(whole, first.ways);
+    cache[key] = whole.substr(0, whole.size() / 2);
     const Known anew = look(true);
     EXPECT_FALSE(anew.kept);
     EXPECT_EQ(anew.ways, first.ways);
-    EXPECT_EQ(test::content_of(file), whole) << "mended";
+    EXPECT_EQ(cache[key], whole) << "mended";
 }
 
 }  // namespace rooms_session_test

@@ -13,7 +13,9 @@
 #include "tests/support/child_process.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/ifc/ifc_text.h"
+#include "worlds/navigation/navigation.h"
 #include "worlds/stored/stored_scene.h"
+#include "worlds/stored/stored_ways.h"
 
 namespace handrail {
 namespace import_world_test {
@@ -29,13 +31,19 @@ std::string large_house() {
     return test::with_instances(test::small_house(), more);
 }
 
+std::vector<fs::path> kept_in(const fs::path& cache) {
+    std::vector<fs::path> files;
+    for (const fs::directory_entry& entry : fs::directory_iterator(cache)) files.push_back(entry.path());
+    return files;
+}
+
 TEST(ImportedWorld, is_the_same_bit_for_bit_as_one_read_here_or_kept) {
     const test::TemporaryFolder folder;
-    const fs::path path = folder.write("house.ifc", large_house()), kept = folder.path() / "house.kept";
+    const fs::path path = folder.write("house.ifc", large_house()), cache = folder.path() / "cache";
     ASSERT_GE(fs::file_size(path), kLeastKept_bytes);
     const Result<Scene> here = read_world(path);
     ASSERT_TRUE(here.has_value()) << here.error().sentence();
-    const ImportHow how{kept, find_reader_program(), {}};
+    const ImportHow how{Cache(cache), find_reader_program(), {}};
     ASSERT_FALSE(how.program.empty());
     for (const bool again : {false, true}) {
         const Result<ImportedWorld> world = import_world(path, {}, how);
@@ -43,14 +51,14 @@ TEST(ImportedWorld, is_the_same_bit_for_bit_as_one_read_here_or_kept) {
         EXPECT_EQ(world->kept, again);
         EXPECT_FALSE(world->kept_damaged);
         EXPECT_EQ(stored(world->scene), stored(*here));
-        EXPECT_TRUE(fs::exists(kept));
+        EXPECT_EQ(kept_in(cache).size(), 1U);
     }
 }
 
 TEST(ImportedWorld, is_read_anew_when_anything_it_was_made_of_has_changed) {
     const test::TemporaryFolder folder;
     const fs::path path = folder.write("house.ifc", large_house());
-    const ImportHow how{folder.path() / "house.kept", find_reader_program(), {}};
+    const ImportHow how{Cache(folder.path() / "cache"), find_reader_program(), {}};
     const auto is_kept = [&](const ReadOptions& options = {}) {
         const Result<ImportedWorld> world = import_world(path, options, how);
         EXPECT_TRUE(world.has_value());
@@ -61,8 +69,8 @@ TEST(ImportedWorld, is_read_anew_when_anything_it_was_made_of_has_changed) {
     ReadOptions other;
     other.guess_materials = false;
     EXPECT_FALSE(is_kept(other));
-    EXPECT_FALSE(is_kept()) << "the last one is kept, not each";
-    EXPECT_TRUE(is_kept());
+    EXPECT_TRUE(is_kept(other));
+    EXPECT_TRUE(is_kept()) << "each is kept";
     folder.write("house.ifc", test::replaced(large_house(), "a chair of no shape", "a table of no shape"));
     EXPECT_FALSE(is_kept());
     EXPECT_TRUE(is_kept());
@@ -85,7 +93,7 @@ TEST(ImportedWorld, looks_at_the_files_beside_it_too) {
     };
     write_bin(4.0F);
     const fs::path path = folder.write("ramp.gltf", gltf);
-    const ImportHow how{folder.path() / "ramp.kept", find_reader_program(), {}};
+    const ImportHow how{Cache(folder.path() / "cache"), find_reader_program(), {}};
     for (const bool again : {false, true}) {
         const Result<ImportedWorld> world = import_world(path, {}, how);
         ASSERT_TRUE(world.has_value()) << world.error().sentence();
@@ -99,61 +107,107 @@ TEST(ImportedWorld, looks_at_the_files_beside_it_too) {
     EXPECT_NEAR(world->scene.bounds_m.size_m().x, 5.0, 1e-6);
 }
 
-TEST(ImportedWorld, is_read_anew_where_what_was_kept_is_damaged_anywhere) {
+TEST(ImportedWorld, is_read_anew_if_what_was_kept_is_damaged) {
     const test::TemporaryFolder folder;
     const fs::path path = folder.write("house.ifc", large_house());
-    const ImportHow how{folder.path() / "house.kept", find_reader_program(), {}};
+    const ImportHow how{Cache(folder.path() / "cache"), find_reader_program(), {}};
     const Result<ImportedWorld> first = import_world(path, {}, how);
     ASSERT_TRUE(first.has_value()) << first.error().sentence();
-    const std::string whole = test::content_of(how.keep_in), bytes = stored(first->scene);
-    const auto good = [](const KeptFrom&) { return true; };
-    ASSERT_TRUE(scene_in(whole, good).has_value());
-    for (std::size_t at = 0; at < whole.size(); at += 1 + whole.size() / 700) {
-        EXPECT_FALSE(scene_in(whole.substr(0, at), good).has_value()) << "cut at " << at;
-        std::string other = whole;
-        other[at] = static_cast<char>(other[at] ^ 0x10);
-        EXPECT_FALSE(scene_in(other, good).has_value()) << "changed at " << at;
+    const std::string bytes = stored(first->scene);
+    const fs::path kept = kept_in(folder.path() / "cache").front();
+    const std::string whole = test::content_of(kept);
+    std::string changed = whole;
+    changed[whole.size() / 2] = static_cast<char>(changed[whole.size() / 2] ^ 1);
+    for (const std::string& damaged : {whole.substr(0, whole.size() / 2), changed, std::string()}) {
+        std::ofstream(kept, std::ios::binary) << damaged;
+        const Result<ImportedWorld> anew = import_world(path, {}, how);
+        ASSERT_TRUE(anew.has_value()) << anew.error().sentence();
+        EXPECT_TRUE(anew->kept_damaged);
+        EXPECT_FALSE(anew->kept);
+        EXPECT_EQ(stored(anew->scene), bytes);
+        EXPECT_EQ(test::content_of(kept), whole) << "mended";
     }
-    folder.write("house.kept", whole.substr(0, whole.size() / 2));
-    const Result<ImportedWorld> anew = import_world(path, {}, how);
-    ASSERT_TRUE(anew.has_value()) << anew.error().sentence();
-    EXPECT_TRUE(anew->kept_damaged);
-    EXPECT_FALSE(anew->kept);
-    EXPECT_EQ(stored(anew->scene), bytes);
-    EXPECT_EQ(test::content_of(how.keep_in), whole) << "mended";
 }
 
-TEST(KeptScene, cut_at_every_byte_is_damaged_or_what_it_was) {
+// Until November 2026 the cache was next to the file, and its header said what it had been made of.
+TEST(ImportedWorld, takes_nothing_of_another_world_and_nothing_next_to_the_file) {
+    const test::TemporaryFolder folder;
+    const std::string another = test::replaced(large_house(), "a chair of no shape", "a table of no shape");
+    const fs::path path = folder.write("house.ifc", large_house()), other = folder.write("other.ifc", another);
+    const fs::path cache = folder.path() / "cache", diary = folder.write("diary", "mine");
+    const ImportHow how{Cache(cache), find_reader_program(), {}};
+    ASSERT_TRUE(import_world(other, {}, how).has_value());
+    const fs::path of_other = kept_in(cache).front();
+    const Result<ImportedWorld> first = import_world(path, {}, how);
+    ASSERT_TRUE(first.has_value()) << first.error().sentence();
+    for (const fs::path& kept : kept_in(cache))
+        if (kept != of_other) fs::copy_file(of_other, kept, fs::copy_options::overwrite_existing);
+    fs::copy_file(of_other, folder.path() / "house.ifc.handrail.scene");
+    fs::create_symlink("diary", folder.path() / "other.ifc.handrail.scene");
+    const Result<ImportedWorld> again = import_world(path, {}, how);
+    ASSERT_TRUE(again.has_value()) << again.error().sentence();
+    EXPECT_TRUE(again->kept_damaged);
+    EXPECT_FALSE(again->kept);
+    EXPECT_EQ(stored(again->scene), stored(first->scene));
+    EXPECT_EQ(test::content_of(folder.path() / "house.ifc.handrail.scene"), test::content_of(of_other));
+    EXPECT_EQ(test::content_of(diary), "mine");
+    fs::remove_all(cache);
+    ASSERT_TRUE(import_world(other, {}, how).has_value());
+    EXPECT_EQ(test::content_of(diary), "mine");
+}
+
+TEST(KeptScene, cut_at_every_byte_is_damaged) {
     const Result<Scene> scene = read_ifc(test::small_house(), "house.ifc");
     ASSERT_TRUE(scene.has_value());
     Scene small = *scene;  // a few of its solids, so that each byte can be tried
     small.solids.resize(3);
     small.surfaces.clear();
     const std::string bytes = stored(small);
-    const KeptFrom from{7, 8, 9, "said", {{"beside.bin", 10}}};
-    const std::string whole = kept_file(from, bytes);
-    int asked = 0;
-    const auto good = [&](const KeptFrom& read) {
-        ++asked;
-        EXPECT_EQ(read, from);
-        return true;
-    };
+    const std::vector<BesideFile> beside{{"beside.bin", std::string(64, 'a')}};
+    const std::string whole = kept_scene(beside, bytes);
+    const auto good = [&](const std::vector<BesideFile>& read) { return read == beside; };
     for (std::size_t length = 0; length < whole.size(); ++length)
         ASSERT_FALSE(scene_in(std::string_view(whole).substr(0, length), good).has_value()) << length;
-    EXPECT_EQ(asked, 0) << "nothing is believed of what is cut";
     const auto all = scene_in(whole, good);
     ASSERT_TRUE(all.has_value() && all->has_value());
     EXPECT_EQ(stored(**all), bytes);
     EXPECT_FALSE(scene_in(whole + "x", good).has_value());
-    const auto old = scene_in(whole, [](const KeptFrom&) { return false; });
+    const auto old = scene_in(whole, [](const std::vector<BesideFile>&) { return false; });
     ASSERT_TRUE(old.has_value());
     EXPECT_FALSE(old->has_value());
+}
+
+TEST(KeptWays, are_unpacked_by_the_reader_process_or_not_at_all) {
+    const test::TemporaryFolder folder;
+    const Result<Scene> scene = read_ifc(test::small_house(), "house.ifc");
+    ASSERT_TRUE(scene.has_value());
+    const WalkBody body = walk_body(*scene, 0.25, 1.8, 0.25);
+    const Result<WalkSpace> space = make_walk_space(*scene, body);
+    ASSERT_TRUE(space.has_value());
+    const RoomGraph graph = make_rooms(*scene, *space);
+    const std::string packed = stored_ways(*space, graph), name = ways_key(*scene, body) + ".ways";
+    const Cache cache(folder.path() / "cache");
+    const auto unpacked = [&](const std::string& called) {
+        const Descriptor file = cache.open(name);
+        return file.get() < 0 ? std::string("not kept")
+                              : unpack_ways_apart({file.get(), called}, find_reader_program());
+    };
+    EXPECT_EQ(unpacked(name), "not kept");
+    cache.keep(name, packed);
+    EXPECT_EQ(unpacked(name), unpacked_ways(packed));
+    EXPECT_TRUE(ways_from(unpacked(name), body, *scene).has_value());
+    EXPECT_EQ(unpacked("another.ways"), "");
+    cache.keep(name, packed.substr(0, packed.size() / 2));
+    EXPECT_EQ(unpacked(name), "");
+    cache.keep(name, packed);
+    const Descriptor file = cache.open(name);
+    EXPECT_EQ(unpack_ways_apart({file.get(), name}, folder.path() / "no program"), "");
 }
 
 TEST(ImportedWorld, that_cannot_be_kept_is_read_all_the_same) {
     const test::TemporaryFolder folder;
     const fs::path path = folder.write("house.ifc", large_house());
-    const ImportHow how{fs::path("/proc/no/such/folder"), find_reader_program(), {}};
+    const ImportHow how{Cache("/proc/no/such/folder"), find_reader_program(), {}};
     const Result<ImportedWorld> world = import_world(path, {}, how);
     ASSERT_TRUE(world.has_value()) << world.error().sentence();
     EXPECT_FALSE(world->kept);

@@ -8,7 +8,6 @@
 #include <random>
 
 #include "tests/support/spoken_language.h"
-#include "tests/support/temporary_folder.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/navigation/validate_ways.h"
 #include "worlds/readers/reader.h"
@@ -17,14 +16,11 @@
 namespace handrail {
 namespace stored_ways_test {
 
-namespace fs = std::filesystem;
-
 struct World {
     Scene scene;
     WalkBody body;
     WalkSpace space;
     RoomGraph graph;
-    WaysFrom from;
 
     explicit World(const char* file, double radius_m = 0.25) {
         Result<Scene> read = read_world(test::project_root() / file);
@@ -37,9 +33,9 @@ struct World {
         if (!found) return;
         space = std::move(*found);
         graph = make_rooms(scene, space);
-        from = ways_made_of(scene, body);
     }
-    std::string bytes() const { return stored_ways(from, space, graph); }
+    std::string bytes() const { return stored_ways(space, graph); }
+    std::optional<FoundWays> from(std::string_view bytes) const { return ways_from(unpacked_ways(bytes), body, scene); }
 };
 
 bool same(const WalkSpan& a, const WalkSpan& b) {
@@ -76,33 +72,41 @@ TEST(StoredWays, come_back_bit_for_bit) {
         const World world(file);
         const std::string bytes = world.bytes();
         ASSERT_FALSE(bytes.empty());
-        const std::optional<FoundWays> kept = ways_from(bytes, world.from, world.scene);
+        const std::optional<FoundWays> kept = world.from(bytes);
         ASSERT_TRUE(kept.has_value());
         expect_same(*kept, world.space, world.graph);
-        EXPECT_EQ(stored_ways(world.from, kept->space, kept->graph), bytes) << "all else too";
+        EXPECT_EQ(stored_ways(kept->space, kept->graph), bytes) << "all else too";
         EXPECT_LT(bytes.size(), world.space.spans.size() * 12);
     }
 }
 
-TEST(StoredWays, hold_for_the_same_scene_body_and_build_alone) {
+TEST(StoredWays, have_a_key_of_the_same_scene_and_body_alone) {
     const World world("tests/unit/ifc/worlds/small_house.ifc");
-    const std::string bytes = world.bytes();
-    ASSERT_TRUE(ways_from(bytes, world.from, world.scene).has_value());
+    const std::string key = ways_key(world.scene, world.body);
+    EXPECT_EQ(key.size(), 64U);
+    EXPECT_EQ(ways_key(Scene(world.scene), world.body), key);
     // With one more door, or one thing called otherwise; what is reported of the reading does not count.
     Scene other = with_made_doors(world.scene, std::vector{MadeDoor{{4.0, 3.0, 0.0}, 0.5 * kPi, 0.9, 0.3, "between"}});
-    EXPECT_FALSE(ways_from(bytes, ways_made_of(other, world.body), other).has_value());
+    EXPECT_NE(ways_key(other, world.body), key);
     other = world.scene;
     other.features[0].name += "s";
-    EXPECT_FALSE(ways_from(bytes, ways_made_of(other, world.body), other).has_value());
+    EXPECT_NE(ways_key(other, world.body), key);
     other = world.scene;
     other.report.guessed.emplace_back("a sentence");
-    EXPECT_TRUE(ways_from(bytes, ways_made_of(other, world.body), other).has_value());
+    EXPECT_EQ(ways_key(other, world.body), key);
     WalkBody wider = world.body;
     wider.radius_m = 0.3;
-    EXPECT_FALSE(ways_from(bytes, ways_made_of(world.scene, wider), world.scene).has_value());
-    WaysFrom older = world.from;
-    --older.version;
-    EXPECT_FALSE(ways_from(bytes, older, world.scene).has_value());
+    EXPECT_NE(ways_key(world.scene, wider), key);
+}
+
+TEST(StoredWays, of_another_body_or_a_smaller_scene_are_not_there) {
+    const World world("tests/unit/ifc/worlds/small_house.ifc");
+    const std::string plain = unpacked_ways(world.bytes());
+    ASSERT_TRUE(ways_from(plain, world.body, world.scene).has_value());
+    WalkBody wider = world.body;
+    wider.radius_m = 0.3;
+    EXPECT_FALSE(ways_from(plain, wider, world.scene).has_value());
+    EXPECT_FALSE(ways_from(plain, world.body, Scene{}).has_value()) << "they name things that are not in it";
 }
 
 TEST(StoredWays, are_named_in_the_language_that_is_spoken_now) {
@@ -110,40 +114,36 @@ TEST(StoredWays, are_named_in_the_language_that_is_spoken_now) {
     const std::string bytes = world.bytes();
     const test::InLanguage german("de");
     const RoomGraph meant = make_rooms(world.scene, world.space);
-    const std::optional<FoundWays> kept = ways_from(bytes, world.from, world.scene);
+    const std::optional<FoundWays> kept = world.from(bytes);
     ASSERT_TRUE(kept.has_value());
     expect_same(*kept, world.space, meant);
     EXPECT_NE(meant.rooms[0].name, world.graph.rooms[0].name);
 }
 
-TEST(StoredWays, cut_or_changed_anywhere_are_not_there) {
+// The cache's digest finds what is changed (unit_cache); what is cut is found here too.
+TEST(StoredWays, cut_anywhere_are_not_there) {
     const World world("tests/unit/ifc/worlds/small_house.ifc");
-    const std::string whole = world.bytes();
-    for (std::size_t at = 0; at < whole.size(); ++at)
-        ASSERT_FALSE(ways_from(std::string_view(whole).substr(0, at), world.from, world.scene)) << "cut at " << at;
-    EXPECT_FALSE(ways_from(whole + "x", world.from, world.scene));
-    for (std::size_t at = 0; at < whole.size(); at += 1 + whole.size() / 700) {
-        std::string other = whole;
-        other[at] = static_cast<char>(other[at] ^ 0x10);
-        ASSERT_FALSE(ways_from(other, world.from, world.scene)) << "changed at " << at;
-    }
+    const std::string whole = world.bytes(), plain = unpacked_ways(whole);
+    ASSERT_FALSE(plain.empty());
+    for (std::size_t at = 0; at < whole.size(); at += 1 + whole.size() / 300)
+        ASSERT_EQ(unpacked_ways(std::string_view(whole).substr(0, at)), "") << "cut at " << at;
+    for (std::size_t at = 0; at < plain.size(); at += 1 + plain.size() / 700)
+        ASSERT_FALSE(ways_from(std::string_view(plain).substr(0, at), world.body, world.scene)) << "cut at " << at;
+    EXPECT_FALSE(ways_from(plain + "x", world.body, world.scene));
 }
 
-// Somebody who knows the form: other values under a right checksum.
-TEST(StoredWays, made_up_with_a_right_checksum_hold_together_or_are_not_there) {
+TEST(StoredWays, that_say_to_be_larger_than_any_take_no_memory) {
+    const World world("tests/unit/ifc/worlds/small_house.ifc");
+    std::string bytes = world.bytes();
+    for (int byte = 0; byte < 8; ++byte) bytes[static_cast<std::size_t>(byte)] = '\x7f';
+    EXPECT_EQ(unpacked_ways(bytes), "");
+}
+
+// Somebody who knows the form: other values, compressed as they should be.
+TEST(StoredWays, made_up_hold_together_or_are_not_there) {
     const World world("worlds/maps/first_room.map");
-    const std::string whole = world.bytes();
-    // After the sum and the size of the rest: its first word, version, size and sum of the scene, the body's five
-    // measures, and how many bytes there are when unpacked.
-    const std::string head = whole.substr(12, 14 + 8 + 12 + 40 + 8);
-    std::uint64_t size = 0;
-    std::memcpy(&size, head.data() + head.size() - sizeof size, sizeof size);
-    std::string values(size, '\0');
-    auto length = static_cast<uLongf>(size);
-    ASSERT_EQ(::uncompress(reinterpret_cast<Bytef*>(values.data()), &length,
-                           reinterpret_cast<const Bytef*>(whole.data() + 12 + head.size()),
-                           static_cast<uLong>(whole.size() - 12 - head.size())),
-              Z_OK);
+    const std::string values = unpacked_ways(world.bytes());
+    // How many bytes there are when unpacked, and those compressed.
     const auto file_of = [&](const std::string& changed) {
         std::string packed(::compressBound(static_cast<uLong>(changed.size())), '\0');
         auto made = static_cast<uLongf>(packed.size());
@@ -151,15 +151,12 @@ TEST(StoredWays, made_up_with_a_right_checksum_hold_together_or_are_not_there) {
                               reinterpret_cast<const Bytef*>(changed.data()), static_cast<uLong>(changed.size()), 1),
                   Z_OK);
         packed.resize(made);
-        const std::string after = head + packed;
-        const std::uint32_t sum = checksum(0, after);
-        const std::uint64_t bytes = after.size();
-        std::string file(12, '\0');
-        std::memcpy(file.data(), &sum, 4);
-        std::memcpy(file.data() + 4, &bytes, 8);
-        return file + after;
+        const std::uint64_t bytes = changed.size();
+        std::string file(8, '\0');
+        std::memcpy(file.data(), &bytes, 8);
+        return file + packed;
     };
-    ASSERT_TRUE(ways_from(file_of(values), world.from, world.scene).has_value()) << "as they were";
+    ASSERT_TRUE(world.from(file_of(values)).has_value()) << "as they were";
     std::mt19937 random(20261126);
     int refused = 0;
     for (int round = 0; round < 200; ++round) {
@@ -170,7 +167,9 @@ TEST(StoredWays, made_up_with_a_right_checksum_hold_together_or_are_not_there) {
             const std::size_t at = random() % reach;
             changed[random() % 4 ? at : changed.size() - 1 - at] = static_cast<char>(random() % 3 ? random() : 0xff);
         }
-        const std::optional<FoundWays> made = ways_from(file_of(changed), world.from, world.scene);
+        // What the program itself is given holds together as well, whatever the reader process made of it.
+        EXPECT_EQ(ways_from(changed, world.body, world.scene).has_value(), world.from(file_of(changed)).has_value());
+        const std::optional<FoundWays> made = ways_from(changed, world.body, world.scene);
         if (!made) {
             ++refused;
             continue;
@@ -182,25 +181,13 @@ TEST(StoredWays, made_up_with_a_right_checksum_hold_together_or_are_not_there) {
     EXPECT_GT(refused, 50);
 }
 
-TEST(StoredWays, lie_in_their_file_where_there_is_much_to_find) {
-    const test::TemporaryFolder folder;
-    const fs::path file = folder.path() / "house.map.handrail.ways";
+TEST(StoredWays, are_worth_keeping_where_there_is_much_to_find) {
     const World house("worlds/maps/house.map"), room("worlds/maps/first_room.map");
-    EXPECT_FALSE(take_ways(file, house.from, house.scene));
-    keep_ways_in(file, house.from, house.scene, house.space, house.graph);
-    const std::string bytes = test::content_of(file);
-    EXPECT_EQ(bytes, house.bytes());
-    EXPECT_TRUE(take_ways(file, house.from, house.scene));
-    keep_ways_in(file, room.from, room.scene, room.space, room.graph);
-    EXPECT_LT(room.space.spans.size(), kLeastKeptSpans);
-    EXPECT_LT(room.scene.solids.size(), kLeastKeptShapes);
-    EXPECT_EQ(test::content_of(file), bytes) << "a small room is found sooner";
+    EXPECT_TRUE(worth_keeping(house.space, house.scene));
+    EXPECT_FALSE(worth_keeping(room.space, room.scene)) << "a small room is found sooner";
     std::stop_source stop;
     stop.request_stop();
-    keep_ways_in(folder.path() / "stopped", house.from, house.scene, house.space, house.graph, stop.get_token());
-    EXPECT_FALSE(fs::exists(folder.path() / "stopped"));
-    keep_ways_in("/proc/no/such/folder", house.from, house.scene, house.space,
-                 house.graph);  // not kept, and no word about it
+    EXPECT_EQ(stored_ways(house.space, house.graph, stop.get_token()), "");
 }
 
 }  // namespace stored_ways_test

@@ -1,0 +1,163 @@
+// Where the program keeps what it works out itself, and that it writes through no link that somebody else's folder
+// holds.
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <thread>
+
+#include "tests/support/office_ifc.h"
+#include "tests/support/project_root.h"
+#include "tests/support/run_program.h"
+#include "tests/support/scale.h"
+#include "tests/support/temporary_folder.h"
+
+namespace handrail::test {
+namespace caches_test {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* kTaken = "Taken from what was kept of it the last time.";
+
+std::vector<std::string> names_in(const fs::path& folder) {
+    std::vector<std::string> names;
+    std::error_code ec;
+    for (fs::directory_iterator it(folder, ec), end; !ec && it != end; it.increment(ec))
+        names.push_back(it->path().filename());
+    return names;
+}
+
+class Caches : public testing::Test {
+protected:
+    // `handrail info FILE` with this home.
+    ProgramRun info(const fs::path& file, std::map<std::string, std::string> environment = {}) const {
+        ProgramCall call;
+        call.program = built_program("handrail");
+        call.arguments = {"info", file.string()};
+        call.environment = std::move(environment);
+        call.environment.emplace("HOME", home_.path().string());
+        ProgramRun run = run_program(call);
+        EXPECT_EQ(run.exit_status, 0) << run.err;
+        return run;
+    }
+    std::string marked(const fs::path& world) const {
+        ProgramCall call;
+        call.program = built_program("handrail");
+        call.arguments = {world.string(), "--no-window", "--device", "none"};
+        call.input = "mark\nHere I was\nquit\n";
+        call.environment["HOME"] = home_.path().string();
+        const ProgramRun run = run_program(call);
+        EXPECT_EQ(run.exit_status, 0) << run.err;
+        return run.out + run.err;
+    }
+    // Large enough to be kept, with enough rooms that its ways are, too.
+    fs::path office(const std::string& name) const {
+        return folder_.write(name, office_ifc({.storeys = 2, .corridors = 1, .rooms_along = 20}).text);
+    }
+    long kept(const std::string& ending) const {
+        const std::vector<std::string> names = names_in(cache_);
+        return std::count_if(names.begin(), names.end(), [&](const auto& name) { return name.ends_with(ending); });
+    }
+    const TemporaryFolder home_, folder_;
+    const fs::path cache_ = home_.path() / ".cache" / "handrail";
+};
+
+TEST_F(Caches, are_in_the_persons_folder_and_nothing_is_left_next_to_the_file) {
+    const fs::path file = office("office.ifc"), map = folder_.path() / "house.map";
+    fs::copy_file(bundled_world("house.map"), map);
+    const std::string first = info(file).out, again = info(file).out;
+    EXPECT_THAT(first, Not(HasSubstr(kTaken)));
+    EXPECT_THAT(again, HasSubstr(kTaken));
+    EXPECT_EQ(kept(".scene"), 1);
+    const std::string rooms = info(map).out;
+    EXPECT_EQ(kept(".ways"), 1);
+    EXPECT_EQ(info(map).out.substr(0, 200), rooms.substr(0, 200));
+    EXPECT_THAT(names_in(folder_.path()), testing::UnorderedElementsAre("office.ifc", "house.map"));
+    struct stat of {};
+    ASSERT_EQ(::stat(cache_.c_str(), &of), 0);
+    EXPECT_EQ(of.st_mode & 07777, 0700U);
+    for (const fs::directory_entry& entry : fs::directory_iterator(cache_)) {
+        ASSERT_EQ(::lstat(entry.path().c_str(), &of), 0);
+        EXPECT_EQ(of.st_mode & 07777, 0600U) << entry.path();
+    }
+    fs::remove_all(cache_);
+    EXPECT_THAT(info(file).out, Not(HasSubstr(kTaken))) << "it may go at any time";
+    EXPECT_THAT(info(file).out, HasSubstr(kTaken));
+}
+
+// Each of these was written through until November 2026.
+TEST_F(Caches, write_through_no_link_that_is_in_the_folder_of_a_world) {
+    const fs::path map = folder_.path() / "house.map", file = office("office.ifc");
+    fs::copy_file(bundled_world("house.map"), map);
+    const fs::path diary = home_.write("diary", "my diary");
+    for (const char* link : {"house.map.handrail.ways", "office.ifc.handrail.ways", "office.ifc.handrail.scene",
+                             "house.map.handrail.toml", "office.ifc.handrail.toml"})
+        fs::create_symlink(diary, folder_.path() / link);
+    info(map);
+    info(file);
+    EXPECT_EQ(content_of(diary), "my diary");
+    if (kThreadSanitizer) return;  // AskedEarly.* runs the same threads
+    const std::string said = marked(map);
+    EXPECT_EQ(content_of(diary), "my diary");
+    EXPECT_THAT(said, HasSubstr("house.map.handrail.toml is a link to another file"));
+    EXPECT_THAT(names_in(home_.path() / ".local/share/handrail/worlds"),
+                testing::Contains(testing::HasSubstr("house.map")))
+        << "the mark is kept elsewhere";
+    EXPECT_EQ(names_in(folder_.path()).size(), 7U) << "nothing was put aside";
+}
+
+TEST_F(Caches, that_were_kept_of_another_file_are_not_believed) {
+    const fs::path file = office("office.ifc"), other = folder_.path() / "other.ifc";
+    fs::copy_file(project_root() / "tests/unit/ifc/worlds/small_house.ifc", other);
+    const std::string honest = info(file).out;
+    const fs::path own = fs::directory_iterator(cache_)->path();
+    fs::copy_file(own, folder_.path() / "other.ifc.handrail.scene");
+    const std::string small = info(other).out;
+    EXPECT_THAT(small, HasSubstr("small_house"));
+    const std::string whole = content_of(own);
+    std::string forged = whole;
+    std::reverse(forged.begin() + 200, forged.begin() + 400);
+    home_.write(".cache/handrail/" + own.filename().string(), forged);
+    EXPECT_THAT(info(file).out, Not(HasSubstr(kTaken)));
+    if (own.extension() == ".scene") EXPECT_EQ(content_of(own), whole) << "mended";
+    EXPECT_THAT(info(file).out, HasSubstr(kTaken));
+}
+
+TEST_F(Caches, that_cannot_be_kept_fail_nowhere) {
+    const fs::path file = office("office.ifc");
+    const std::string without = info(file, {{"HOME", ""}, {"XDG_CACHE_HOME", ""}}).out;
+    EXPECT_THAT(without, Not(HasSubstr(kTaken)));
+    EXPECT_THAT(info(file, {{"XDG_CACHE_HOME", "/dev/null"}}).out, Not(HasSubstr(kTaken)));
+    EXPECT_THAT(info(file, {{"XDG_CACHE_HOME", "/proc"}}).out, Not(HasSubstr(kTaken))) << "as a home that is read-only";
+    EXPECT_THAT(names_in(folder_.path()), testing::ElementsAre("office.ifc"));
+    EXPECT_FALSE(fs::exists(cache_));
+}
+
+TEST_F(Caches, serve_several_programs_at_once_while_somebody_deletes_them) {
+    const fs::path file = office("office.ifc");
+    const std::string alone = info(file).out;
+    const std::string begin = alone.substr(0, 150);
+    std::vector<std::thread> others;
+    std::atomic<int> running{3};
+    for (int i = 0; i < 3; ++i)
+        others.emplace_back([&] {
+            for (int round = 0; round < 2; ++round) EXPECT_EQ(info(file).out.substr(0, 150), begin);
+            --running;
+        });
+    while (running > 0) {
+        std::error_code ec;
+        fs::remove_all(cache_, ec);
+        std::this_thread::yield();
+    }
+    for (std::thread& other : others) other.join();
+    info(file);
+    EXPECT_THAT(info(file).out, HasSubstr(kTaken));
+}
+
+}  // namespace caches_test
+}  // namespace handrail::test
