@@ -255,12 +255,12 @@ TEST(Cache, serves_two_processes_at_once) {
 }
 
 TEST(UserCacheFolder, is_where_the_base_directory_specification_says) {
-    test::WithEnvironment cache("XDG_CACHE_HOME", "/somewhere"), home("HOME", "/home/me");
+    test::WithEnvironment cache("XDG_CACHE_HOME", "/somewhere"), home("HOME", "/of/me");
     EXPECT_EQ(user_cache_folder(), "/somewhere/handrail");
     cache.put("relative");
-    EXPECT_EQ(user_cache_folder(), "/home/me/.cache/handrail");
+    EXPECT_EQ(user_cache_folder(), "/of/me/.cache/handrail");
     cache.put(nullptr);
-    EXPECT_EQ(user_cache_folder(), "/home/me/.cache/handrail");
+    EXPECT_EQ(user_cache_folder(), "/of/me/.cache/handrail");
     home.put("");
     EXPECT_EQ(user_cache_folder(), "");
     home.put(nullptr);
