@@ -1,5 +1,7 @@
 #include "settings/table.h"
 
+#include <fmt/ranges.h>
+
 #include "worlds/base/language.h"
 #include "worlds/base/overloaded.h"
 #include "worlds/base/text.h"

@@ -1,5 +1,7 @@
 #include "app/teaching/lesson_check.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 

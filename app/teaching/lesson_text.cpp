@@ -1,5 +1,6 @@
 // Lessons as text. See lesson_file.h.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/teaching/lesson_file.h"
 

@@ -1,6 +1,7 @@
 #include "worlds/base/language.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unicode/locid.h>
 #include <unicode/messagepattern.h>
 #include <unicode/msgfmt.h>

@@ -1,6 +1,7 @@
 #include "app/core/kept/side_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <toml++/toml.h>
 #include <unistd.h>
 #include <zlib.h>

@@ -1,6 +1,7 @@
 #include "app/core/kept/ways.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

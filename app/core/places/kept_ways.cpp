@@ -1,5 +1,7 @@
 #include "app/core/places/kept_ways.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <span>
 #include <utility>

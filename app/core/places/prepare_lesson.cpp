@@ -1,5 +1,7 @@
 #include "app/core/places/prepare_lesson.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "app/core/context/telling.h"

@@ -1,5 +1,7 @@
 #include "app/core/wayfinding/guide.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,7 @@
 #include "app/core/wayfinding/way_words.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -1,5 +1,7 @@
 #include "app/core/whereabouts/room_words.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,5 +1,7 @@
 #include "app/core/whereabouts/rooms.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -2,6 +2,8 @@
 // of what the session does and says.
 #pragma once
 
+#include <fmt/ranges.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>

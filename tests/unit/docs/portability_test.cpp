@@ -1,4 +1,6 @@
 // The page on portability lists each file that asks the system, with the headers that it includes, and no other.
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <map>

@@ -1,4 +1,6 @@
 // Every command in five worlds and two languages, and each sentence that comes of it held against the rules.
+#include <fmt/ranges.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
