@@ -5,6 +5,10 @@
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <boost/iterator/function_output_iterator.hpp>
+// Boost 1.83 needs it for rtree.hpp, which does not include it; Boost 1.74 does not have it.
+#if __has_include(<boost/geometry/strategies/relate/cartesian.hpp>)
+#include <boost/geometry/strategies/relate/cartesian.hpp>
+#endif
 
 namespace handrail {
 namespace {
