@@ -50,7 +50,11 @@ std::vector<std::string_view> wrapped_lines(const ImFont& font, float line_px, c
     const char* at = text.data();
     const char* const end = at + text.size();
     while (at < end) {
+#if IMGUI_VERSION_NUM >= 19200  // fonts have no size of their own any more
+        const char* stop = font.CalcWordWrapPosition(line_px, at, end, wrap_px);
+#else
         const char* stop = font.CalcWordWrapPositionA(line_px / font.FontSize, at, end, wrap_px);
+#endif
         if (stop == at) ++stop;  // not even one letter fits
         const char* newline = std::find(at, stop, '\n');
         lines.emplace_back(at, static_cast<std::size_t>(newline - at));
