@@ -134,8 +134,9 @@ public:
             if (text(name).find("compression") != std::string::npos)
                 return fail(phrase("mesh.compressed", {{"name", excerpt(text(name), 40)}}), file_name_);
         if (auto buffers = read_buffers(); !buffers) return tl::unexpected(buffers.error());
-        const Json& scene =
-            entry(in(document_, "scenes"), in(document_, "scene").is_null() ? Json(0) : in(document_, "scene"));
+        const Json first = 0;
+        const Json& named = in(document_, "scene");
+        const Json& scene = entry(in(document_, "scenes"), named.is_null() ? first : named);
         Matrix unit = kUnmoved;
         for (const std::size_t axis : {0U, 5U, 10U}) unit[axis] = file_.metres_per_unit;
         for (const Json& node : in(scene, "nodes")) visit(node, unit, 0);
