@@ -71,7 +71,8 @@ Result<void> OpenALDevice::open_loopback() {
 
 bool OpenALDevice::make_context(std::vector<ALCint> attributes) {
     attributes.insert(attributes.end(), {ALC_HRTF_SOFT, hrtf_ ? ALC_TRUE : ALC_FALSE});
-    // Without a name the first data set wins, and that one would set the device to 44.1 kHz.
+    // OpenAL Soft 1.19 sets the device to the rate of the data set, and takes one of 44.1 kHz if none is named. Version
+    // 1.24 has no set of this name: it resamples its only one to the rate of the device.
     if (hrtf_)
         if (const auto id = hrtf_named("default-48000")) attributes.insert(attributes.end(), {ALC_HRTF_ID_SOFT, *id});
     attributes.push_back(0);
