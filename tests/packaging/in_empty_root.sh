@@ -26,6 +26,11 @@ if [ "${3:-}" != inside ]; then
         share/doc/handrail/changelog.gz share/doc/handrail/html/index.html share/doc/handrail/html/settings.html; do
         grep -q " ./usr/$file$" "$folder/list" || fail "the package lacks /usr/$file."
     done
+    # Libraries have other versions in another release of Debian, so the version of the package names the release.
+    version=$(dpkg-deb -f "$package" Version)
+    release=$(. /etc/os-release && echo "${VERSION_ID:-$VERSION_CODENAME}")
+    [[ "$version" == *~*"$release" ]] || fail "the version $version does not name the release $release."
+    [[ "$(dpkg-deb -f "$folder"/now/libhandrail-dev_*.deb Depends)" == *"libhandrail0 (= $version)"* ]] || fail "libhandrail-dev does not depend on libhandrail0 of its version."
     for name in libhandrail0 libhandrail-dev; do dpkg-deb -c "$folder"/now/${name}_*.deb >>"$folder/list" || fail "there is no package $name."; done
     for file in lib/libhandrail.so.0 include/handrail.h include/handrail/haptic/render/touch.h lib/libhandrail_render.a lib/cmake/handrail/handrailConfig.cmake; do
         grep -q " ./usr/$file\( -> .*\)\?$" "$folder/list" || fail "the packages of the library lack /usr/$file."

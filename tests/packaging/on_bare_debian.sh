@@ -1,49 +1,52 @@
 #!/usr/bin/env bash
-# Installs the package in an empty Debian 12, as debootstrap makes the smallest, with nothing of a project or a compiler in it: starts the program, explores the
-# house by text, upgrades from an older version with settings and marks kept, and removes it.
-#   on_bare_debian.sh PACKAGES [MIRROR]    PACKAGES: the folder that ./run package fills; needs root and the network, some minutes, 1 GB of /var/tmp
-# Exit status 0: all held; 1: a sentence says what did not; 77: no empty Debian can be made here.
+# Installs the package in an empty Debian, the version that the package is for, with no compiler in it. Starts the program,
+# explores the house by text, upgrades from an older version with settings and marks kept, and removes it.
+#   on_bare_debian.sh PACKAGES    PACKAGES: the folder that ./run package fills
+# Needs root and the network, some minutes, 1 GB of /var/tmp.
+# Exit status 0: passed; 1: a sentence says what failed; 77: no empty Debian can be made here.
 set -euo pipefail
 fail() { echo "FAILED: $*" >&2; exit 1; }
 skip() { echo "Skipped: $*"; exit 77; }
+source "$(dirname "${BASH_SOURCE[0]}")/../systems/empty_root.sh"
 
-if [ "${3:-}" != inside ]; then
-    mirror=${2:-http://deb.debian.org/debian}
+if [ "${2:-}" != inside ]; then
     packages=("${1:?the folder of the packages}"/handrail_*.deb)
     [ -e "${packages[0]}" ] || fail "there is no package of handrail in $1; ./run package makes one."
     [ ${#packages[@]} -eq 1 ] || fail "there is more than one package of handrail in $1."
-    [ "$(id -u)" -eq 0 ] || skip "only root can make an empty Debian."
+    version=$(dpkg-deb -f "${packages[0]}" Version)
+    case "$version" in
+    *~deb12) system=bookworm ;;
+    *~deb13) system=trixie ;;
+    *~deb[a-z]*) system=testing ;;
+    *) fail "${packages[0]} has the version $version, which names no Debian." ;;
+    esac
+    can_mount || skip "only root can make and mount an empty Debian."
     command -v debootstrap >/dev/null || skip "debootstrap is not installed."
     folder=$(mktemp -d /var/tmp/handrail-test-bare-XXXXXX)
     trap 'rm -rf --one-file-system "$folder"' EXIT
-    unshare --mount --pid --fork true 2>/dev/null || skip "nothing can be mounted here."
-    debootstrap --variant=minbase bookworm "$folder/root" "$mirror" >"$folder/log" 2>&1 || skip "no empty Debian could be fetched: $(tail -n 1 "$folder/log")"
+    said=$(make_root "$system" "$folder/root" "$folder/log") || skip "$said"
     mkdir "$folder/root/packages"
     cp "${packages[0]}" "$folder/root/packages/handrail.deb"
     # The same files as an older version.
     dpkg-deb -R "${packages[0]}" "$folder/before"
     sed -i 's/^Version: .*/Version: 0.0.9/' "$folder/before/DEBIAN/control"
     dpkg-deb --root-owner-group -Znone -b "$folder/before" "$folder/root/packages/handrail_before.deb" >/dev/null
-    cp /etc/resolv.conf "$folder/root/etc/"
-    # What is mounted and started in there ends with it.
-    unshare --mount --pid --fork --kill-child bash "${BASH_SOURCE[0]}" "$1" "$mirror" inside "$folder"
+    unshare --mount --pid --fork --kill-child bash "${BASH_SOURCE[0]}" "$1" inside "$folder"
     exit
 fi
 
-folder=$4 root=$4/root
-mount -t proc proc "$root/proc"
-mount --rbind /dev "$root/dev"
-in_there() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin DEBIAN_FRONTEND=noninteractive "$@"; }
-apt() { in_there apt-get -qy --no-install-recommends "$@" >"$folder/log" 2>&1 || fail "apt-get $*: $(tail -n 5 "$folder/log")"; }
+folder=$3 root=$3/root
+mount_in "$root"
+apt() { in_there "$root" apt-get -qy --no-install-recommends "$@" >"$folder/log" 2>&1 || fail "apt-get $*: $(tail -n 5 "$folder/log")"; }
 visit() { printf '%s\n' "$1" | timeout 120 chroot "$root" env -i HOME=/srv/visitor PATH=/usr/bin:/bin LC_ALL="${language:-C.UTF-8}" handrail "${@:2}" 2>&1; }
 says() { grep -qF -- "$2" <<<"$1" || fail "it did not say \"$2\" but: $1"; }
 mkdir -p "$root/srv/visitor"
-installed() { in_there dpkg-query -f '${db:Status-Status} ${Package}\n' -W | sed -n 's/^installed //p' | sort; }
+installed() { in_there "$root" dpkg-query -f '${db:Status-Status} ${Package}\n' -W | sed -n 's/^installed //p' | sort; }
 installed >"$folder/packages_before"
 
 apt update
 apt install /packages/handrail_before.deb
-! in_there sh -c 'command -v gcc c++ cc cmake ninja' || fail "the package brought tools to build with."
+! in_there "$root" sh -c 'command -v gcc c++ cc cmake ninja' || fail "the package brought tools to build with."
 said=$(visit $'where am i\nmark\nHere I was\nwhat is here\nquit' house --no-window --device none)
 says "$said" "House"
 says "$said" "Here I was"
@@ -53,7 +56,7 @@ printf '[welcome]\ndone = true\n[workspace]\nscale = 33\n' >"$root/srv/visitor/.
 own=$(cd "$root/srv/visitor" && find . -type f -exec sha256sum {} + | sort)
 
 apt install /packages/handrail.deb
-version=$(in_there dpkg-query -f '${Version}' -W handrail)
+version=$(in_there "$root" dpkg-query -f '${Version}' -W handrail)
 [ "$version" != 0.0.9 ] || fail "apt did not upgrade."
 [ "$own" = "$(cd "$root/srv/visitor" && find . -type f -exec sha256sum {} + | sort)" ] || fail "upgrading touched the person's own files."
 says "$(visit '' settings)" "workspace.scale = 33"
@@ -70,4 +73,4 @@ left=$(find "$root" -xdev -name '*handrail*' ! -path "$root/var/log/*")
 [ -z "$left" ] || fail "removing left: $left"
 left=$(installed | comm -13 "$folder/packages_before" - | paste -sd ' ')
 [ -z "$left" ] || fail "removing left packages that it had brought: $left"
-echo "Installed, explored, upgraded to $version and removed in an empty Debian 12; $came packages came and went."
+echo "Installed, explored, upgraded to $version and removed in an empty $(in_there "$root" sh -c '. /etc/os-release; echo "$PRETTY_NAME"'); $came packages came and went."
