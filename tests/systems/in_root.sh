@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# Builds and tests Handrail in an empty Debian of another version: ./run house, then ./run tests. Prints one line.
+#   in_root.sh bookworm|trixie|testing [COMMAND...]    COMMAND: what to run instead, for example ./run package
+# HANDRAIL_ROOTS     the folder of the roots, default build/systems; 6 GB each. A root and its compiler cache stay for next time.
+# HANDRAIL_PRESET    what to build with; default gcc in trixie, else release
+# Needs root, debootstrap and the network. Exit status 0: passed; 1: failed; 2: wrong use; 77: there can be no such root here.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+source "$here/tests/systems/empty_root.sh"
+
+system=${1:-}
+case "$system" in
+trixie) preset=${HANDRAIL_PRESET:-gcc} ;;
+bookworm | testing) preset=${HANDRAIL_PRESET:-release} ;;
+*) echo "Name the system: bookworm, trixie or testing." >&2; exit 2 ;;
+esac
+folder=${HANDRAIL_ROOTS:-$here/build/systems}/$system
+root=$folder/root project=$folder/root/srv/handrail log=$folder/log
+
+if [ "${inside_root:-}" != yes ]; then
+    skip() { echo "$system: skipped: $*"; exit 77; }
+    can_mount || skip "only root can make and mount an empty Debian."
+    mkdir -p "$folder/ccache"
+    exec 8>"$folder/lock"
+    flock -n 8 || skip "another in_root.sh works in $folder."
+    if [ ! -e "$folder/made" ]; then
+        command -v debootstrap >/dev/null || skip "debootstrap is not installed."
+        rm -rf --one-file-system "$root"
+        said=$(make_root "$system" "$root" "$folder/debootstrap.log") || skip "$said"
+        touch "$folder/made"
+    fi
+    # The tracked files with their times, so that only what changed is built. Tests list them by git.
+    mkdir -p "$project"
+    find "$project" -mindepth 1 -maxdepth 1 ! -name build -exec rm -rf --one-file-system {} +
+    git -C "$here" ls-files -z | tar -C "$here" --null -T - --ignore-failed-read -c | tar -C "$project" --no-same-owner -x
+    git -C "$project" init -q
+    git -C "$project" add -A
+    inside_root=yes exec unshare --mount --pid --fork --kill-child "${BASH_SOURCE[0]}" "$@"
+fi
+
+mount_in "$root"
+mkdir -p "$root/var/cache/ccache"
+mount --bind "$folder/ccache" "$root/var/cache/ccache"
+run_there() {
+    in_there "$root" CCACHE_DIR=/var/cache/ccache HANDRAIL_PRESET="$preset" \
+        ${CMAKE_BUILD_PARALLEL_LEVEL:+CMAKE_BUILD_PARALLEL_LEVEL=$CMAKE_BUILD_PARALLEL_LEVEL} \
+        sh -c 'cd /srv/handrail && exec "$@"' sh "$@"
+}
+if [ $# -gt 1 ]; then
+    run_there "${@:2}"
+    exit
+fi
+
+name="$system ($(in_there "$root" sh -c '. /etc/os-release; echo "$PRETTY_NAME"'), preset $preset)"
+if ! run_there ./run house </dev/null >"$log.house" 2>&1; then
+    echo "$name: FAILED: ./run house, see $log.house: $(tail -n 1 "$log.house")"
+    exit 1
+fi
+status=0
+run_there ./run tests </dev/null >"$log.tests" 2>&1 || status=1
+summary=$(grep -E 'tests passed' "$log.tests" || tail -n 1 "$log.tests")
+skipped=$(grep -cE '\(Skipped\)$' "$log.tests" || true)
+[ $status -eq 0 ] && outcome=passed || outcome=FAILED
+echo "$name: $outcome: ./run house; ./run tests: $summary; $skipped skipped; $((SECONDS / 60)) min; see $log.tests"
+exit $status
