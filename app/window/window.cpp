@@ -1,17 +1,12 @@
 #include "app/window/window.h"
 
-#include <X11/XKBlib.h>
-#include <X11/Xlib.h>
-
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "app/window/key_codes.h"
 #include "app/window/renderer.h"
+#include "app/window/window_system.h"
 #include "worlds/base/language.h"
-
-// As GLFW's own header of native access declares it; that one asks for more X headers than we need.
-extern "C" Display* glfwGetX11Display();
-extern "C" XID glfwGetX11Window(GLFWwindow*);
 
 namespace handrail {
 namespace {
@@ -31,23 +26,14 @@ std::string utf8_of(unsigned int c) {
     return {};
 }
 
-std::string glfw_problem() {
-    const char* description = nullptr;
-    glfwGetError(&description);
-    return description ? std::string(description) : phrase("window.no_reason");
-}
-
 }  // namespace
 
 class Window::Impl {
 public:
     Result<void> open(const WindowOptions& options) {
-        if (glfwInit() != GLFW_TRUE) return fail(phrase("window.no_display", {{"reason", glfw_problem()}}));
-        initialised_ = true;
-        // Left alone, Xlib ends the whole program when the display goes away, and the hand would be let go of without a
-        // ramp.
-        XSetIOErrorHandler([](Display*) { return 0; });
-        XSetIOErrorExitHandler(glfwGetX11Display(), &Impl::display_lost, this);
+        auto system = WindowSystem::open();
+        if (!system) return tl::unexpected(system.error());
+        system_ = std::move(*system);
 
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
@@ -74,7 +60,7 @@ public:
                             [](GLFWwindow* w, unsigned int character) { self(w).take_text(utf8_of(character)); });
         glfwSetWindowFocusCallback(window_,
                                    [](GLFWwindow* w, int focused) { self(w).take_focus(focused == GLFW_TRUE); });
-        glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) { self(w).events_.emplace_back(CloseRequest{}); });
+        glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) { self(w).take_close(); });
         glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { self(w).shown_.reset(); });
         glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { self(w).keys_.other_input(); });
         glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) { self(w).take_cursor(x, y); });
@@ -86,15 +72,12 @@ public:
         watch_.reset();
         renderer_.reset();
         if (window_) glfwDestroyWindow(window_);
-        if (!initialised_) return;
-        glfwTerminate();
-        XSetIOErrorHandler(nullptr);
     }
 
     std::vector<WindowEvent> poll() {
-        if (!display_lost_) glfwPollEvents();
+        if (!system_->lost()) glfwPollEvents();
         take_decided_keys();
-        if (display_lost_ && !told_of_loss_) {
+        if (system_->lost() && !told_of_loss_) {
             told_of_loss_ = true;
             for (KeyEvent& event : keys_.let_go()) events_.emplace_back(std::move(event));
             events_.emplace_back(CloseRequest{});
@@ -102,10 +85,10 @@ public:
         return std::exchange(events_, {});
     }
 
-    unsigned number() const { return static_cast<unsigned>(glfwGetX11Window(window_)); }
+    unsigned number() const { return system_->number_of(window_); }
 
     bool watch_keys(KeyWatchCalls calls) {
-        watch_ = KeyWatch::start(XDisplayString(glfwGetX11Display()), glfwGetX11Window(window_), std::move(calls));
+        watch_ = system_->watch_keys(window_, std::move(calls));
         return watch_ != nullptr;
     }
 
@@ -115,7 +98,7 @@ public:
     }
 
     void draw(const ViewState& view) {
-        if (display_lost_) return;
+        if (system_->lost()) return;
         const PixelSize size = framebuffer_size();
         if (size != shown_size_) frames_in_size_ = 0;
         if (shown_ && *shown_ == view && frames_in_size_ >= kFramesToSettle) return;
@@ -132,7 +115,7 @@ public:
     }
 
     Picture picture(const ViewState& view) {
-        if (display_lost_) return {};
+        if (system_->lost()) return {};
         const PixelSize size = framebuffer_size();
         renderer_->draw(view, size);
         return Renderer::read_back(size);
@@ -140,8 +123,6 @@ public:
 
 private:
     static Impl& self(GLFWwindow* window) { return *static_cast<Impl*>(glfwGetWindowUserPointer(window)); }
-
-    static void display_lost(Display*, void* impl) { static_cast<Impl*>(impl)->display_lost_ = true; }
 
     PixelSize framebuffer_size() const {
         PixelSize size;
@@ -152,16 +133,13 @@ private:
     void take_key(int key, int code, int action, int mods) {
         if (!never_waits_) return act_on_key(key, action, mods);
         if (const auto name = key_name(key, mods); name && never_waits_(*name)) return act_on_key(key, action, mods);
-        const KeySym symbol =
-            XkbKeycodeToKeysym(glfwGetX11Display(), static_cast<KeyCode>(code), 0, (mods & GLFW_MOD_SHIFT) ? 1 : 0);
-        const char* symbol_name = XKeysymToString(symbol);
+        KeySymbol symbol = system_->symbol_of(code, (mods & GLFW_MOD_SHIFT) != 0);
         KeyStroke stroke;
         stroke.press = action != GLFW_RELEASE;
-        stroke.state = ((mods & GLFW_MOD_SHIFT) ? ShiftMask : 0U) | ((mods & GLFW_MOD_CONTROL) ? ControlMask : 0U) |
-                       ((mods & GLFW_MOD_ALT) ? Mod1Mask : 0U);
-        stroke.keycode = static_cast<unsigned>(code);
-        stroke.keysym = static_cast<unsigned>(symbol);
-        stroke.name = symbol_name ? symbol_name : "";
+        stroke.state = modifier_bits(mods);
+        stroke.keycode = system_->x_key_code(code);
+        stroke.keysym = symbol.keysym;
+        stroke.name = std::move(symbol.name);
         gate_.take({key, action, mods}, stroke, glfwGetTime());
     }
 
@@ -193,6 +171,11 @@ private:
         for (KeyEvent& event : keys_.let_go()) events_.emplace_back(std::move(event));
     }
 
+    // A display that goes away is reported by poll(), once.
+    void take_close() {
+        if (!system_->lost()) events_.emplace_back(CloseRequest{});
+    }
+
     void take_cursor(double x, double y) {
         const Vec2 from = std::exchange(cursor_, Vec2(x, y)).value_or(Vec2(x, y));
         const double right_m = kHandMetresPerPixel * (x - from.x), away_m = kHandMetresPerPixel * (from.y - y);
@@ -215,7 +198,7 @@ private:
         events_.emplace_back(HandDragged{by_m});
     }
 
-    bool initialised_ = false;
+    std::unique_ptr<WindowSystem> system_;
     GLFWwindow* window_ = nullptr;
     std::unique_ptr<KeyWatch> watch_;
     std::unique_ptr<Renderer> renderer_;
@@ -228,7 +211,6 @@ private:
     PixelSize shown_size_;
     int frames_in_size_ = 0;
     double rest_until_s_ = 0.0;  // GLFW's time
-    bool display_lost_ = false;
     bool told_of_loss_ = false;
 };
 

@@ -1,4 +1,4 @@
-#include "app/window/key_watch.h"
+#include "app/window/x11_key_watch.h"
 
 #include <X11/Xlib.h>
 #include <poll.h>
@@ -10,55 +10,31 @@
 #include <atomic>
 #include <thread>
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
+#include "app/window/key_codes.h"
 #include "app/window/keys.h"
 #include "worlds/base/descriptor.h"
 
 namespace handrail {
 namespace {
 
-constexpr std::size_t kKeyCodes = 256;  // of the X protocol
-
-// X key code -> GLFW's key token, 0 where GLFW has none. Modifiers are left out: alone they mean something only when
-// they come up again.
-std::array<int, kKeyCodes> glfw_keys() {
-    std::array<int, kKeyCodes> keys{};
-    for (int key = GLFW_KEY_SPACE; key < GLFW_KEY_LEFT_SHIFT; ++key) {
-        const int code = glfwGetKeyScancode(key);
-        if (code > 0 && code < static_cast<int>(kKeyCodes)) keys[static_cast<std::size_t>(code)] = key;
-    }
-    return keys;
-}
-
-int glfw_modifiers(unsigned state) {
-    return ((state & ShiftMask) ? GLFW_MOD_SHIFT : 0) | ((state & ControlMask) ? GLFW_MOD_CONTROL : 0) |
-           ((state & Mod1Mask) ? GLFW_MOD_ALT : 0);
-}
-
-}  // namespace
-
-class KeyWatch::Impl {
+class X11KeyWatch final : public KeyWatch {
 public:
-    Impl(Display* display, unsigned long window, KeyWatchCalls calls)
-        : display_(display), calls_(std::move(calls)), keys_(glfw_keys()), wake_(::eventfd(0, EFD_CLOEXEC)) {
+    X11KeyWatch(Display* display, unsigned long window, KeyWatchCalls calls)
+        : display_(display), calls_(std::move(calls)), keys_(keys_by_code()), wake_(::eventfd(0, EFD_CLOEXEC)) {
         XSetIOErrorExitHandler(
-            display_, [](Display*, void* self) { static_cast<Impl*>(self)->lost_ = true; }, this);
+            display_, [](Display*, void* self) { static_cast<X11KeyWatch*>(self)->lost_ = true; }, this);
         // Any number of clients may ask for the same window's keys; each gets them all.
         XSelectInput(display_, window, KeyPressMask | FocusChangeMask);
         XSync(display_, False);
         thread_ = std::thread([this] { run(); });
     }
-    ~Impl() {
+    ~X11KeyWatch() override {
         const std::uint64_t one = 1;
         [[maybe_unused]] const ssize_t written = ::write(wake_.get(), &one, sizeof one);
         thread_.join();
         // A connection that broke stays locked, and closing it would wait for ever; the program is about to end anyway.
         if (!lost_ && !broken()) XCloseDisplay(display_);
     }
-    Impl(const Impl&) = delete;
-    Impl& operator=(const Impl&) = delete;
 
 private:
     // The server has hung up, whether anybody has noticed yet or not.
@@ -82,7 +58,7 @@ private:
         XNextEvent(display_, &event);
         if (lost_) return;
         if (event.type == KeyPress) {
-            const int key = keys_[event.xkey.keycode % kKeyCodes];
+            const int key = keys_[event.xkey.keycode % keys_.size()];
             const auto name = key != 0 ? key_name(key, glfw_modifiers(event.xkey.state)) : std::nullopt;
             if (name && calls_.is_wanted(*name)) calls_.pressed();
         } else if ((event.type == FocusIn || event.type == FocusOut) && event.xfocus.mode != NotifyGrab &&
@@ -93,19 +69,18 @@ private:
 
     Display* display_;  // the watch's thread, from its start to its end
     KeyWatchCalls calls_;
-    std::array<int, kKeyCodes> keys_;
+    KeysByCode keys_;
     Descriptor wake_;
     std::atomic<bool> lost_{false};  // the display is gone
     std::thread thread_;
 };
 
-KeyWatch::KeyWatch(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
-KeyWatch::~KeyWatch() = default;
+}  // namespace
 
-std::unique_ptr<KeyWatch> KeyWatch::start(const char* display_name, unsigned long window, KeyWatchCalls calls) {
+std::unique_ptr<KeyWatch> x11_key_watch(const char* display_name, unsigned long window, KeyWatchCalls calls) {
     Display* display = XOpenDisplay(display_name);
     if (!display) return nullptr;
-    return std::unique_ptr<KeyWatch>(new KeyWatch(std::make_unique<Impl>(display, window, std::move(calls))));
+    return std::make_unique<X11KeyWatch>(display, window, std::move(calls));
 }
 
 }  // namespace handrail

@@ -1,0 +1,66 @@
+// The keyboard of a Wayland session, as the compositor reports it to this program's window: an event queue of its own
+// on GLFW's connection, so that it needs neither GLFW's thread nor its key table. Only one thread uses an object; two
+// objects on two threads do not disturb each other.
+#pragma once
+
+#include <wayland-client.h>
+#include <xkbcommon/xkbcommon.h>
+
+#include <functional>
+#include <memory>
+
+#include "app/window/window_system.h"
+
+namespace handrail {
+
+struct FreeKeymap {
+    void operator()(xkb_keymap* keymap) const { xkb_keymap_unref(keymap); }
+};
+using Keymap = std::unique_ptr<xkb_keymap, FreeKeymap>;
+
+// What the key means in that layout, alone or with Shift. Layouts without the key's second level ignore Shift.
+KeySymbol key_symbol(xkb_keymap& keymap, int scancode, unsigned layout, bool shift);
+
+// X counts the kernel's key codes from 8.
+constexpr unsigned x_code_of(int scancode) { return static_cast<unsigned>(scancode) + 8; }
+
+class WaylandKeyboard {
+public:
+    struct Calls {
+        std::function<void(int scancode, unsigned modifiers)> pressed;  // modifiers: bits of key_codes.h
+        std::function<void(bool)> focused;
+    };
+
+    // Waits until the compositor has said whether there is a keyboard and what its layout is: about 1 ms.
+    WaylandKeyboard(wl_display* display, Calls calls);
+    ~WaylandKeyboard();
+    WaylandKeyboard(const WaylandKeyboard&) = delete;
+    WaylandKeyboard& operator=(const WaylandKeyboard&) = delete;
+
+    // Makes the calls for what has come in. Never waits.
+    void take_pending();
+    // Waits for what comes in, or until `wake` can be read. False after `wake`, and when the connection is broken.
+    bool wait(int wake);
+
+    KeySymbol symbol_of(int scancode, bool shift) const;
+
+private:
+    struct Listeners;
+
+    void bind_seat(wl_registry* registry, std::uint32_t name, std::uint32_t version);
+    void take_capabilities(std::uint32_t capabilities);
+    void take_keymap(std::uint32_t format, int fd, std::uint32_t size);
+    void let_go_of_keyboard();
+
+    wl_display* display_;
+    Calls calls_;
+    wl_event_queue* queue_ = nullptr;
+    wl_registry* registry_ = nullptr;
+    wl_seat* seat_ = nullptr;
+    wl_keyboard* keyboard_ = nullptr;
+    Keymap keymap_;
+    unsigned layout_ = 0;
+    unsigned modifiers_ = 0;
+};
+
+}  // namespace handrail
