@@ -61,8 +61,8 @@ std::unique_ptr<VirtualDisplay> VirtualDisplay::start() {
 
 VirtualDisplay::~VirtualDisplay() { kill(); }
 
-bool VirtualDisplay::xdotool(const std::string& words) const {
-    return std::system(("timeout 20 xdotool " + words).c_str()) == 0;
+bool VirtualDisplay::run(const std::string& line) const {
+    return std::system(("export DISPLAY=:" + number_ + "; timeout 20 " + line).c_str()) == 0;
 }
 
 void VirtualDisplay::kill() {

@@ -18,7 +18,9 @@ public:
     VirtualDisplay& operator=(const VirtualDisplay&) = delete;
 
     // Runs "xdotool WORDS"; false when it fails or takes longer than 20 s.
-    bool xdotool(const std::string& words) const;
+    bool xdotool(const std::string& words) const { return run("xdotool " + words); }
+    // The same for a line of the shell.
+    bool run(const std::string& line) const;
     // Ends the server as a log-out does.
     void kill();
 

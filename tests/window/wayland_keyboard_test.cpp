@@ -1,0 +1,48 @@
+#include "app/window/wayland_keyboard.h"
+
+#include <gtest/gtest.h>
+
+namespace handrail::test {
+namespace wayland_keyboard_test {
+
+constexpr int kKeyOne = 2, kKeyTwo = 3, kKeyEnter = 28, kKeyUp = 103,
+              kNoKey = 5000;  // codes of linux/input-event-codes.h
+
+// As a compositor sends it.
+Keymap keymap_of(const char* layouts) {
+    const std::unique_ptr<xkb_context, decltype(&xkb_context_unref)> context(xkb_context_new(XKB_CONTEXT_NO_FLAGS),
+                                                                             &xkb_context_unref);
+    const xkb_rule_names names{"evdev", "pc105", layouts, "", ""};
+    return Keymap(xkb_keymap_new_from_names(context.get(), &names, XKB_KEYMAP_COMPILE_NO_FLAGS));
+}
+
+TEST(WaylandKeyboard, names_keys_alone_and_with_shift_as_their_layout_has_them) {
+    const Keymap german = keymap_of("de");
+    ASSERT_TRUE(german);
+    EXPECT_EQ(key_symbol(*german, kKeyTwo, 0, false).name, "2");
+    EXPECT_EQ(key_symbol(*german, kKeyTwo, 0, true).name, "quotedbl");
+    EXPECT_EQ(key_symbol(*german, kKeyTwo, 0, true).keysym, 0x22U);
+    EXPECT_EQ(key_symbol(*german, kKeyEnter, 0, false).name, "Return");
+    EXPECT_EQ(key_symbol(*german, kKeyEnter, 0, true).name, "Return") << "the key has no second level";
+    EXPECT_EQ(key_symbol(*german, kKeyUp, 0, false).keysym, 0xFF52U);
+}
+
+TEST(WaylandKeyboard, takes_the_layout_that_is_in_use_and_the_first_if_a_key_has_fewer) {
+    const Keymap both = keymap_of("us,de");
+    ASSERT_TRUE(both);
+    EXPECT_EQ(key_symbol(*both, kKeyTwo, 0, true).name, "at");
+    EXPECT_EQ(key_symbol(*both, kKeyTwo, 1, true).name, "quotedbl");
+    EXPECT_EQ(key_symbol(*both, kKeyOne, 7, true).name, "exclam");
+}
+
+TEST(WaylandKeyboard, has_nothing_to_say_of_a_key_that_the_layout_does_not_know) {
+    const Keymap english = keymap_of("us");
+    ASSERT_TRUE(english);
+    EXPECT_EQ(key_symbol(*english, kNoKey, 0, false).keysym, 0U);
+    EXPECT_EQ(key_symbol(*english, kNoKey, 0, false).name, "");
+}
+
+TEST(WaylandKeyboard, has_the_codes_that_x_has) { EXPECT_EQ(x_code_of(kKeyOne), 10U); }
+
+}  // namespace wayland_keyboard_test
+}  // namespace handrail::test
