@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # Functions for scripts that work in an empty Debian. Sourced by in_root.sh and ../packaging/on_bare_debian.sh.
 
 # make_root SYSTEM ROOT LOG: an empty Debian, from where this machine's own apt fetches. Fails with a sentence if there is
