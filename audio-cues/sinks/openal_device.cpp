@@ -30,8 +30,9 @@ Function alc_function(ALCdevice* device, const char* name) {
 }  // namespace
 
 OpenALEnvironment::OpenALEnvironment(int periods) {
-    // OpenAL and ALSA both print to standard error when there is no sound card; the sink says so in words instead.
+    // OpenAL, PipeWire and ALSA print to standard error if there is no sound card; the sink says so in words instead.
     ::setenv("ALSOFT_LOGLEVEL", "0", 0);
+    ::setenv("PIPEWIRE_DEBUG", "0", 0);
     if (void* alsa = ::dlopen("libasound.so.2", RTLD_NOW | RTLD_LOCAL)) {
         using SetHandler = int (*)(decltype(&ignore_alsa_message));
         if (void* set_handler = ::dlsym(alsa, "snd_lib_error_set_handler"))

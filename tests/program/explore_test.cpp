@@ -30,6 +30,19 @@ TEST(Explore, without_anything_says_nothing_of_what_is_missing_but_where_one_is_
     EXPECT_THAT(run.out, HasSubstr("facing north"));
 }
 
+// Until 2026-11-28 PipeWire wrote a line of its own to the terminal in both cases, where OpenAL has it (Debian 13).
+TEST(Explore, libraries_of_sound_that_find_nothing_complain_to_nobody) {
+    for (const char* missing : {"PIPEWIRE_CONFIG_DIR", "SPA_PLUGIN_DIR"}) {
+        ProgramCall call;
+        call.environment["ALSOFT_DRIVERS"] = "";  // whatever OpenAL has
+        call.environment[missing] = "/nonexistent";
+        const ProgramRun run = explore({"--no-window", "--device", "none"}, "quit\n", call);
+        EXPECT_EQ(run.exit_status, 0);
+        EXPECT_THAT(run.out, HasSubstr("facing north"));
+        EXPECT_EQ(run.err, "") << missing;
+    }
+}
+
 TEST(Explore, a_real_map_is_entered_too) {
     const auto world = real_world("quake-e1m1.map");
     if (!world) GTEST_SKIP() << "the real worlds are not here";

@@ -30,7 +30,6 @@ TEST(WithoutWayland, the_program_says_what_is_missing_and_goes_on_in_the_termina
     else EXPECT_THAT(run.out, HasSubstr("There is no display; the picture is left out"));
     EXPECT_THAT(run.out, HasSubstr("facing north"));
     EXPECT_THAT(run.out, HasSubstr("Ahead: "));
-    EXPECT_THAT(run.out, HasSubstr("Goodbye.")) << run.err;
 }
 
 class ProgramOnWayland : public testing::Test {
@@ -43,8 +42,7 @@ protected:
         Environment environment = bare_environment(home_.path().string());
         environment["WAYLAND_DISPLAY"] = std::getenv("WAYLAND_DISPLAY");
         environment["ASAN_OPTIONS"] = "detect_leaks=0";  // Mesa's own leaks
-        program_ = ChildProcess::start({test::built_program("handrail"), "--device", "sim-falcon"}, environment,
-                                       home_.path() / "said");
+        program_ = ChildProcess::start({test::built_program("handrail")}, environment, home_.path() / "said");
         ASSERT_TRUE(program_);
         ASSERT_TRUE(says("facing north")) << said();
     }
