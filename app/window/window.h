@@ -67,7 +67,7 @@ public:
     // KeyEvent::key).
     void offer_keys(KeyReader reader, std::function<bool(const std::string&)> never_waits);
 
-    // X's number of this window, by which other programs know which one has the keyboard.
+    // X's number of this window, by which other programs know which one has the keyboard. 0 on Wayland, which has none.
     unsigned number() const;
 
     // Shows the view; call it each time round the loop. The same thread also feeds ears and hand, so this does not wait
