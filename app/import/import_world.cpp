@@ -79,10 +79,10 @@ Result<ImportedWorld> read_here(const fs::path& path, const ReadOptions& options
 }  // namespace
 
 Result<ImportedWorld> import_world(const fs::path& path, const ReadOptions& options, const ImportHow& how) {
-    if (how.program.empty() || lower_ascii(path.extension().string()) == ".map" || options.read_beside)
-        return read_here(path, options);
+    if (how.program.empty() || options.read_beside) return read_here(path, options);
+    const bool keeps = how.cache && lower_ascii(path.extension().string()) != ".map";  // those are read quickly
     const std::optional<FileState> before =
-        how.cache ? state_of(path, kLeastKept_bytes, options.stop) : std::optional<FileState>();
+        keeps ? state_of(path, kLeastKept_bytes, options.stop) : std::optional<FileState>();
     const std::string name = before ? name_in_cache(*before, options, path) : std::string();
     const Descriptor kept = before ? how.cache.open(name) : Descriptor(-1);
     Result<ReadApart> read = read_apart(path, options, how.program, how.limits, {kept.get(), name});

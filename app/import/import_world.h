@@ -1,6 +1,6 @@
-// How the program comes to a world from a file: .map files are read at once, all others in a process of their own
-// (reader_process), and the cache keeps what comes of those, so that the next start is as fast as a .map's. Any thread
-// but the app's, because it waits.
+// How the program comes to a world from a file: a process of its own reads it (reader_process). The cache keeps what
+// comes of it, so that the next start is as fast as a .map's, of which nothing is kept. Any thread but the app's,
+// because it waits.
 #pragma once
 
 #include "app/import/reader_process.h"

@@ -7,7 +7,7 @@
 
 namespace handrail {
 
-inline constexpr int kAnswerFd = 3, kTellFd = 4, kKeptFd = 5;
+inline constexpr int kAnswerFd = 3, kTellFd = 4, kFilesFd = 5, kKeptFd = 6;
 inline constexpr int kReaderWords = 12;  // with the program's own name
 inline constexpr int kWrongUse = 2, kNoMemory = 3, kNoRoom = 4, kCutMeanwhile = 5;
 inline constexpr std::size_t kMostHandedOver_bytes = std::size_t{1} << 30;

@@ -11,16 +11,16 @@
 #include "app/import/kept_scene.h"
 #include "app/import/reader_answer.h"
 #include "app/import/reader_process.h"
+#include "app/import/requested_files.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 #include "worlds/cache/cache.h"
 #include "worlds/cache/sha256.h"
+#include "worlds/confine/confine.h"
 #include "worlds/stored/stored_ways.h"
 
 namespace handrail {
 namespace {
-
-namespace fs = std::filesystem;
 
 void limit(int what, rlim_t most) {
     rlimit both{most, most};
@@ -63,36 +63,48 @@ int answer(const ReaderAnswer& told, std::string_view bytes) {
     return write_all(kAnswerFd, pack.take()) && write_all(kAnswerFd, bytes) ? 0 : kNoRoom;
 }
 
+Result<std::string> read_requested_beside(const std::string& name) {
+    const Result<OpenFile> file = request_beside(kFilesFd, name);
+    return file ? read_whole_file(*file, kLargestBeside_bytes, {}) : tl::unexpected(file.error());
+}
+
+Result<Scene> read_requested(const std::string& name, const ReadOptions& options) {
+    const Result<OpenFile> world = request_world(kFilesFd);
+    if (!world) return tl::unexpected(world.error());
+    const Result<MappedFile> mapped = map_file(*world, kLargestWorld_bytes);
+    return mapped ? read_world_bytes(name, mapped->bytes(), options) : tl::unexpected(mapped.error());
+}
+
 // True if the files that were needed next to the world's are as they were, and those that were missing are missing.
-bool same_beside(const fs::path& path, const std::vector<BesideFile>& beside) {
-    return std::all_of(beside.begin(), beside.end(), [&](const BesideFile& file) {
-        const Result<std::string> bytes = read_file_beside(path, file.name, {});
+bool same_beside(const std::vector<BesideFile>& beside) {
+    return std::all_of(beside.begin(), beside.end(), [](const BesideFile& file) {
+        const Result<std::string> bytes = read_requested_beside(file.name);
         return (bytes ? sha256_of(*bytes) : std::string()) == file.sha256;
     });
 }
 
 // The scene that was kept under that name; nothing if it is out of date or, as `damaged` then says, not to be believed.
-std::optional<Scene> scene_kept(const fs::path& path, const std::string& name, bool& damaged) {
+std::optional<Scene> scene_kept(const std::string& name, bool& damaged) {
     const std::optional<std::string> kept = kept_content(kKeptFd, name);
     Result<std::optional<Scene>> scene = fail("");
-    if (kept) scene = scene_in(*kept, [&](const auto& beside) { return same_beside(path, beside); });
+    if (kept) scene = scene_in(*kept, same_beside);
     damaged = !scene.has_value();
     return scene ? std::move(*scene) : std::nullopt;
 }
 
-int answer_with_scene(const fs::path& path, ReadOptions& options, const std::string& kept_name) {
+int answer_with_scene(const std::string& name, ReadOptions& options, const std::string& kept_name) {
     ReaderAnswer told;
     if (!kept_name.empty())
-        if (const std::optional<Scene> kept = scene_kept(path, kept_name, told.kept_damaged)) {
+        if (const std::optional<Scene> kept = scene_kept(kept_name, told.kept_damaged)) {
             told.read = told.kept = true;
             return answer(told, stored(*kept));
         }
-    options.read_beside = [&](const std::string& name) {
-        Result<std::string> bytes = read_file_beside(path, name, {});
-        told.beside.push_back({name, bytes ? sha256_of(*bytes) : std::string()});
+    options.read_beside = [&](const std::string& other) {
+        Result<std::string> bytes = read_requested_beside(other);
+        told.beside.push_back({other, bytes ? sha256_of(*bytes) : std::string()});
         return bytes;
     };
-    const Result<Scene> scene = read_world(path, options);
+    const Result<Scene> scene = read_requested(name, options);
     told.read = scene.has_value();
     if (!scene) told.error = scene.error();
     return answer(told, scene ? stored(*scene) : std::string());
@@ -123,7 +135,14 @@ int reader_process(int argc, char** argv) {
     std::set_new_handler([] { ::_exit(kNoMemory); });
     (void)speak_language(argv[1], argv[2]);
 
-    const fs::path path = argv[6];
+    (void)sha256_of("");  // libgcrypt looks at the system when it is first used
+    Permissions permissions;
+#if defined(HANDRAIL_SANITIZED)
+    permissions.read.emplace_back("/proc");  // where a sanitizer looks for leaks
+#endif
+    (void)confine(permissions);  // what the kernel lacks, `handrail devices` reports
+
+    const std::string name = argv[6];
     ReadOptions options;
     options.map_metres_per_unit = number<double>(argv[7]);
     options.obj_metres_per_unit = number<double>(argv[8]);
@@ -131,7 +150,6 @@ int reader_process(int argc, char** argv) {
     options.guess_materials = argv[9][1] == '1';
     options.solid_meshes = argv[9][2] == '1';
     options.building = argv[10];
-    options.mapped = true;
     // Lines on the pipe; a reader that calls often is heard at every hundredth.
     int told = -1;
     options.progress = [&](double fraction) {
@@ -140,7 +158,7 @@ int reader_process(int argc, char** argv) {
     };
     options.stage = [](std::string_view stage) { write_all(kTellFd, fmt::format("s{}\n", stage)); };
     try {
-        return path.empty() ? answer_with_ways(argv[11]) : answer_with_scene(path, options, argv[11]);
+        return name.empty() ? answer_with_ways(argv[11]) : answer_with_scene(name, options, argv[11]);
     } catch (const std::bad_alloc&) {
         return kNoMemory;
     }

@@ -6,6 +6,7 @@
 #include <spawn.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -16,6 +17,7 @@
 #include <cstring>
 
 #include "app/import/reader_answer.h"
+#include "app/import/requested_files.h"
 #include "worlds/base/clock.h"
 #include "worlds/base/descriptor.h"
 #include "worlds/base/files.h"
@@ -30,6 +32,13 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kReaderProgram = "handrail-reader";
 constexpr int kLookEvery_ms = 50;  // at whether it is still wanted
+
+// Nothing that a reader writes reaches the person's terminal, which obeys what is written to it.
+#if defined(HANDRAIL_SANITIZED)
+constexpr bool kSanitized = true;  // it reports there
+#else
+constexpr bool kSanitized = false;
+#endif
 
 // A process that is gone with its owner.
 class Reading {
@@ -118,20 +127,33 @@ Result<ReadApart> read_answer(int fd) {
     return ReadApart{std::move(*bytes), answer.kept, answer.kept_damaged, std::move(answer.beside)};
 }
 
-// kept_fd: -1 if there is none.
-Result<pid_t> start(const fs::path& program, std::vector<std::string> words, int answer_fd, int tell_fd, int kept_fd) {
-    // Numbers out of the way of 3 to 5 first, so that none is overwritten before it is passed on.
-    const Descriptor answer(::fcntl(answer_fd, F_DUPFD_CLOEXEC, 64)), told(::fcntl(tell_fd, F_DUPFD_CLOEXEC, 64));
-    const Descriptor kept(kept_fd < 0 ? -1 : ::fcntl(kept_fd, F_DUPFD_CLOEXEC, 64));
-    if (answer.get() < 0 || told.get() < 0 || (kept_fd >= 0 && kept.get() < 0)) return fail(reason_of(errno));
+// The reader needs nothing of the person's environment, in which there are keys and addresses of other programs. A
+// sanitizer takes its options from there.
+std::vector<char*> readers_environment() {
+    std::vector<char*> variables;
+#if defined(HANDRAIL_SANITIZED)
+    for (char** variable = environ; *variable; ++variable)
+        if (std::string_view(*variable).find("SAN_OPTIONS=") != std::string_view::npos) variables.push_back(*variable);
+#endif
+    variables.push_back(nullptr);
+    return variables;
+}
+
+// The descriptors become 3, 4 and so on there.
+Result<pid_t> start(const fs::path& program, std::vector<std::string> words, const std::vector<int>& passed) {
+    // Numbers out of the way of those first, so that none is overwritten before it is passed on.
+    std::vector<Descriptor> high;
+    for (const int fd : passed) high.emplace_back(::fcntl(fd, F_DUPFD_CLOEXEC, 64));
+    for (const Descriptor& fd : high)
+        if (fd.get() < 0) return fail(reason_of(errno));
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     for (const int quiet : {STDIN_FILENO, STDOUT_FILENO})
         posix_spawn_file_actions_addopen(&actions, quiet, "/dev/null", O_RDWR, 0);
-    posix_spawn_file_actions_adddup2(&actions, answer.get(), kAnswerFd);
-    posix_spawn_file_actions_adddup2(&actions, told.get(), kTellFd);
-    if (kept_fd >= 0) posix_spawn_file_actions_adddup2(&actions, kept.get(), kKeptFd);
-    posix_spawn_file_actions_addclosefrom_np(&actions, kept_fd >= 0 ? kKeptFd + 1 : kKeptFd);
+    if (!kSanitized) posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+    int next = kAnswerFd;
+    for (const Descriptor& fd : high) posix_spawn_file_actions_adddup2(&actions, fd.get(), next++);
+    posix_spawn_file_actions_addclosefrom_np(&actions, next);
     posix_spawnattr_t how;
     posix_spawnattr_init(&how);
     // A group of its own: what a terminal's keys send is for the program, which then ends this one.
@@ -146,7 +168,8 @@ Result<pid_t> start(const fs::path& program, std::vector<std::string> words, int
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
     pid_t process = -1;
-    const int status = ::posix_spawn(&process, program.c_str(), &actions, &how, argv.data(), environ);
+    const int status =
+        ::posix_spawn(&process, program.c_str(), &actions, &how, argv.data(), readers_environment().data());
     posix_spawnattr_destroy(&how);
     posix_spawn_file_actions_destroy(&actions);
     if (status != 0) return fail(reason_of(status));
@@ -174,20 +197,25 @@ Result<ReadApart> read_apart(const fs::path& path, const ReadOptions& options, c
     std::array<int, 2> ends{-1, -1};
     if (answer.get() < 0 || ::pipe2(ends.data(), O_CLOEXEC) != 0) return problem(reason_of(errno));
     const Descriptor ours(ends[0]);
+    Descriptor theirs(ends[1]);
+    if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) return problem(reason_of(errno));
+    const Descriptor files(ends[0]);
     std::string flags = options.unit_is_known ? "1" : "0";
     flags += options.guess_materials ? '1' : '0';
     flags += options.solid_meshes ? '1' : '0';
     const double before_s = children_cpu_s();
     pid_t process = -1;
     {
-        const Descriptor theirs(ends[1]);
+        const Descriptor told = std::move(theirs), requested(ends[1]);
+        std::vector<int> passed{answer.get(), told.get(), requested.get()};
+        if (kept.file >= 0) passed.push_back(kept.file);
         const Result<pid_t> started =
             start(program,
                   {program.string(), spoken_language(), spoken_language_folder().string(), std::to_string(::getpid()),
-                   std::to_string(limits.memory_bytes), std::to_string(limits.cpu_s), path.string(),
+                   std::to_string(limits.memory_bytes), std::to_string(limits.cpu_s), name,
                    fmt::format("{}", options.map_metres_per_unit), fmt::format("{}", options.obj_metres_per_unit),
                    flags, options.building, kept.file < 0 ? std::string() : kept.name},
-                  answer.get(), theirs.get(), kept.file);
+                  passed);
         if (!started) return problem(started.error().message);
         process = *started;
     }
@@ -195,11 +223,14 @@ Result<ReadApart> read_apart(const fs::path& path, const ReadOptions& options, c
     const SteadyClock clock;
     const double until_s = clock.now_s() + limits.wall_s;
     std::string line;
+    bool asks = !path.empty();  // what unpacks ways has no world, so it gets no file
     for (bool open = true; open;) {
         if (options.stop.stop_requested()) return fail(phrase("files.stopped"), name);
         if (clock.now_s() > until_s) return fail(phrase("import.too_long", {{"seconds", limits.wall_s}}), name);
-        pollfd wait{ours.get(), POLLIN, 0};
-        if (::poll(&wait, 1, kLookEvery_ms) <= 0) continue;
+        std::array<pollfd, 2> wait{pollfd{ours.get(), POLLIN, 0}, pollfd{asks ? files.get() : -1, POLLIN, 0}};
+        if (::poll(wait.data(), wait.size(), kLookEvery_ms) <= 0) continue;
+        if (wait[1].revents != 0) asks = answer_request(files.get(), path);
+        if (wait[0].revents == 0) continue;
         std::array<char, 4096> bytes;
         const ssize_t got = ::read(ours.get(), bytes.data(), bytes.size());
         if (got < 0 && errno == EINTR) continue;

@@ -1,7 +1,9 @@
 // Reading a file in a process of its own (handrail-reader), so that no file takes the program down, whatever it holds:
-// its memory and time are bounded, and it dies with the program. The same process unpacks what the cache keeps. What it
-// made of either comes back through a piece of shared memory (worlds/stored), how far it is through a pipe. Of that
-// answer the program trusts nothing but its length: reading it back checks every count, enumerator and reference.
+// its memory and time are bounded, and it dies with the program. It is confined: it has no environment, opens nothing,
+// and requests the world and the files next to it from the program (requested_files). The same process unpacks what the
+// cache keeps. What it made of either comes back through a piece of shared memory (worlds/stored), how far it is
+// through a pipe. Of that answer the program trusts nothing but its length: reading it back checks every count,
+// enumerator and reference.
 #pragma once
 
 #include <cstdint>
@@ -41,10 +43,10 @@ struct KeptForReader {
 // handrail-reader, beside this program or installed; empty: there is none.
 std::filesystem::path find_reader_program();
 
-// As read_world. options.read_beside is not asked: the process looks beside the file itself. Waits for the process, and
-// ends it when `options.stop` says so, within a tenth of a second. One sentence for each way in which it can end. The
-// calling thread must outlive the call: the kernel ends the process with the thread. The process takes the scene from
-// what was kept, and reads the file only if that is damaged or another file next to the world's has changed.
+// As read_world. options.read_beside is not called: files next to the world's are opened here. Waits for the process,
+// and ends it when `options.stop` says so, within a tenth of a second. One sentence for each way in which it can end.
+// The calling thread must outlive the call: the kernel ends the process with the thread. The process takes the scene
+// from what was kept, and reads the file only if that is damaged or another file next to the world's has changed.
 Result<ReadApart> read_apart(const std::filesystem::path& path, const ReadOptions& options,
                              const std::filesystem::path& program, const ReaderLimits& limits = {},
                              const KeptForReader& kept = {});

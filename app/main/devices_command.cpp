@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/main/commands.h"
+#include "app/main/confinement_facts.h"
 #include "app/main/device_facts.h"
 #include "haptic/drivers/found_device.h"
 #include "worlds/base/language.h"
@@ -48,7 +49,10 @@ int run_devices(const DevicesArguments& arguments, std::ostream& out, std::ostre
         for (const FoundDevice& device : found) devices.push_back(json_of(device));
         for (const DeviceSpec& spec : device_specs())
             if (spec.name.starts_with("sim-")) simulated.push_back(spec.name);
-        out << Json{{"devices", std::move(devices)}, {"simulated", std::move(simulated)}, {"udev_rule", kUdevRule}}
+        out << Json{{"devices", std::move(devices)},
+                    {"simulated", std::move(simulated)},
+                    {"udev_rule", kUdevRule},
+                    {"confinement", json_of(confinement_offered())}}
                    .dump(2, ' ', false, Json::error_handler_t::replace)
             << '\n';
         return 0;
@@ -59,6 +63,7 @@ int run_devices(const DevicesArguments& arguments, std::ostream& out, std::ostre
         for (std::size_t i = 0; i < sentences.size(); ++i) out << (i > 0 ? "  " : "") << sentences[i] << '\n';
     }
     out << phrase("program.simulated_devices") << '\n';
+    out << confinement_sentence(confinement_offered()) << '\n';
     return 0;
 }
 

@@ -12,6 +12,7 @@
 #include "app/core/world/entering.h"
 #include "app/core/world/walker.h"
 #include "app/main/commands.h"
+#include "app/main/confinement_facts.h"
 #include "app/main/world_files.h"
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/compile/touch_model.h"
@@ -181,7 +182,8 @@ Json json_of(const Scene& scene, const TouchModel& touch, const Cost& cost) {
             {"load_s", cost.load_s},
             {"kept", cost.kept},
             {"all_s", cost.all_s},
-            {"peak_memory_bytes", cost.peak_memory_bytes}};
+            {"peak_memory_bytes", cost.peak_memory_bytes},
+            {"confinement", json_of(confinement_offered())}};
 }
 
 std::string spoken_stages(const std::vector<std::string_view>& stages) {

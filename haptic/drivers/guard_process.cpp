@@ -6,7 +6,6 @@
 #include <sched.h>
 #include <signal.h>
 #include <sys/mman.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -18,6 +17,8 @@ extern "C" {  // glibc 2.36 forgot to say so itself
 #include <cstdlib>
 #include <string_view>
 
+#include "haptic/drivers/found_device.h"
+#include "haptic/drivers/guard_permissions.h"
 #include "haptic/drivers/hand_guard.h"
 #include "haptic/drivers/relief_guard.h"
 #include "worlds/base/descriptor.h"
@@ -76,7 +77,6 @@ bool write_oom_score(std::string_view score) noexcept {
 bool ask_to_be_spared() noexcept { return write_oom_score(kNever) || (write_oom_score(kLikeAnyOther), false); }
 
 void protect(HandMailbox& mailbox, int priority) {
-    ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
     lower_limit(RLIMIT_CORE, 0);
     lower_limit(RLIMIT_NOFILE, kMostDescriptors);
     lower_limit(RLIMIT_FSIZE, kMostFileBytes);
@@ -108,6 +108,17 @@ HandMailbox* map_mailbox(int fd) noexcept {
 
 }  // namespace
 
+NamedDevices devices_of_this_machine(Clock& clock) {
+    return {
+        [&clock](const std::string& name, const std::string& serial,
+                 const std::function<void(const std::string&)>& tell) {
+            return open_device(name, serial, clock, tell);
+        },
+        [&clock](const std::string& name, const std::string& serial) { return zero_device(name, serial, clock); },
+        [](const std::string& name) { return guard_permissions(name); },
+    };
+}
+
 int guard_process(int argc, char** argv, const NamedDevices& devices) {
     const std::string_view role = argc > 1 ? argv[1] : "";
     if (argc < 8 || (role != kHoldRole && role != kRelieveRole)) {
@@ -132,6 +143,7 @@ int guard_process(int argc, char** argv, const NamedDevices& devices) {
     const std::string name = argv[7], serial = argc > 8 ? argv[8] : "";
     if (role == kRelieveRole) {
         protect(*mailbox, kReliefPriority);
+        (void)confine(devices.permissions(name));
         // A driver that does not come back must not keep this process for ever.
         const auto zero_in_time = [&] {
             ::alarm(kMostOfOneTryS);
@@ -143,6 +155,7 @@ int guard_process(int argc, char** argv, const NamedDevices& devices) {
                              [third_fd] { ::pidfd_send_signal(third_fd, SIGKILL, nullptr, 0); });
     }
     protect(*mailbox, kGuardPriority);
+    (void)confine(devices.permissions(name));  // what the kernel lacks, `handrail devices` reports
     return guard_hand(
         *mailbox, third_fd, life_fd,
         [&](const std::function<void(const std::string&)>& tell) { return devices.open(name, serial, tell); },

@@ -5,6 +5,7 @@
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
+#include "worlds/confine/confine.h"
 
 namespace handrail::test {
 namespace devices_test {
@@ -30,6 +31,33 @@ TEST(Devices, without_any_says_so_in_words_and_as_data) {
     const auto json = nlohmann::json::parse(data.out);
     EXPECT_TRUE(json["devices"].is_array());
     EXPECT_EQ(json["udev_rule"], "70-handrail.rules");
+}
+
+// What confines is a fact of the kernel. Where it has nothing of it the program says so, and goes on.
+TEST(Devices, command_tells_what_confines_the_processes_that_handle_files_and_devices) {
+    const auto on_old_kernel = [](std::vector<std::string> arguments) {
+        ProgramCall call;
+        call.program = test::built_program("standin_old_kernel");
+        arguments.insert(arguments.begin(), test::built_program("handrail"));
+        call.arguments = std::move(arguments);
+        const ProgramRun said = run_program(call);
+        EXPECT_EQ(said.exit_status, 0) << said.err;
+        return said.out;
+    };
+    const nlohmann::json none{{"seccomp", false}, {"landlock", 0}};
+    EXPECT_THAT(on_old_kernel({"devices"}), HasSubstr("neither seccomp nor Landlock"));
+    EXPECT_EQ(nlohmann::json::parse(on_old_kernel({"devices", "--json"}))["confinement"], none);
+    const std::string house = (test::project_root() / "tests/unit/ifc/worlds/small_house.ifc").string();
+    EXPECT_EQ(nlohmann::json::parse(on_old_kernel({"info", "--json", house}))["confinement"], none);
+
+    const Confinement here = confinement_offered();
+    EXPECT_THAT(run({"devices"}).out, HasSubstr(confinement_sentence(here)));
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"devices", "--json"}, {"info", "--json", house}}) {
+        const auto confinement = nlohmann::json::parse(run(command).out)["confinement"];
+        EXPECT_EQ(confinement["seccomp"], here.seccomp);
+        EXPECT_EQ(confinement["landlock"], here.landlock);
+    }
 }
 
 TEST(Devices, rule_that_lets_people_open_them_is_placed_by_installing) {

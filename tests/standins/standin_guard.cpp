@@ -1,6 +1,13 @@
 // Guard processes with a device made of numbers, so that the program's side can be tried without any hardware. Started
 // like handrail-guard; the name says how the device behaves: echo, blocks (after 20 exchanges), nan, dies, absent,
-// stubborn (cannot be zeroed).
+// stubborn (cannot be zeroed), pries (its driver looks for what is none of its business, and tells what it reached).
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -35,6 +42,19 @@ private:
     int exchanges_ = 0;
 };
 
+// What a driver that was taken over would look for, by the error that it meets; 0 where it got there.
+std::string reached_by_prying() {
+    const auto error_of = [](int result) { return result < 0 ? errno : 0; };
+    const int file = error_of(::open("/etc/passwd", O_RDONLY | O_CLOEXEC));
+    const int socket = error_of(::socket(AF_UNIX, SOCK_STREAM, 0));
+    const int internet = error_of(::socket(AF_INET, SOCK_STREAM, 0));
+    char program[] = "/bin/true";
+    char* const arguments[] = {program, nullptr};
+    const int exec = error_of(::execv(program, arguments));
+    const int parent = error_of(::kill(::getppid(), 0));
+    return fmt::format("file {}, socket {}, internet {}, exec {}, parent {}", file, socket, internet, exec, parent);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -42,12 +62,17 @@ int main(int argc, char** argv) {
         [](const std::string& name, const std::string&, const std::function<void(const std::string&)>& tell)
             -> handrail::Result<std::unique_ptr<handrail::HapticDevice>> {
             if (name == "absent") return handrail::fail(handrail::phrase("drivers.no_falcon"));
-            tell("Waking it.");
+            tell(name == "pries" ? reached_by_prying() : "Waking it.");
             return std::unique_ptr<handrail::HapticDevice>(std::make_unique<NumbersDevice>(name));
         },
         [](const std::string& name, const std::string&) -> handrail::Result<void> {
             if (name == "stubborn") return handrail::fail(handrail::phrase("drivers.no_falcon"));
             return {};
+        },
+        [](const std::string&) {
+            handrail::Permissions permissions;
+            permissions.calls = handrail::Calls::Drive;
+            return permissions;
         },
     };
     return handrail::guard_process(argc, argv, devices);

@@ -17,6 +17,8 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/times_in.h"
 #include "tests/umockdev/mock_usb.h"
+#include "tests/umockdev/mocked_program.h"
+#include "worlds/confine/confine.h"
 
 extern "C" char** environ;
 
@@ -27,7 +29,7 @@ using namespace std::chrono_literals;
 using Clock_ = std::chrono::steady_clock;
 using test::times_in;
 
-const std::filesystem::path kGuard = test::built_program("handrail-guard");
+const std::filesystem::path kGuard = test::built_program("standin_umockdev_guard");
 
 // What watches is 10 ms apart, and the second guard needs some exchanges: a machine that wakes a thread 10 ms late
 // cannot show that it keeps its time.
@@ -173,7 +175,7 @@ public:
         posix_spawn_file_actions_init(&actions);
         posix_spawn_file_actions_adddup2(&actions, input[0], 0);
         posix_spawn_file_actions_adddup2(&actions, output[1], 1);
-        std::vector<std::string> words{test::built_program("handrail"), "--no-window", "--device", device};
+        std::vector<std::string> words{test::mocked_program().string(), "--no-window", "--device", device};
         if (!command.empty()) words.insert(words.begin() + 1, command);
         std::vector<char*> argv;
         for (std::string& word : words) argv.push_back(word.data());
@@ -425,6 +427,7 @@ TEST_F(FailingGuard, keeps_no_privileges_and_is_replaced_when_the_second_one_die
     ASSERT_EQ(both.size(), 2U);
     for (const pid_t guard : both) {
         EXPECT_EQ(field_of(guard, "NoNewPrivs"), "1");
+        EXPECT_EQ(field_of(guard, "Seccomp") == "2", confinement_offered().seccomp);
         std::ifstream limits(fmt::format("/proc/{}/limits", guard));
         const std::string text{std::istreambuf_iterator<char>(limits), {}};
         EXPECT_THAT(text, testing::ContainsRegex("Max core file size +0 +0"));
@@ -623,7 +626,7 @@ TEST_F(CalibratingProgram, leads_through_the_whole_set_up_by_voice_and_keeps_a_p
 
 TEST_F(GuardProcess, devices_command_tells_every_fact_of_the_falcon) {
     test::ProgramCall call;
-    call.program = test::built_program("handrail");
+    call.program = test::mocked_program().string();
     call.arguments = {"devices", "--json"};
     {
         const std::lock_guard guard(bus_.lock);
@@ -657,7 +660,7 @@ TEST_F(GuardProcess, devices_command_names_the_rule_where_the_device_may_not_be_
         bus_.falcon.stage = test::FalconEmulator::Stage::Silent;
     }
     test::ProgramCall call;
-    call.program = test::built_program("handrail");
+    call.program = test::mocked_program().string();
     call.arguments = {"devices"};
     const test::ProgramRun asleep = test::run_program(call);
     EXPECT_THAT(asleep.out, testing::HasSubstr("nvent_firmware.bin"));

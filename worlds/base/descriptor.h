@@ -16,6 +16,11 @@ public:
     Descriptor(Descriptor&& other) noexcept : fd_(other.release()) {}
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
+    // `other` closes what this one held.
+    Descriptor& operator=(Descriptor&& other) noexcept {
+        std::swap(fd_, other.fd_);
+        return *this;
+    }
 
     int get() const noexcept { return fd_; }
     int release() noexcept { return std::exchange(fd_, -1); }

@@ -12,7 +12,7 @@
 #include <new>
 #include <system_error>
 
-#include "worlds/base/descriptor.h"
+#include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
@@ -32,23 +32,23 @@ auto again(Call&& call) {
     }
 }
 
-// An ordinary file, open for reading, and how large it is.
-struct OpenFile {
-    Descriptor file;
-    std::size_t size = 0;
-};
+// Without waiting: a pipe that nobody writes would never open.
+constexpr int kOpenFlags = O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY;
 
-Result<OpenFile> opened(const fs::path& path) {
-    const std::string name = path.filename().string();
-    // Not waiting: a pipe that nobody writes would never open.
-    Descriptor file(again([&] { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY); }));
+// `file` as openat returned it, with its errno.
+Result<OpenFile> as_open_file(Descriptor file, const std::string& name) {
     if (file.get() < 0 && errno == ENXIO) return fail(phrase("files.no_file"), name);  // a socket
     if (file.get() < 0) return fail(phrase("files.cannot_open", {{"reason", reason_of(errno)}}), name);
     struct stat info {};
     if (::fstat(file.get(), &info) != 0) return fail(phrase("files.cannot_read", {{"reason", reason_of(errno)}}), name);
     if (S_ISDIR(info.st_mode)) return fail(phrase("files.folder"), name);
     if (!S_ISREG(info.st_mode)) return fail(phrase("files.no_file"), name);
-    return OpenFile{std::move(file), static_cast<std::size_t>(info.st_size)};
+    return OpenFile{std::move(file), static_cast<std::size_t>(info.st_size), name};
+}
+
+bool is_link(int folder, const fs::path& part) {
+    struct stat info {};
+    return ::fstatat(folder, part.c_str(), &info, AT_SYMLINK_NOFOLLOW) == 0 && S_ISLNK(info.st_mode);
 }
 
 // Who replaces a file holds a lock on what it writes beside it, and loses it by dying. So what is old and not locked
@@ -93,37 +93,55 @@ std::string reason_of(int error) {
     }
 }
 
-Result<std::string> read_whole_file(const fs::path& path, std::size_t max_bytes, const std::stop_token& stop) {
-    const std::string name = path.filename().string();
-    const Result<OpenFile> from = opened(path);
-    if (!from) return tl::unexpected(from.error());
+Result<OpenFile> open_file(const fs::path& path) {
+    return as_open_file(Descriptor(again([&] { return ::open(path.c_str(), kOpenFlags); })), path.filename().string());
+}
+
+// Part by part from a folder that is open, so that nobody can put a link in the way meanwhile.
+Result<OpenFile> open_file_within(const fs::path& folder, const fs::path& name) {
+    Descriptor at(again([&] { return ::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC); }));
+    for (auto part = name.begin(); at.get() >= 0 && part != name.end(); ++part) {
+        contract_pre(*part != ".." && !part->is_absolute());
+        const bool last = std::next(part) == name.end();
+        const int flags = O_NOFOLLOW | (last ? kOpenFlags : O_PATH | O_DIRECTORY | O_CLOEXEC);
+        Descriptor next(again([&] { return ::openat(at.get(), part->c_str(), flags); }));
+        if (next.get() < 0 && is_link(at.get(), *part)) return fail(phrase("reader.link"), name.string());
+        if (last) return as_open_file(std::move(next), name.string());
+        at = std::move(next);
+    }
+    return as_open_file(std::move(at), name.string());
+}
+
+Result<std::string> read_whole_file(const OpenFile& from, std::size_t max_bytes, const std::stop_token& stop) {
     std::string content;
     char block[1 << 16];
     for (;;) {
-        if (stop.stop_requested()) return fail(phrase("files.stopped"), name);
-        const ssize_t got = again([&] { return ::read(from->file.get(), block, sizeof block); });
-        if (got < 0) return fail(phrase("files.cannot_read", {{"reason", reason_of(errno)}}), name);
+        if (stop.stop_requested()) return fail(phrase("files.stopped"), from.name);
+        const ssize_t got = again([&] { return ::read(from.file.get(), block, sizeof block); });
+        if (got < 0) return fail(phrase("files.cannot_read", {{"reason", reason_of(errno)}}), from.name);
         if (got == 0) return content;
         if (content.size() + static_cast<std::size_t>(got) > max_bytes)
-            return fail(phrase("files.too_large", {{"megabytes", max_bytes >> 20}}), name);
+            return fail(phrase("files.too_large", {{"megabytes", max_bytes >> 20}}), from.name);
         content.append(block, static_cast<std::size_t>(got));
     }
+}
+
+Result<std::string> read_whole_file(const fs::path& path, std::size_t max_bytes, const std::stop_token& stop) {
+    const Result<OpenFile> from = open_file(path);
+    return from ? read_whole_file(*from, max_bytes, stop) : tl::unexpected(from.error());
 }
 
 MappedFile::~MappedFile() {
     if (!bytes_.empty()) ::munmap(const_cast<char*>(bytes_.data()), bytes_.size());
 }
 
-Result<MappedFile> map_file(const fs::path& path, std::size_t max_bytes) {
-    const std::string name = path.filename().string();
-    const Result<OpenFile> from = opened(path);
-    if (!from) return tl::unexpected(from.error());
-    if (from->size > max_bytes) return fail(phrase("files.too_large", {{"megabytes", max_bytes >> 20}}), name);
-    if (from->size == 0) return MappedFile({});
-    void* const at = ::mmap(nullptr, from->size, PROT_READ, MAP_PRIVATE, from->file.get(), 0);
+Result<MappedFile> map_file(const OpenFile& from, std::size_t max_bytes) {
+    if (from.size > max_bytes) return fail(phrase("files.too_large", {{"megabytes", max_bytes >> 20}}), from.name);
+    if (from.size == 0) return MappedFile({});
+    void* const at = ::mmap(nullptr, from.size, PROT_READ, MAP_PRIVATE, from.file.get(), 0);
     if (at == MAP_FAILED && errno == ENOMEM) throw std::bad_alloc();
-    if (at == MAP_FAILED) return fail(phrase("files.cannot_read", {{"reason", reason_of(errno)}}), name);
-    return MappedFile({static_cast<const char*>(at), from->size});
+    if (at == MAP_FAILED) return fail(phrase("files.cannot_read", {{"reason", reason_of(errno)}}), from.name);
+    return MappedFile({static_cast<const char*>(at), from.size});
 }
 
 namespace {

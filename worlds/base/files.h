@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "worlds/base/descriptor.h"
 #include "worlds/base/result.h"
 
 namespace handrail {
@@ -17,10 +18,22 @@ namespace handrail {
 // words. No full stop.
 std::string reason_of(int error);
 
+// An ordinary file that is open for reading.
+struct OpenFile {
+    Descriptor file;
+    std::size_t size = 0;
+    std::string name;  // for sentences
+};
+
+Result<OpenFile> open_file(const std::filesystem::path& path);
+// `name` is relative and without "..". A link at any part of it is refused, so the file is in `folder` or below.
+Result<OpenFile> open_file_within(const std::filesystem::path& folder, const std::filesystem::path& name);
+
 // The whole file. Fails in one sentence when it is missing, unreadable, larger than max_bytes, or no ordinary file (a
 // folder, a pipe, a socket, a device), and when it is stopped, which is looked at every 64 KiB.
 Result<std::string> read_whole_file(const std::filesystem::path& path, std::size_t max_bytes = std::size_t{1} << 30,
                                     const std::stop_token& stop = {});
+Result<std::string> read_whole_file(const OpenFile& from, std::size_t max_bytes, const std::stop_token& stop);
 
 // The bytes of a file as the system lays them into memory when they are looked at, and drops them again when memory is
 // short; nothing is copied. Whoever looks at what somebody cuts off the file meanwhile gets SIGBUS, so this is for
@@ -40,7 +53,7 @@ private:
 };
 
 // Fails as read_whole_file does; throws std::bad_alloc, as that does, where there is no room in memory.
-Result<MappedFile> map_file(const std::filesystem::path& path, std::size_t max_bytes = std::size_t{1} << 30);
+Result<MappedFile> map_file(const OpenFile& from, std::size_t max_bytes = std::size_t{1} << 30);
 
 // Replaces `path` with `content`, or leaves it exactly as it was and says why. Creates missing parent folders.
 // Refuses a symbolic link in one sentence: somebody who prepared the folder could point it at any file of the person's.

@@ -67,10 +67,9 @@ constexpr std::array kForeign{
 // Worldcraft's own format begins with a number and then three letters.
 bool is_rmf(std::string_view bytes) { return bytes.size() > 7 && bytes.substr(4, 3) == "RMF"; }
 
-constexpr std::size_t kLargestWorld_bytes = std::size_t{1} << 30;
-constexpr std::size_t kLargestBeside_bytes = std::size_t{1} << 27;
+}  // namespace
 
-Result<Scene> read_bytes(const fs::path& path, std::string_view bytes, const ReadOptions& options) {
+Result<Scene> read_world_bytes(const fs::path& path, std::string_view bytes, const ReadOptions& options) {
     const std::string name = path.filename().string();
     if (bytes.empty()) return fail(phrase("reader.empty"), name);
     const bool ours = osm_form(bytes, name) != OsmForm::None || is_imdf(bytes) || is_ifczip(path, bytes);
@@ -89,21 +88,21 @@ Result<Scene> read_bytes(const fs::path& path, std::string_view bytes, const Rea
     return fail(phrase("reader.other_ending"), name);
 }
 
-}  // namespace
+Result<OpenFile> open_file_beside(const fs::path& world, const std::string& other) {
+    const fs::path name = fs::path(other).lexically_normal();
+    if (name.empty() || name.is_absolute() || *name.begin() == ".." || other.find('\0') != std::string::npos)
+        return fail(phrase("reader.elsewhere"), other);
+    return open_file_within(world.has_parent_path() ? world.parent_path() : fs::path("."), name);
+}
 
 Result<std::string> read_file_beside(const fs::path& world, const std::string& other, const std::stop_token& stop) {
-    const fs::path name = fs::path(other).lexically_normal();
-    if (name.empty() || name.is_absolute() || *name.begin() == "..") return fail(phrase("reader.elsewhere"), other);
-    return read_whole_file(world.parent_path() / name, kLargestBeside_bytes, stop);
+    const Result<OpenFile> file = open_file_beside(world, other);
+    return file ? read_whole_file(*file, kLargestBeside_bytes, stop) : tl::unexpected(file.error());
 }
 
 Result<Scene> read_world(const fs::path& path, const ReadOptions& options) {
-    if (options.mapped) {
-        const Result<MappedFile> file = map_file(path, kLargestWorld_bytes);
-        return file ? read_bytes(path, file->bytes(), options) : tl::unexpected(file.error());
-    }
     const Result<std::string> bytes = read_whole_file(path, kLargestWorld_bytes, options.stop);
-    return bytes ? read_bytes(path, *bytes, options) : tl::unexpected(bytes.error());
+    return bytes ? read_world_bytes(path, *bytes, options) : tl::unexpected(bytes.error());
 }
 
 }  // namespace handrail

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "worlds/base/files.h"
 #include "worlds/base/result.h"
 #include "worlds/scene/scene.h"
 
@@ -26,7 +27,6 @@ struct ReadOptions {
     std::function<Result<std::string>(const std::string& name)> read_beside;
     std::function<void(double fraction)> progress;      // 0 to 1, called from the reading thread; may be empty
     std::function<void(std::string_view stage)> stage;  // what it is at, a text's key ("import.shapes"); may be empty
-    bool mapped = false;   // look at the file where the system maps it (MappedFile); for a process that may end by that
     std::stop_token stop;  // looked at many times a second, whatever the file holds; the reading fails then, and nobody
                            // needs its sentence
 };
@@ -93,7 +93,16 @@ Result<Scene> read_words(std::string_view bytes, const std::string& file_name, c
 // says so and how wide it would be in millimetres, inches and feet.
 Result<Scene> read_world(const std::filesystem::path& path, const ReadOptions& options = {});
 
-// A file that a world brings, by its name relative to the world's own: of its folder and those below, and no others.
+// The same of bytes that were read already. Only the name of `path` matters; without options.read_beside the files next
+// to it are read too.
+Result<Scene> read_world_bytes(const std::filesystem::path& path, std::string_view bytes, const ReadOptions& options);
+
+inline constexpr std::size_t kLargestWorld_bytes = std::size_t{1} << 30;
+inline constexpr std::size_t kLargestBeside_bytes = std::size_t{1} << 27;
+
+// A file that a world brings, by its name relative to the world's own: from its folder and those below, and no others.
+// Links are refused: they could lead anywhere.
+Result<OpenFile> open_file_beside(const std::filesystem::path& world, const std::string& name);
 Result<std::string> read_file_beside(const std::filesystem::path& world, const std::string& name,
                                      const std::stop_token& stop);
 

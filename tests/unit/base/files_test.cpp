@@ -39,19 +39,23 @@ TEST(MapFile, gives_the_same_bytes_and_refuses_the_same_files) {
     const TemporaryFolder folder;
     const std::string bytes = "a\0\r\n" + std::string(300'001, '\xff');
     const fs::path some = folder.write("some", bytes);
-    EXPECT_EQ(map_file(some).value().bytes(), bytes);
-    EXPECT_EQ(map_file(folder.write("empty", "")).value().bytes(), "");
-    MappedFile first = std::move(map_file(some).value());
+    const auto mapped_of = [](const fs::path& path, std::size_t most = 1'000'000) -> Result<MappedFile> {
+        const Result<OpenFile> file = open_file(path);
+        return file ? map_file(*file, most) : tl::unexpected(file.error());
+    };
+    EXPECT_EQ(mapped_of(some).value().bytes(), bytes);
+    EXPECT_EQ(mapped_of(folder.write("empty", "")).value().bytes(), "");
+    MappedFile first = std::move(mapped_of(some).value());
     const MappedFile second = std::move(first);
     EXPECT_EQ(second.bytes(), bytes) << "it is taken on whole";
     for (const fs::path& path : {folder.path() / "none.map", folder.path(), fs::path("/dev/zero")}) {
-        const auto mapped = map_file(path);
+        const auto mapped = mapped_of(path);
         ASSERT_FALSE(mapped.has_value()) << path;
         EXPECT_EQ(mapped.error().sentence(), read_whole_file(path).error().sentence());
     }
     const fs::path is_long = folder.write("long", std::string(6, 'x'));
-    EXPECT_EQ(map_file(is_long, 5).error().sentence(), read_whole_file(is_long, 5).error().sentence());
-    EXPECT_TRUE(map_file(is_long, 6).has_value());
+    EXPECT_EQ(mapped_of(is_long, 5).error().sentence(), read_whole_file(is_long, 5).error().sentence());
+    EXPECT_TRUE(mapped_of(is_long, 6).has_value());
 }
 
 TEST(ReadWholeFile, names_the_file_and_says_why_it_cannot) {

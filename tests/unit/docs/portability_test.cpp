@@ -40,7 +40,8 @@ bool needs_no_system(const std::string& file) {
     for (const char* folder : {"settings/", "haptic/render/", "haptic/compile/", "haptic/dynamics/", "haptic/device/",
                                "haptic/loop/", "haptic/c/", "audio-cues/plan/"})
         if (file.starts_with(folder)) return true;
-    return (file.starts_with("worlds/") && !file.starts_with("worlds/base/") && !file.starts_with("worlds/cache/")) ||
+    return (file.starts_with("worlds/") && !file.starts_with("worlds/base/") && !file.starts_with("worlds/cache/") &&
+            !file.starts_with("worlds/confine/")) ||
            (file.starts_with("app/core/") && !file.starts_with("app/core/kept/"));
 }
 

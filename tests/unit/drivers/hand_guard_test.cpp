@@ -10,6 +10,9 @@
 #include <mutex>
 #include <thread>
 
+#include "haptic/drivers/found_device.h"
+#include "haptic/drivers/guard_permissions.h"
+#include "haptic/drivers/haply_device.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/project_root.h"
 #include "tests/support/spoken_language.h"
@@ -236,6 +239,42 @@ TEST(GuardedDevice, exchanges_with_a_process_of_its_own) {
     EXPECT_FALSE(device.read(0.0).connected);
     ASSERT_TRUE(device.open()) << "and again";
     EXPECT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh; }));
+}
+
+TEST(GuardedDevice, reaches_no_file_socket_program_or_process_from_its_driver) {
+#if defined(HANDRAIL_SANITIZED)
+    GTEST_SKIP() << "a sanitizer needs some of these";
+#endif
+    if (confinement_offered().landlock == 0) GTEST_SKIP() << "this kernel offers no Landlock";
+    GuardedDevice device(*find_device_spec("falcon"), test::built_program("standin_guard"), {"pries"});
+    ASSERT_TRUE(device.open());
+    EXPECT_THAT(device.take_news(),
+                testing::ElementsAre(fmt::format("file {}, socket {}, internet {}, exec {}, parent {}", EACCES, EPERM,
+                                                 EPERM, EPERM, EPERM)));
+    EXPECT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh; })) << "and still drives";
+}
+
+TEST(GuardPermissions, are_what_each_driver_needs) {
+    const auto writes = [](const char* device) { return guard_permissions(device).read_and_write; };
+    using testing::Contains;
+    using testing::ElementsAre;
+    using testing::Not;
+    EXPECT_THAT(writes("falcon"), ElementsAre("/dev/bus/usb"));
+    EXPECT_THAT(writes("force-stick"), ElementsAre("/dev/input"));
+    EXPECT_THAT(writes("inverse3"), ElementsAre());
+    EXPECT_THAT(guard_permissions("inverse3").tcp_ports, ElementsAre(kHaplyPort));
+    EXPECT_THAT(writes("omega"), Contains("/dev/bus/usb"));
+    EXPECT_THAT(writes("touch"), Contains("/dev"));
+    for (const std::string& device : openable_device_names()) {
+        const Permissions permissions = guard_permissions(device);
+        EXPECT_EQ(permissions.calls, Calls::Drive) << device;
+        EXPECT_FALSE(permissions.unix_sockets) << device;
+        EXPECT_EQ(permissions.any_internet, is_found_only_by_opening(device)) << device;
+        EXPECT_EQ(permissions.tcp_ports.empty(), device != "inverse3") << device;
+        EXPECT_EQ(permissions.device_events, device != "inverse3") << device;
+        EXPECT_THAT(permissions.read, Not(Contains(std::filesystem::path(std::getenv("HOME"))))) << device;
+        for (const auto& path : permissions.read) EXPECT_NE(path, "/") << device;
+    }
 }
 
 TEST(GuardedDevice, is_unplugged_when_its_guard_dies_or_ends_itself_over_a_driver_that_blocks) {

@@ -3,16 +3,20 @@
 
 #include <gmock/gmock.h>
 #include <signal.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <fstream>
+#include <thread>
 
 #include "app/import/kept_scene.h"
+#include "app/import/requested_files.h"
 #include "tests/support/child_process.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/ifc/ifc_text.h"
+#include "worlds/confine/confine.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/stored/stored_scene.h"
 #include "worlds/stored/stored_ways.h"
@@ -79,20 +83,25 @@ TEST(ImportedWorld, is_read_anew_when_anything_it_was_made_of_has_changed) {
     ASSERT_TRUE(speak_language("en").has_value());
 }
 
-TEST(ImportedWorld, looks_at_the_files_beside_it_too) {
-    const test::TemporaryFolder folder;
-    // A corner of three points in a file of its own; blanks make it large enough to be kept.
-    const std::string gltf = R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"name":"Ramp"}],
+// A corner of three points that are in a file of their own, which is named `buffer`.
+std::string ramp_gltf(const std::string& buffer) {
+    return R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"name":"Ramp"}],
         "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
         "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],
-        "bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"uri":"ramp.bin","byteLength":36}]})" +
-                             std::string(kLeastKept_bytes, ' ');
-    const auto write_bin = [&](float far) {
-        const float points[9] = {0, 0, 0, far, 0, 0, 0, 1, 4};
-        folder.write("ramp.bin", std::string_view(reinterpret_cast<const char*>(points), sizeof points));
-    };
+        "bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"uri":")" +
+           buffer + R"(","byteLength":36}]})";
+}
+std::string ramp_bytes(float far) {
+    const float points[9] = {0, 0, 0, far, 0, 0, 0, 1, 4};
+    return {reinterpret_cast<const char*>(points), sizeof points};
+}
+
+TEST(ImportedWorld, looks_at_the_files_beside_it_too) {
+    const test::TemporaryFolder folder;
+    const auto write_bin = [&](float far) { folder.write("ramp.bin", ramp_bytes(far)); };
     write_bin(4.0F);
-    const fs::path path = folder.write("ramp.gltf", gltf);
+    // Blanks make it large enough to be kept.
+    const fs::path path = folder.write("ramp.gltf", ramp_gltf("ramp.bin") + std::string(kLeastKept_bytes, ' '));
     const ImportHow how{Cache(folder.path() / "cache"), find_reader_program(), {}};
     for (const bool again : {false, true}) {
         const Result<ImportedWorld> world = import_world(path, {}, how);
@@ -310,6 +319,103 @@ TEST(ReaderProcess, ends_at_once_when_it_is_not_wanted_any_more) {
     EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(20));
     const pid_t process = std::stoi(test::content_of(folder.path() / "pid"));
     EXPECT_NE(::kill(process, 0), 0) << "it is gone and waited for";
+}
+
+// The reader that is shipped, stopped in the middle of its work.
+TEST(ReaderProcess, is_confined_and_has_no_environment) {
+#if defined(HANDRAIL_SANITIZED)
+    GTEST_SKIP() << "a sanitizer keeps its options";
+#endif
+    if (confinement_offered() == Confinement{}) GTEST_SKIP() << "this kernel cannot confine";
+    ::setenv("SSH_AUTH_SOCK", "/run/user/agent", 1);
+    const test::TemporaryFolder folder;
+    std::string environment = "not read", status;
+    ReadOptions options;
+    options.stage = [&](std::string_view) {
+        const std::string reader = test::content_of(fmt::format("/proc/self/task/{}/children", ::getpid()));
+        const fs::path facts = fs::path("/proc") / std::to_string(std::stoi(reader));
+        environment = test::content_of(facts / "environ");
+        status = test::content_of(facts / "status");
+    };
+    ASSERT_TRUE(read_apart(folder.write("house.ifc", large_house()), options, find_reader_program()));
+    ::unsetenv("SSH_AUTH_SOCK");
+    EXPECT_EQ(environment, "");
+    EXPECT_THAT(status, HasSubstr("NoNewPrivs:\t1"));
+    EXPECT_EQ(status.find("Seccomp:\t2") != std::string::npos, confinement_offered().seccomp) << status;
+}
+
+TEST(ReaderProcess, gets_files_of_the_worlds_folder_alone_whatever_a_world_names) {
+    const test::TemporaryFolder outside, folder;
+    const fs::path secret = outside.write("secret.bin", ramp_bytes(4.0F));
+    fs::create_directories(folder.path() / "world" / "parts");
+    folder.write("next_to_it.bin", ramp_bytes(4.0F));
+    folder.write("world/ramp.bin", ramp_bytes(4.0F));
+    folder.write("world/parts/ramp.bin", ramp_bytes(4.0F));
+    fs::create_symlink(secret, folder.path() / "world" / "link.bin");
+    fs::create_symlink(outside.path(), folder.path() / "world" / "linked");
+    const auto read_naming = [&](const std::string& buffer) {
+        return read_apart(folder.write("world/ramp.gltf", ramp_gltf(buffer)), {}, find_reader_program());
+    };
+    for (const char* own : {"ramp.bin", "parts/ramp.bin", "parts/../ramp.bin"}) {
+        const auto read = read_naming(own);
+        ASSERT_TRUE(read) << own << ": " << read.error().sentence();
+    }
+    for (const std::string& foreign :
+         {secret.string(), std::string("/etc/passwd"), std::string("../next_to_it.bin"),
+          std::string("parts/../../next_to_it.bin"), std::string("link.bin"), std::string("linked/secret.bin")}) {
+        const auto read = read_naming(foreign);
+        EXPECT_FALSE(read) << foreign;
+    }
+    const auto link = read_naming("link.bin");
+    EXPECT_THAT(link.error().sentence(), HasSubstr("link"));
+}
+
+TEST(RequestedFiles, are_opened_for_a_reader_that_was_taken_over_only_where_the_world_is) {
+    const test::TemporaryFolder folder;
+    fs::create_directories(folder.path() / "world");
+    const fs::path world = folder.write("world/house.map", "the world");
+    folder.write("world/picture.png", "a picture");
+    folder.write("secret", "of the person");
+    fs::create_symlink(folder.path() / "secret", folder.path() / "world" / "link");
+    std::array<int, 2> ends{-1, -1};
+    ASSERT_EQ(::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()), 0);
+    const Descriptor program(ends[0]);
+    Descriptor reader(ends[1]);
+    std::thread serves([&] {
+        while (answer_request(program.get(), world)) {
+        }
+    });
+    const auto content = [](const Result<OpenFile>& file) {
+        return file ? read_whole_file(*file, 100, {}).value() : file.error().sentence();
+    };
+    EXPECT_EQ(content(request_world(reader.get())), "the world");
+    EXPECT_EQ(content(request_beside(reader.get(), "picture.png")), "a picture");
+    for (const std::string& name :
+         {std::string(), std::string("."), std::string(".."), std::string("../secret"), std::string("./.././secret"),
+          std::string("link"), std::string("/etc/passwd"), (folder.path() / "secret").string(),
+          std::string("picture.png\0/../../secret", 25), std::string(4095, 'x'), std::string(5000, 'x'),
+          std::string("/proc/self/environ")}) {
+        const Result<OpenFile> file = request_beside(reader.get(), name);
+        EXPECT_FALSE(file) << name;
+    }
+    EXPECT_EQ(content(request_beside(reader.get(), "picture.png")), "a picture") << "and it goes on";
+    reader = Descriptor(-1);
+    serves.join();
+}
+
+// One that requests and never takes what it gets must not hold the program up.
+TEST(RequestedFiles, do_not_hold_up_the_program_where_a_reader_takes_no_answer) {
+    const test::TemporaryFolder folder;
+    const fs::path world = folder.write("house.map", "the world");
+    std::array<int, 2> ends{-1, -1};
+    ASSERT_EQ(::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()), 0);
+    const Descriptor program(ends[0]), reader(ends[1]);
+    bool goes_on = true;
+    for (int i = 0; i < 100'000 && goes_on; ++i) {
+        ASSERT_EQ(::send(reader.get(), "w", 1, MSG_DONTWAIT), 1);
+        goes_on = answer_request(program.get(), world);
+    }
+    EXPECT_FALSE(goes_on);
 }
 
 // Nothing is copied, so whoever writes the file anew cuts off what is still to be looked at. A reader may be quicker

@@ -25,6 +25,7 @@ bool is_source(const std::string& file) { return file.ends_with(".h") || file.en
 // docs/architecture.md.
 const std::map<std::string, std::vector<std::string>> kMayLink{
     {"worlds/base", {}},
+    {"worlds/confine", {"worlds/base"}},
     {"worlds/geometry", {"worlds/base"}},
     {"settings", {"worlds/base"}},
     {"worlds/scene", {"worlds/base", "worlds/geometry"}},
@@ -46,7 +47,7 @@ const std::map<std::string, std::vector<std::string>> kMayLink{
     {"haptic/dynamics", {"haptic/render"}},
     {"haptic/device", {"worlds/base", "settings"}},
     {"haptic/loop", {"haptic/device"}},
-    {"haptic/drivers", {"haptic/device"}},
+    {"haptic/drivers", {"haptic/device", "worlds/confine"}},
     {"haptic/servo", {"haptic/render", "haptic/device"}},
     {"audio-cues/plan", {"worlds/scene", "settings", "haptic/servo"}},
     {"audio-cues/sinks", {"audio-cues/plan"}},
@@ -70,7 +71,7 @@ const std::map<std::string, std::vector<std::string>> kMayLink{
      {"app/core/bodies", "app/core/desk", "app/core/labyrinth", "app/core/lessons", "app/core/walking",
       "app/core/learning", "app/core/menu", "app/core/places"}},
     {"app/core/scenario", {"app/core/session", "worlds/readers"}},
-    {"app/import", {"worlds/readers", "worlds/stored"}},
+    {"app/import", {"worlds/readers", "worlds/stored", "worlds/confine"}},
     {"app/reader", {"app/import"}},
     {"app/record", {"app/core/scenario"}},
     {"app/learners", {"app/record"}},
@@ -87,9 +88,7 @@ const std::map<std::string, std::vector<std::string>> kMayLink{
     {"app/main",
      {"app/core/scenario", "app/import", "app/record", "app/learners", "app/report", "app/results", "app/teaching",
       "app/companions", "app/terminal", "app/wizard", "app/window", "app/accessible", "audio-cues/sinks",
-      "haptic/drivers",
-
-      "worlds/exports", "tests/bench/compare", "worlds/check"}},
+      "haptic/drivers", "worlds/confine", "worlds/exports", "tests/bench/compare", "worlds/check"}},
 };
 
 void reach(const std::string& folder, std::set<std::string>& reached) {

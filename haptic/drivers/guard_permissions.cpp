@@ -1,0 +1,68 @@
+#include "haptic/drivers/guard_permissions.h"
+
+#include <cstdlib>
+
+#include "haptic/drivers/falcon_device.h"
+#include "haptic/drivers/found_device.h"
+#include "haptic/drivers/haply_device.h"
+
+namespace handrail {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What libusb and udev tell of devices, and what the C library looks up of the process itself.
+void permit_finding_devices(Permissions& permissions) {
+    permissions.read.insert(permissions.read.end(), {"/sys", "/run/udev", "/etc/udev", "/proc/self"});
+    permissions.device_events = true;
+}
+
+void permit_folders_of(const char* variable, std::vector<fs::path>& paths) {
+    const char* value = std::getenv(variable);
+    for (std::string rest = value ? value : ""; !rest.empty();) {
+        const std::size_t end = rest.find(':');
+        if (end != 0) paths.emplace_back(rest.substr(0, end));
+        rest = end == std::string::npos ? std::string() : rest.substr(end + 1);
+    }
+}
+
+// A maker's library is loaded after the guard is confined, and looks for its settings where its installer put them.
+void permit_makers_library(Permissions& permissions) {
+    permissions.read.insert(permissions.read.end(), {"/usr", "/lib", "/lib64", "/opt", "/etc", "/var/lib"});
+    for (const char* variable : {"LD_LIBRARY_PATH", "GTDD_HOME", "OH_SDK_BASE"})
+        permit_folders_of(variable, permissions.read);
+    permissions.read_and_write.insert(permissions.read_and_write.end(), {"/dev/null", "/dev/urandom"});
+}
+
+void permit_falcon(Permissions& permissions) {
+    for (const fs::path& file : falcon_firmware_files()) permissions.read.push_back(file.parent_path());
+    permissions.read.push_back(falcon_firmware_folder());
+}
+
+}  // namespace
+
+Permissions guard_permissions(std::string_view device) {
+    Permissions permissions;
+    permissions.calls = Calls::Drive;
+#if defined(HANDRAIL_SANITIZED)
+    permissions.read.emplace_back("/proc");  // where a sanitizer looks for leaks
+#endif
+    if (device == "inverse3") {
+        permissions.tcp_ports.push_back(kHaplyPort);
+        return permissions;
+    }
+    permit_finding_devices(permissions);
+    if (device == "falcon") permit_falcon(permissions);
+    else if (device == "force-stick") permissions.read_and_write.emplace_back("/dev/input");
+    else permit_makers_library(permissions);
+    // Their devices are on USB, FireWire, serial and parallel ports, and on Ethernet.
+    if (is_found_only_by_opening(device)) {
+        permissions.read_and_write.emplace_back("/dev");
+        permissions.any_internet = true;
+    } else if (device != "force-stick") {
+        permissions.read_and_write.emplace_back("/dev/bus/usb");
+    }
+    return permissions;
+}
+
+}  // namespace handrail

@@ -1,0 +1,18 @@
+// handrail-guard as it is shipped, where umockdev plays the kernel: what it plays is in a folder of its own and behind
+// a Unix socket, which a guard otherwise does not reach.
+#include <cstdlib>
+
+#include "haptic/drivers/guard_process.h"
+#include "worlds/base/clock.h"
+
+int main(int argc, char** argv) {
+    handrail::SteadyClock clock;
+    handrail::NamedDevices devices = handrail::devices_of_this_machine(clock);
+    devices.permissions = [shipped = devices.permissions](const std::string& name) {
+        handrail::Permissions permissions = shipped(name);
+        permissions.unix_sockets = true;
+        if (const char* played = std::getenv("UMOCKDEV_DIR")) permissions.read_and_write.emplace_back(played);
+        return permissions;
+    };
+    return handrail::guard_process(argc, argv, devices);
+}

@@ -1,0 +1,28 @@
+// The program next to a guard that reaches what umockdev plays.
+#pragma once
+
+#include <filesystem>
+
+#include "tests/support/project_root.h"
+#include "tests/support/temporary_folder.h"
+
+namespace handrail::test {
+
+// Its path. A copy, laid out as a build is, that is gone with this process.
+inline const std::filesystem::path& mocked_program() {
+    namespace fs = std::filesystem;
+    static const TemporaryFolder folder;
+    static const fs::path program = [] {
+        const fs::path bin = folder.path() / "bin";
+        fs::create_directories(bin);
+        fs::create_directories(folder.path() / "share" / "handrail");
+        fs::create_symlink(project_root() / "worlds" / "maps", folder.path() / "share" / "handrail" / "worlds");
+        fs::copy_file(built_program("handrail"), bin / "handrail");
+        fs::create_symlink(built_program("handrail-reader"), bin / "handrail-reader");
+        fs::create_symlink(built_program("standin_umockdev_guard"), bin / "handrail-guard");
+        return bin / "handrail";
+    }();
+    return program;
+}
+
+}  // namespace handrail::test
