@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdint>
+#include <initializer_list>
 
 int main(int argc, char** argv) {
     if (argc < 2) return 2;
