@@ -39,9 +39,9 @@ void Menu::open(double now_s) {
     for (const auto& [key, command] :
          {std::pair{"menu.learners", Command::Learners}, std::pair{"menu.input_help", Command::InputHelp},
           std::pair{"menu.set_up", Command::Calibrate}, std::pair{"menu.leave", Command::Leave}})
-        add(phrase(key), [this, command = command] {
+        add(phrase(key), [this, chosen = command] {
             context_.lists.dialogue.close_all();
-            context_.asks.perform(command, context_.tick_s);
+            context_.asks.perform(chosen, context_.tick_s);
         });
     list.chosen = [acts](std::size_t i) { acts[i](); };
     context_.open_list(std::move(list), now_s);

@@ -132,7 +132,7 @@ void FaultList::show_one(const std::shared_ptr<const Found>& found, std::size_t 
             if (const double now = found->scene->metres_per_unit; std::abs(metres - now) > 1e-9 * metres) {
                 const Vec3 size = found->scene->bounds_m.size_m();
                 add(phrase("faults.unit", {{"unit", word}, {"wide", std::max(size.x, size.y) / now * metres}}),
-                    [this, metres = metres](double then_s) { take_unit(metres, then_s); });
+                    [this, unit = metres](double then_s) { take_unit(unit, then_s); });
             }
     const RoomGraph none;
     const RoomGraph& graph = rooms_.found() ? rooms_.graph() : none;

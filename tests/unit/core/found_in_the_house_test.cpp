@@ -579,7 +579,7 @@ TEST(TakenAlongAWay, beacon_and_warmer_are_each_planned_anew_when_something_stan
     const auto& features = p.app().scene()->features;
     for (const auto& [name, tool] : {std::pair{"Piano", "Beacon"}, std::pair{"Desk", "Warmer and colder"}}) {
         const auto thing = std::find_if(features.begin(), features.end(),
-                                        [&, name = name](const Feature& feature) { return feature.name == name; });
+                                        [&, wanted = name](const Feature& feature) { return feature.name == wanted; });
         ASSERT_TRUE(p.ask(name, FeatureId{static_cast<std::uint32_t>(thing - features.begin())}, tool));
     }
     p.run(1.5);

@@ -155,11 +155,12 @@ std::vector<std::optional<double>> GridTwin::lengths(const Vec3& from_m, const s
     for (const Vec3& to : to_m) goals.push_back(nearest(to));
     std::set<int> wanted(goals.begin(), goals.end());
     while (!open.empty() && !wanted.empty()) {
-        const auto [so_far, here] = open.top();
+        const double so_far = open.top().first;
+        const int here = open.top().second;
         open.pop();
         if (so_far > best[static_cast<std::size_t>(here)]) continue;
         wanted.erase(here);
-        const auto go = [&, so_far = so_far, here = here](int n) {
+        const auto go = [&](int n) {
             if (n < 0) return;
             const double through =
                 so_far + glm::length(places_[static_cast<std::size_t>(n)] - places_[static_cast<std::size_t>(here)]);
