@@ -13,7 +13,7 @@ namespace {
 constexpr ImU32 kWhite = IM_COL32(255, 255, 255, 255), kBlack = IM_COL32(0, 0, 0, 255);
 constexpr std::size_t kMostTitleLines = 2;
 
-float width_of(const ImFont& font, float line_px, std::string_view text) {
+float width_of(ImFont& font, float line_px, std::string_view text) {
     return font.CalcTextSizeA(line_px, 1e9F, 0.0F, text.data(), text.data() + text.size()).x;
 }
 
@@ -22,7 +22,7 @@ void put(ImDrawList& list, ImFont& font, float line_px, ImVec2 at, ImU32 colour,
 }
 
 // On one line, with three dots where something is left out.
-std::string cut_short(const ImFont& font, float line_px, const std::string& text, float wrap_px) {
+std::string cut_short(ImFont& font, float line_px, const std::string& text, float wrap_px) {
     if (width_of(font, line_px, text) <= wrap_px) return text;
     const auto lines = wrapped_lines(font, line_px, text, std::max(line_px, wrap_px - width_of(font, line_px, " ...")));
     return std::string(lines.front()) + " ...";
@@ -45,7 +45,7 @@ void draw_arrow(ImDrawList& list, ImVec2 middle, float half_px, bool up) {
 
 }  // namespace
 
-std::vector<std::string_view> wrapped_lines(const ImFont& font, float line_px, const std::string& text, float wrap_px) {
+std::vector<std::string_view> wrapped_lines(ImFont& font, float line_px, const std::string& text, float wrap_px) {
     std::vector<std::string_view> lines;
     const char* at = text.data();
     const char* const end = at + text.size();

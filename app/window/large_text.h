@@ -18,7 +18,7 @@ struct ImVec2;
 namespace handrail {
 
 // The lines of a text at this height that are no wider than wrap_px, broken at blanks and at \n; views into `text`.
-std::vector<std::string_view> wrapped_lines(const ImFont& font, float line_px, const std::string& text, float wrap_px);
+std::vector<std::string_view> wrapped_lines(ImFont& font, float line_px, const std::string& text, float wrap_px);
 
 // The items of a list that are in sight.
 struct ListWindow {
