@@ -69,8 +69,9 @@ int relieve_guard(HandMailbox& mailbox, int guard_fd, int life_fd, const ZeroDev
         }
         const double tried_s = clock.now_s() - begun_s;
         if (tried_s > kZeroTriesS && !std::exchange(told, true)) {
-            mailbox.relief = ReliefState::Failed;
+            // The reason first: whoever sees the state reads it at once.
             send_message(life_fd, GuardMessage::Failed, zeroed.error().sentence());
+            mailbox.relief = ReliefState::Failed;
         }
         pollfd program{life_fd, POLLRDHUP, 0};
         const bool program_gone = told && ::poll(&program, 1, 0) > 0;

@@ -136,6 +136,8 @@ TEST(GuardedDevice, says_on_closing_that_it_may_push_where_zero_was_not_confirme
     ASSERT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh; }));
     ::kill(device.guard_process(), SIGKILL);
     ASSERT_TRUE(tick_until(device, [](const DeviceSample& sample) { return !sample.connected; }));
+    // The second guard has tried and failed by then. Closing waits for it only for a second.
+    ASSERT_TRUE(tick_until(device, [&](const DeviceSample&) { return device.guard_ended(); }));
     EXPECT_EQ(device.read(0.0).loss, DeviceLoss::MayPush);
     device.close();
     EXPECT_TRUE(device.may_push());
