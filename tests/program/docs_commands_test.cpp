@@ -227,7 +227,7 @@ std::string fault_of_program(const Reader& reader, Words words) {
     const std::string script = content_of(kRoot / "run");
     if (!words.empty() && (words[0] == "tests" || words[0] == "package" || words[0] == "fuzz" ||
                            words[0] == "kernel-tests" || words[0] == "test")) {
-        if (script.find("\"${1:-}\" = " + words[0] + " ]") == std::string::npos) return "./run knows no " + words[0];
+        if (script.find("\n" + words[0] + ")\n") == std::string::npos) return "./run knows no " + words[0];
         return words[0] == "test" && words.size() > 1
                    ? fault_of_test_program(words[1], Words(words.begin() + 2, words.end()))
                    : "";
