@@ -28,7 +28,6 @@ protected:
             call.arguments.emplace_back(more);  // text takes no time
         call.input = lines;
         call.first_start = true;
-        call.allowed_s = 280.0;
         call.environment["XDG_CONFIG_HOME"] = home_.path().string();
         return run_program(call);
     }
@@ -104,7 +103,7 @@ protected:
         const Step* last = steps.begin();
         for (const Step& step : steps) {
             std::size_t at = std::string::npos;
-            for (const auto end = Clock::now() + std::chrono::seconds(60); at == std::string::npos;
+            for (const auto end = Clock::now() + std::chrono::duration<double>(kPatience_s); at == std::string::npos;
                  std::this_thread::sleep_for(std::chrono::milliseconds(10))) {
                 const std::string text = said();
                 if (at = text.find(step.words, from); at != std::string::npos) break;
@@ -213,7 +212,6 @@ TEST_F(FirstMinutes, end_in_a_hunt_where_it_is_chosen) {
     call.arguments = {"--no-window", "--device", "none", "--set", "speech.through=text"};
     call.input = std::string(kToChoice) + "hunt\nwhere\nquit\n";
     call.first_start = true;
-    call.allowed_s = 280.0;
     call.environment["XDG_CONFIG_HOME"] = other.path().string();
     const ProgramRun house = run_program(call);
     expect_in_order(house.out, {"What next.", "Saved.", "Going to House.", "say: House",
@@ -254,7 +252,6 @@ TEST(Terminal, every_command_of_the_table_works_by_its_word) {
     ProgramCall call;
     call.program = test::built_program("handrail");
     call.arguments = {"--no-window", "--device", "sim-t", "--set", "speech.through=text"};
-    call.allowed_s = 280.0;
     call.input = lines;
     const ProgramRun run = run_program(call);
     EXPECT_EQ(run.exit_status, 0) << run.err;

@@ -32,7 +32,6 @@ using SteadyTime = std::chrono::steady_clock;
 ProgramRun run(std::vector<std::string> arguments, ProgramCall call = {}) {
     call.program = test::built_program("handrail");
     call.arguments = std::move(arguments);
-    call.allowed_s = 30.0;
     return run_program(call);
 }
 

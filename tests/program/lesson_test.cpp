@@ -48,9 +48,7 @@ protected:
             child_ = ChildProcess::start(words, test.environment(), output_);
         }
         bool hears(const std::string& words) {
-            // The school and its rooms take a sanitizer on a busy machine most of a minute.
-            constexpr double kMost_s = 150.0;
-            return eventually([&] { return content_of(output_).find(words, heard_) != std::string::npos; }, kMost_s) &&
+            return eventually([&] { return content_of(output_).find(words, heard_) != std::string::npos; }) &&
                    (heard_ = content_of(output_).find(words, heard_) + words.size(), true);
         }
         void type(const std::string& line) { child_->type(line + "\n"); }

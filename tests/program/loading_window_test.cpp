@@ -7,9 +7,9 @@
 #include <fstream>
 #include <functional>
 #include <future>
-#include <thread>
 
 #include "tests/program/endless_world.h"
+#include "tests/support/child_process.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
@@ -20,19 +20,8 @@ namespace loading_window_test {
 
 namespace fs = std::filesystem;
 
-bool wait_for(const std::function<bool()>& condition, double seconds) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
-    while (std::chrono::steady_clock::now() < end) {
-        if (condition()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-    return false;
-}
-
 class LoadingWindow : public testing::Test {
 protected:
-    static constexpr double kPatience_s = 30.0;  // for what takes a second on a machine of its own
-
     void SetUp() override {
         display_ = VirtualDisplay::start();
         if (!display_) GTEST_SKIP() << "Xvfb or xdotool is not installed";
@@ -58,14 +47,10 @@ protected:
         call.environment["LIBGL_ALWAYS_SOFTWARE"] = "1";
         call.environment["HANDRAIL_WORLDS"] = folder_.path().string();
         call.environment["ASAN_OPTIONS"] = "detect_leaks=0";  // Mesa's own leaks
-        call.allowed_s = 120.0;
         run_ = std::async(std::launch::async, [call] { return run_program(call); });
-        ASSERT_TRUE(wait_for(
-            [&] {
-                return display_->xdotool("search --onlyvisible --name Handrail windowfocus --sync >/dev/null 2>&1");
-            },
-            kPatience_s))
-            << said();
+        ASSERT_TRUE(eventually([&] {
+            return display_->xdotool("search --onlyvisible --name Handrail windowfocus --sync >/dev/null 2>&1");
+        })) << said();
     }
     void press(const std::string& key) { ASSERT_TRUE(display_->xdotool("key " + key)) << key; }
     fs::path said_file() const { return folder_.path() / "said"; }
@@ -74,7 +59,7 @@ protected:
         return {std::istreambuf_iterator<char>(file), {}};
     }
     bool says(const std::string& words) {
-        return wait_for([&] { return said().find(words) != std::string::npos; }, kPatience_s);
+        return eventually([&] { return said().find(words) != std::string::npos; });
     }
     void expect_it_ends() {
         ASSERT_EQ(run_.wait_for(std::chrono::duration<double>(kPatience_s)), std::future_status::ready) << said();

@@ -41,8 +41,12 @@ private:
     bool ended_ = false;
 };
 
+// How long a test waits for an event before it fails. Only failing tests wait that long, so a busy machine has time
+// enough.
+constexpr double kPatience_s = 300.0;
+
 // True as soon as `holds` does, looked at every 2 ms; false after `most_s`, which only a failing test needs.
-bool eventually(const std::function<bool()>& holds, double most_s = 30.0);
+bool eventually(const std::function<bool()>& holds, double most_s = kPatience_s);
 
 // True if a program of this name lies in the usual folders.
 bool installed(const std::string& program);

@@ -10,6 +10,8 @@
 #include <memory>
 #include <string>
 
+#include "tests/support/child_process.h"
+
 namespace handrail::test {
 
 class PtyJob {
@@ -28,16 +30,16 @@ public:
 
     void type(const std::string& bytes) const;  // what a keyboard sends
     // True as soon as the job has written this after `from`; false after `most_s` or at its end.
-    bool says(const std::string& text, std::size_t from = 0, double most_s = 60.0);
+    bool says(const std::string& text, std::size_t from = 0, double most_s = kPatience_s);
     const std::string& said();  // all that it has written by now
 
     int waiting_bytes() const;  // typed, and read by nobody
 
     void send(int signal) const;
     void in_foreground() const;
-    bool stops(double most_s = 20.0);  // it has been stopped since it last went on
+    bool stops(double most_s = kPatience_s);  // it has been stopped since it last went on
     // 128 + the signal's number when one ended it; -1 when it has not ended after `most_s`.
-    int ends(double most_s = 60.0);
+    int ends(double most_s = kPatience_s);
 
 private:
     PtyJob() = default;

@@ -22,7 +22,7 @@ struct ProgramCall {
     std::map<std::string, std::string> environment;  // set on top; an empty value removes
     int signal_when_said = 0;                        // sent once `signal_after` stands in the output
     std::string signal_after;
-    double allowed_s = 120.0;
+    double allowed_s = 600.0;  // for a busy machine; only a program that hangs takes that long
     bool first_start =
         false;           // true: of somebody who never started the program before, and is led through the first minutes
     bool voice = false;  // true: the program's own voice speaks too, into no sound device, which takes as long as it

@@ -62,7 +62,7 @@ std::unique_ptr<VirtualDisplay> VirtualDisplay::start() {
 VirtualDisplay::~VirtualDisplay() { kill(); }
 
 bool VirtualDisplay::run(const std::string& line) const {
-    return std::system(("export DISPLAY=:" + number_ + "; timeout 20 " + line).c_str()) == 0;
+    return std::system(("export DISPLAY=:" + number_ + "; timeout 300 " + line).c_str()) == 0;
 }
 
 void VirtualDisplay::kill() {

@@ -88,24 +88,22 @@ bool BrailleServer::unplug_display_and_plug_in_another() {
 bool BrailleServer::connect_display() {
     received_.clear();
     shown_.clear();
-    return eventually(
-        [&] {
-            if (!process_->running()) return false;
-            const int to = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-            sockaddr_un address{};
-            address.sun_family = AF_UNIX;
-            std::strncpy(address.sun_path, (folder_ / "display").c_str(), sizeof address.sun_path - 1);
-            const std::string size = "cells " + std::to_string(kCells) + " 1\n";
-            if (::connect(to, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
-                ::write(to, size.data(), size.size()) < 0) {
-                ::close(to);
-                ::usleep(20000);
-                return false;
-            }
-            display_ = to;
-            return true;
-        },
-        60.0);
+    return eventually([&] {
+        if (!process_->running()) return false;
+        const int to = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+        sockaddr_un address{};
+        address.sun_family = AF_UNIX;
+        std::strncpy(address.sun_path, (folder_ / "display").c_str(), sizeof address.sun_path - 1);
+        const std::string size = "cells " + std::to_string(kCells) + " 1\n";
+        if (::connect(to, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
+            ::write(to, size.data(), size.size()) < 0) {
+            ::close(to);
+            ::usleep(20000);
+            return false;
+        }
+        display_ = to;
+        return true;
+    });
 }
 
 std::string BrailleServer::shown() {
@@ -121,7 +119,7 @@ std::string BrailleServer::shown() {
 }
 
 bool BrailleServer::shows(const std::string& words) {
-    return eventually([&] { return shown().find(words) != std::string::npos; }, 60.0);
+    return eventually([&] { return shown().find(words) != std::string::npos; });
 }
 
 void BrailleServer::press(const std::string& command) const {

@@ -39,12 +39,10 @@ protected:
         std::vector<std::string> arguments{"--device", "none"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         program = std::make_unique<Exploring>(folder, environment, arguments);
-        ASSERT_TRUE(eventually(
-            [&] {
-                return display->xdotool("search --onlyvisible --name '^Handrail$' windowfocus --sync >/dev/null 2>&1");
-            },
-            60.0));
-        ASSERT_TRUE(eventually([&] { return speech->spoke("facing north"); }, 60.0)) << everything();
+        ASSERT_TRUE(eventually([&] {
+            return display->xdotool("search --onlyvisible --name '^Handrail$' windowfocus --sync >/dev/null 2>&1");
+        }));
+        ASSERT_TRUE(eventually([&] { return speech->spoke("facing north"); })) << everything();
     }
     std::string pulled() const { return (folder.path() / "pulled").string(); }
     bool press(const std::string& keys) const { return display->xdotool("key " + keys); }
@@ -72,7 +70,7 @@ TEST_F(Brailled, shows_the_heading_and_the_words_that_are_spoken) {
     EXPECT_TRUE(braille->shows("North-north-east")) << everything();
     EXPECT_TRUE(eventually([&] { return speech->spoke("North-north-east"); })) << everything();
     ASSERT_TRUE(press("c"));
-    EXPECT_TRUE(eventually([&] { return braille->shown() == "23 Facing north-north-east, 22 degrees"; }, 60.0))
+    EXPECT_TRUE(eventually([&] { return braille->shown() == "23 Facing north-north-east, 22 degrees"; }))
         << everything();
     leave();
 }
@@ -94,19 +92,19 @@ TEST_F(Brailled, pans_by_the_displays_keys_and_tells_more_by_a_routing_key) {
     const auto same = [&] { return braille->shown() == first; };
     EXPECT_THAT(program->said(), HasSubstr(first.substr(3))) << everything();
     braille->press("FWINRT");
-    ASSERT_TRUE(eventually(other, 60.0)) << everything();
+    ASSERT_TRUE(eventually(other)) << everything();
     EXPECT_EQ(braille->shown().substr(0, 3), "N  ");
     EXPECT_THAT(program->said(), HasSubstr(first.substr(3) + " " + braille->shown().substr(3))) << everything();
     braille->press("FWINLT");
-    ASSERT_TRUE(eventually(same, 60.0)) << everything();
+    ASSERT_TRUE(eventually(same)) << everything();
     braille->press("LNDN");
-    ASSERT_TRUE(eventually(other, 60.0)) << everything();
+    ASSERT_TRUE(eventually(other)) << everything();
     braille->press("HOME");
-    ASSERT_TRUE(eventually(same, 60.0)) << everything();
+    ASSERT_TRUE(eventually(same)) << everything();
     const std::string before = program->said();
     braille->press("ROUTE 7");
-    EXPECT_TRUE(eventually([&] { return program->said().size() > before.size(); }, 60.0)) << everything();
-    EXPECT_TRUE(eventually(other, 60.0)) << everything();
+    EXPECT_TRUE(eventually([&] { return program->said().size() > before.size(); })) << everything();
+    EXPECT_TRUE(eventually(other)) << everything();
     leave();
 }
 
@@ -114,7 +112,7 @@ TEST_F(Brailled, not_at_all_when_switched_off) {
     ASSERT_NO_FATAL_FAILURE(explore({"--set", "speech.braille=false"}));
     if (!program) return;
     ASSERT_TRUE(press("c"));
-    EXPECT_TRUE(eventually([&] { return speech->spoke("Facing north, 0 degrees"); }, 60.0)) << everything();
+    EXPECT_TRUE(eventually([&] { return speech->spoke("Facing north, 0 degrees"); })) << everything();
     EXPECT_THAT(braille->shown(), Not(HasSubstr("north"))) << everything();
     leave();
 }
@@ -140,16 +138,16 @@ TEST_F(Brailled, goes_on_when_braille_and_sound_and_speech_are_taken_away_in_tur
 
     braille->kill();
     EXPECT_TRUE(program->says("alert: The braille display has gone; it is looked for again.")) << everything();
-    EXPECT_TRUE(eventually([&] { return speech->spoke("The braille display has gone"); }, 60.0)) << everything();
+    EXPECT_TRUE(eventually([&] { return speech->spoke("The braille display has gone"); })) << everything();
     ASSERT_TRUE(press("Right"));
-    EXPECT_TRUE(eventually([&] { return speech->spoke("North-north-east"); }, 60.0)) << everything();
+    EXPECT_TRUE(eventually([&] { return speech->spoke("North-north-east"); })) << everything();
     ASSERT_TRUE(braille->start_again()) << everything();
     ASSERT_TRUE(press("c"));
     EXPECT_TRUE(braille->shows("Facing north-north-east, 22 degrees")) << everything();
 
     std::ofstream(pulled()) << "";
     EXPECT_TRUE(program->says("alert: The sound device was lost.")) << everything();
-    EXPECT_TRUE(eventually([&] { return speech->spoke("The sound device was lost."); }, 60.0)) << everything();
+    EXPECT_TRUE(eventually([&] { return speech->spoke("The sound device was lost."); })) << everything();
     EXPECT_TRUE(braille->shows("The sound device was lost.")) << everything();
 
     speech->kill();

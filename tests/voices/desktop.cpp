@@ -76,20 +76,18 @@ bool Desktop::start_orca(const Environment& braille) {
     orca_ = ChildProcess::start(
         {"orca", braille.empty() ? "-d" : "-e", "braille", "-e", "speech", "-u", (folder_ / "orca").string()},
         environment, folder_ / "orca.out");
-    return eventually(
-        [&] {
-            const auto all = speech->recorded();
-            return std::any_of(all.begin() + began, all.end(), [](const Recorded& entry) {
-                return entry.words.find("Screen reader on") != std::string::npos;
-            });
-        },
-        60.0);
+    return eventually([&] {
+        const auto all = speech->recorded();
+        return std::any_of(all.begin() + began, all.end(), [](const Recorded& entry) {
+            return entry.words.find("Screen reader on") != std::string::npos;
+        });
+    });
 }
 
 bool Desktop::focus_window() const {
-    return eventually(
-        [&] { return display->xdotool("search --onlyvisible --name '^Handrail$' windowfocus --sync >/dev/null 2>&1"); },
-        60.0);
+    return eventually([&] {
+        return display->xdotool("search --onlyvisible --name '^Handrail$' windowfocus --sync >/dev/null 2>&1");
+    });
 }
 
 std::string Desktop::objects() const {

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "app/core/session/session.h"
+#include "tests/support/times_in.h"
 #include "tests/voices/desktop.h"
 #include "tests/voices/exploring.h"
 
@@ -55,22 +56,34 @@ protected:
         }));
     }
     bool spoken(const std::string& words, int times = 1) const {
-        return eventually([&] { return times_spoken(words) == times; }, 60.0);
+        return eventually([&] { return times_spoken(words) == times; });
     }
     bool speaks_of(const std::string& words) const {
-        return eventually([&] { return desktop->speech->spoke(words); }, 60.0);
+        return eventually([&] { return desktop->speech->spoke(words); });
     }
     // The desk as a list.
     void open_desk() {
         ASSERT_TRUE(speaks_of("facing north")) << everything();
         ASSERT_TRUE(desktop->press("F10"));
-        ASSERT_TRUE(eventually([&] { return desktop->objects().find("list \"Your desk") != std::string::npos; }, 60.0))
+        ASSERT_TRUE(eventually([&] { return desktop->objects().find("list \"Your desk") != std::string::npos; }))
             << desktop->objects();
     }
     // What a Python program prints that has the desk's list as `desk`: lines of so many cells with | between them.
     std::vector<std::vector<std::string>> work_at_desk(const std::string& python, std::size_t cells) const {
-        static constexpr const char* kFind = R"(
-import pyatspi, time
+        const std::string find = "import os, pyatspi, time\nsaid = '" + (folder.path() / "said").string() + "'" + R"(
+def told(): return os.path.getsize(said)
+# True once what get() returns has changed. False if the program has said something and nothing changed.
+def changes(get, before, heard):
+    until = time.time() + 120
+    while time.time() < until:
+        if get() != before: return True
+        if told() > heard: until = min(until, time.time() + 5)
+        time.sleep(0.02)
+    return False
+# Waits until the program has said something.
+def answers(heard):
+    until = time.time() + 20
+    while time.time() < until and told() == heard: time.sleep(0.02)
 def find(a):
     if a.getRoleName() == 'list': return a
     for i in range(a.childCount):
@@ -79,7 +92,7 @@ def find(a):
 for a in pyatspi.Registry.getDesktop(0):
     if a and a.name == 'Handrail': desk = find(a)
 )";
-        const std::string report = desktop->ask_objects(kFind + python);
+        const std::string report = desktop->ask_objects(find + python);
         std::vector<std::vector<std::string>> rows;
         std::istringstream lines(report);
         for (std::string line; std::getline(lines, line);) {
@@ -134,12 +147,22 @@ TEST_F(ReadByOrca, has_each_key_first_but_for_the_stop_key) {
     ASSERT_NO_FATAL_FAILURE(begin(false));
     if (!program) return;
     ASSERT_TRUE(speaks_of("facing north")) << everything();
-    // Insert with F is Orca's question about letters, F alone is our force key.
-    ASSERT_TRUE(desktop->display->xdotool("keydown Insert key f keyup Insert"));
-    ASSERT_TRUE(desktop->press("Right"));
-    ASSERT_TRUE(spoken("North-north-east")) << everything();
-    EXPECT_THAT(program->said(), Not(HasSubstr("There is no touch device"))) << everything();
+    // Insert with F is Orca's question about letters, F alone is our force key. If a busy machine makes Orca late, the
+    // key is ours (KeyGate), so Orca gets more than one try.
+    const auto ours = [&] { return times_in(program->said(), "There is no touch device"); };
+    bool used_by_orca = false;
+    for (std::size_t asked = 1; asked <= 20 && !used_by_orca; ++asked) {
+        const std::size_t before = ours();
+        ASSERT_TRUE(desktop->display->xdotool("keydown Insert key f keyup Insert"));
+        ASSERT_TRUE(desktop->press("c"));
+        ASSERT_TRUE(eventually([&] { return times_in(program->said(), "say: Facing north") == asked; }))
+            << everything();
+        used_by_orca = ours() == before;
+    }
+    EXPECT_TRUE(used_by_orca) << everything();
+    const std::size_t before = ours();
     ASSERT_TRUE(desktop->press("f"));
+    EXPECT_TRUE(eventually([&] { return ours() > before; })) << everything();
     EXPECT_TRUE(speaks_of("There is no touch device")) << everything();
     ASSERT_TRUE(desktop->press("F12"));
     EXPECT_TRUE(program->says("alert: ")) << everything();
@@ -155,7 +178,7 @@ TEST_F(ReadByOrca, speaks_lists_and_finds_their_items_as_objects) {
     ASSERT_TRUE(speaks_of("What I can do")) << everything();
     std::string objects;
     const auto finds = [&](const std::string& words) {
-        return eventually([&] { return (objects = desktop->objects()).find(words) != std::string::npos; }, 60.0);
+        return eventually([&] { return (objects = desktop->objects()).find(words) != std::string::npos; });
     };
     EXPECT_TRUE(finds("  list \"Menu")) << objects;
     EXPECT_TRUE(finds("selected")) << objects;
@@ -172,8 +195,7 @@ TEST_F(ReadByOrca, speaks_lists_and_finds_their_items_as_objects) {
     EXPECT_TRUE(speaks_of(second.substr(quote + 1, second.find_first_of("\",", quote + 1) - quote - 1)))
         << everything();
     ASSERT_TRUE(desktop->press("Escape"));
-    EXPECT_TRUE(eventually([&] { return desktop->objects().find("list") == std::string::npos; }, 60.0))
-        << desktop->objects();
+    EXPECT_TRUE(eventually([&] { return desktop->objects().find("list") == std::string::npos; })) << desktop->objects();
     leave();
 }
 
@@ -196,11 +218,13 @@ for i in [i for i in range(desk.childCount) if i not in last] + last:
         print(i, '|', before, '|', ' '.join(names), '|', before, '|', 'none')
         continue
     for act in (['decrease', 'increase'] if 'decrease' in names else ['press']):
+        heard = told()
         actions.doAction(names.index(act))
-        until = time.time() + (3 if act != 'press' else 0.5)
         if i in last: break
-        while time.time() < until and name(i) == before: time.sleep(0.02)
-        if name(i) != before: break
+        if act == 'press':
+            answers(heard)
+            break
+        if changes(lambda: name(i), before, heard): break
     print(i, '|', before, '|', ' '.join(names), '|', before if i in last else name(i), '|', act)
 )";
     Session app(Settings{}, HandFacts{});
@@ -248,9 +272,9 @@ for i in range(desk.childCount):
     except NotImplementedError: continue
     before = (item.name, value.currentValue)
     shown = [value.minimumValue, value.maximumValue, value.minimumIncrement, value.currentValue]
+    heard = told()
     value.currentValue = value.minimumValue + 0.3 * (value.maximumValue - value.minimumValue)
-    until = time.time() + 2
-    while time.time() < until and (item.name, value.currentValue) == before: time.sleep(0.02)
+    changes(lambda: (item.name, value.currentValue), before, heard)
     print(i, '|', ' '.join(repr(n) for n in shown), '|', item.name, '|', repr(value.currentValue))
 )";
     Session app(Settings{}, HandFacts{});
@@ -320,13 +344,9 @@ TEST_F(ReadByOrca, tells_a_question_and_what_is_typed) {
         ASSERT_TRUE(desktop->press(key));
         ASSERT_TRUE(speaks_of(words)) << key << "\n" << everything();
     }
-    EXPECT_TRUE(eventually(
-        [&] {
-            return desktop->objects().find("entry \"Which file or folder? Type its path.\" focused") !=
-                   std::string::npos;
-        },
-        60.0))
-        << desktop->objects();
+    EXPECT_TRUE(eventually([&] {
+        return desktop->objects().find("entry \"Which file or folder? Type its path.\" focused") != std::string::npos;
+    })) << desktop->objects();
     ASSERT_TRUE(desktop->press("q z"));
     ASSERT_TRUE(desktop->press("Up"));
     EXPECT_TRUE(speaks_of("Type its path. qz")) << everything();

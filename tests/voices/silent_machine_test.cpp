@@ -47,7 +47,7 @@ protected:
         return {};
     }
     bool says_times(const std::string& words, std::size_t times) const {
-        return eventually([&] { return times_in(said(), words) == times; }, 60.0);
+        return eventually([&] { return times_in(said(), words) == times; });
     }
     // Space repeats the welcome, nothing expires, Enter goes on, Space repeats what that said.
     void go_on(VirtualDisplay& display, const std::string& everything) {
@@ -60,7 +60,7 @@ protected:
         ASSERT_TRUE(display.xdotool("key space"));
         EXPECT_TRUE(says_times(welcome + "\n", 2)) << "word for word\n" << said();
         ASSERT_TRUE(display.xdotool("key Return"));
-        ASSERT_TRUE(eventually([&] { return said().find("bell on your left") != std::string::npos; }, 60.0)) << said();
+        ASSERT_TRUE(eventually([&] { return said().find("bell on your left") != std::string::npos; })) << said();
         EXPECT_LT(said().find("First your headphones."), said().find("bell on your left"));
         const std::string question = line_with("bell on your left");
         ASSERT_TRUE(display.xdotool("key space"));
@@ -80,16 +80,15 @@ TEST_F(SilentMachineNever, speaks_with_its_own_voice_where_there_is_nothing_else
     launch({{"DISPLAY", std::getenv("DISPLAY")}, {"LIBGL_ALWAYS_SOFTWARE", "1"}});
     ASSERT_TRUE(program->says(kThreeKeys)) << said();
     report("from the launch to the welcome in text", now_s() - launched_s);
-    ASSERT_TRUE(eventually([&] { return own_voice().find("speak") != std::string::npos; }, 60.0)) << said();
+    ASSERT_TRUE(eventually([&] { return own_voice().find("speak") != std::string::npos; })) << said();
     report("from the launch to the first sample of the voice", std::strtod(own_voice().c_str(), nullptr) - launched_s);
-    ASSERT_TRUE(eventually(
-        [&] { return display->xdotool("search --onlyvisible --name '^Handrail$' windowfocus --sync >/dev/null 2>&1"); },
-        60.0));
+    ASSERT_TRUE(eventually([&] {
+        return display->xdotool("search --onlyvisible --name '^Handrail$' windowfocus --sync >/dev/null 2>&1");
+    }));
     // A key stops the welcome.
     const double pressed_s = now_s();
     ASSERT_TRUE(display->xdotool("key Control_L"));
-    ASSERT_TRUE(eventually([&] { return own_voice().find("hush") != std::string::npos; }, 60.0))
-        << own_voice() << said();
+    ASSERT_TRUE(eventually([&] { return own_voice().find("hush") != std::string::npos; })) << own_voice() << said();
     const std::string log = own_voice();
     const std::size_t hush = log.find("hush"), begin = log.rfind('\n', hush) + 1;
     report("from the key to silence, the key's own way from xdotool in it",
@@ -114,22 +113,19 @@ TEST_F(SilentMachineNever, speaks_through_the_speech_server_where_one_runs_and_i
         environment.merge(braille->environment());
     }
     launch(std::move(environment));
-    ASSERT_TRUE(eventually([&] { return speech->spoke(kThreeKeys); }, 60.0)) << said() << speech->everything();
+    ASSERT_TRUE(eventually([&] { return speech->spoke(kThreeKeys); })) << said() << speech->everything();
     report("from the launch to the welcome by the speech server", speech->recorded().front().time_s - launched_s);
-    ASSERT_TRUE(eventually(
-        [&] { return display->xdotool("search --onlyvisible --name '^Handrail$' windowfocus --sync >/dev/null 2>&1"); },
-        60.0));
+    ASSERT_TRUE(eventually([&] {
+        return display->xdotool("search --onlyvisible --name '^Handrail$' windowfocus --sync >/dev/null 2>&1");
+    }));
     const double pressed_s = now_s();
     ASSERT_TRUE(display->xdotool("key Control_L"));
     std::optional<double> stopped_s;
-    EXPECT_TRUE(eventually(
-        [&] {
-            for (const Recorded& entry : speech->recorded())
-                if (entry.event == "stop" && entry.time_s > pressed_s) stopped_s = entry.time_s;
-            return stopped_s.has_value();
-        },
-        60.0))
-        << speech->everything();
+    EXPECT_TRUE(eventually([&] {
+        for (const Recorded& entry : speech->recorded())
+            if (entry.event == "stop" && entry.time_s > pressed_s) stopped_s = entry.time_s;
+        return stopped_s.has_value();
+    })) << speech->everything();
     if (stopped_s) report("from the key to silence", *stopped_s - pressed_s);
     ASSERT_NO_FATAL_FAILURE(go_on(*display, said() + speech->everything()));
     for (const Recorded& entry : speech->recorded()) {
@@ -141,15 +137,15 @@ TEST_F(SilentMachineNever, speaks_through_the_speech_server_where_one_runs_and_i
     // The display holds the question from its first word to its last, panned through.
     const std::string question = line_with("bell on your left").substr(std::string("say: ").size());
     std::string read;
-    ASSERT_TRUE(eventually(
-        [&] { return !braille->shown().empty() && question.rfind(braille->shown().substr(3), 0) == 0; }, 60.0))
-        << braille->everything() << question;
+    ASSERT_TRUE(eventually([&] {
+        return !braille->shown().empty() && question.rfind(braille->shown().substr(3), 0) == 0;
+    })) << braille->everything()
+        << question;
     for (int piece = 0; piece < 30 && read.size() < question.size(); ++piece) {
         const std::string shown = braille->shown();
         read += (read.empty() ? "" : " ") + shown.substr(3);
         braille->press("FWINRT");
-        ASSERT_TRUE(read.size() >= question.size() || eventually([&] { return braille->shown() != shown; }, 60.0))
-            << read;
+        ASSERT_TRUE(read.size() >= question.size() || eventually([&] { return braille->shown() != shown; })) << read;
     }
     EXPECT_EQ(read, question);
 }
@@ -168,14 +164,14 @@ TEST_F(SilentMachineNever, speaks_and_brailles_through_orca_where_it_runs_and_it
     if (braille) environment.merge(braille->environment());
     launch(std::move(environment));
     ASSERT_TRUE(desktop.focus_window()) << said();
-    ASSERT_TRUE(eventually([&] { return desktop.speech->spoke(kThreeKeys); }, 60.0)) << said() << desktop.everything();
+    ASSERT_TRUE(eventually([&] { return desktop.speech->spoke(kThreeKeys); })) << said() << desktop.everything();
     report("from the launch to the welcome by Orca, the window's focus in it", now_s() - launched_s);
     if (braille) {
         EXPECT_TRUE(braille->shows("Welcome. Handrail is speaking with"))
             << braille->everything() << desktop.everything();
     }
     ASSERT_NO_FATAL_FAILURE(go_on(*desktop.display, said() + desktop.everything()));
-    EXPECT_TRUE(eventually([&] { return desktop.speech->spoke("bell on your left"); }, 60.0)) << desktop.everything();
+    EXPECT_TRUE(eventually([&] { return desktop.speech->spoke("bell on your left"); })) << desktop.everything();
     EXPECT_EQ(own_voice(), "") << "two voices";
 }
 
