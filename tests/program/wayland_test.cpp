@@ -48,16 +48,14 @@ protected:
     }
     std::string said() const { return content_of(home_.path() / "said"); }
     bool says(const std::string& words) {
-        return eventually([&] { return said().find(words) != std::string::npos; }, 60.0);
+        return eventually([&] { return said().find(words) != std::string::npos; });
     }
     // The window takes the keyboard a moment after the first words, so the key is pressed until it is answered.
     bool answers(const std::string& key, const std::string& words) {
-        return eventually(
-            [&] {
-                return session_->xdotool("key " + key) &&
-                       eventually([&] { return said().find(words) != std::string::npos; }, 2.0);
-            },
-            60.0);
+        return eventually([&] {
+            return session_->xdotool("key " + key) &&
+                   eventually([&] { return said().find(words) != std::string::npos; }, 2.0);
+        });
     }
 
     TemporaryFolder home_;
