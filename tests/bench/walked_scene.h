@@ -14,7 +14,7 @@ namespace handrail::test {
 inline std::optional<Scene> walked_scene(int& status) {
     const auto path = real_world("quake-e1m1.map");
     if (!path) {
-        std::cout << "Skipped: quake-e1m1.map is not here; set HANDRAIL_REAL_WORLDS to the folder that holds it.\n";
+        std::cout << "Skipped: " << needs_real_world("quake-e1m1.map") << "\n";
         status = 77;
         return std::nullopt;
     }

@@ -1,6 +1,7 @@
 #include "tests/support/real_worlds.h"
 
 #include <cstdlib>
+#include <iostream>
 
 #include "tests/support/project_root.h"
 
@@ -13,6 +14,19 @@ std::optional<std::filesystem::path> real_world(const std::string& file_name) {
     const fs::path path = folder / file_name;
     if (!fs::exists(path)) return std::nullopt;
     return path;
+}
+
+std::string needs_real_world(const std::string& file_name) {
+    return "needs " + file_name + "; HANDRAIL_REAL_WORLDS names the folder that has it";
+}
+
+std::vector<std::filesystem::path> with_real_worlds(std::vector<std::filesystem::path> ours,
+                                                    const std::vector<std::string>& real) {
+    for (const std::string& name : real) {
+        if (const auto path = real_world(name)) ours.push_back(*path);
+        else std::cout << "Skipped: " << needs_real_world(name) << "\n";
+    }
+    return ours;
 }
 
 }  // namespace handrail::test

@@ -192,7 +192,7 @@ TEST(RoomOutOfReach, says_that_stairs_to_it_lead_under_a_floor) {
 // A spiral stair whose upper turns lie under the edge of the floor that they lead to.
 TEST(StairsInOneGo, say_why_nobody_walks_up_to_the_gallery_of_a_family_house) {
     const auto path = test::real_world("fzk-haus.ifc");
-    if (!path) GTEST_SKIP() << "../shared/worlds is not there";
+    if (!path) GTEST_SKIP() << test::needs_real_world("fzk-haus.ifc");
     const Result<Scene> scene = read_world(*path);
     ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
     const Result<WalkSpace> space = make_walk_space(*scene, walk_body(*scene, 0.25, 1.8, 0.25));

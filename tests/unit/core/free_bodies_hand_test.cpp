@@ -372,7 +372,7 @@ TEST(HandAmongThings, in_our_school_nothing_goes_through_a_wall_and_nobody_is_st
 
 TEST(HandAmongThings, in_e1m1_nothing_goes_through_a_wall_and_nobody_is_stuck) {
     const auto file = test::real_world("quake-e1m1.map");
-    if (!file) GTEST_SKIP() << "quake-e1m1.map is not here; HANDRAIL_REAL_WORLDS names the folder that holds it";
+    if (!file) GTEST_SKIP() << test::needs_real_world("quake-e1m1.map");
     lives_among_things(*file);
 }
 

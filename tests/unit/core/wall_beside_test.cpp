@@ -76,7 +76,7 @@ TEST(WallBeside, is_a_pane_from_corner_to_corner_and_no_pole) {
 
 TEST(WallBeside, goes_along_the_windows_of_a_real_building) {
     const auto file = test::real_world("duplex-apartment.ifc");
-    if (!file) GTEST_SKIP() << "duplex-apartment.ifc is not here.";
+    if (!file) GTEST_SKIP() << test::needs_real_world("duplex-apartment.ifc");
     auto scene = read_world(*file);
     ASSERT_TRUE(scene) << scene.error().sentence();
     const BodyWorld world(std::make_shared<const Scene>(std::move(*scene)));

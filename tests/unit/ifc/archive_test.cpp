@@ -40,7 +40,7 @@ TEST(IfcArchive, that_is_no_single_model_is_told_in_a_sentence) {
 
 TEST(IfcArchive, institute_is_read_as_it_lies_there) {
     const auto path = test::real_world("institute.ifczip");
-    if (!path) GTEST_SKIP() << "../shared/worlds is not there";
+    if (!path) GTEST_SKIP() << test::needs_real_world("institute.ifczip");
     const Result<Scene> scene = read_world(*path);
     ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
     EXPECT_EQ(scene->stated->rooms.size(), 82U);

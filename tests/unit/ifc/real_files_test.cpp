@@ -1,8 +1,9 @@
-// Real buildings, where they are at hand: ../shared/worlds beside the project.
+// Whole buildings: an office of ours, and real ones if HANDRAIL_REAL_WORLDS has them.
 #include <gmock/gmock.h>
 
 #include <set>
 
+#include "tests/support/office_ifc.h"
 #include "tests/support/real_worlds.h"
 #include "tests/unit/ifc/ifc_text.h"
 #include "worlds/navigation/navigation.h"
@@ -22,7 +23,7 @@ std::string rooms_of(const Scene& scene, const StatedPortal& portal) {
 
 TEST(Duplex, is_what_its_makers_say_it_is) {
     const auto path = test::real_world("duplex-apartment.ifc");
-    if (!path) GTEST_SKIP() << "../shared/worlds is not there";
+    if (!path) GTEST_SKIP() << test::needs_real_world("duplex-apartment.ifc");
     const Result<Scene> scene = read_world(*path);
     ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
     const Result<void> valid = validate(*scene);
@@ -65,9 +66,29 @@ TEST(Duplex, is_what_its_makers_say_it_is) {
         EXPECT_EQ(room.holds_stairs, room.number == "A105" || room.number == "B105") << room.number;
 }
 
+TEST(Office, is_what_was_written_and_walked_from_the_front_door_to_every_room) {
+    const test::OfficeIfc office = test::office_ifc({2, 1, 3});
+    const Result<Scene> scene = read_ifc(office.text, "office.ifc");
+    ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
+    const Result<void> valid = validate(*scene);
+    ASSERT_TRUE(valid.has_value()) << valid.error().sentence();
+    const StatedBuilding& stated = *scene->stated;
+    EXPECT_EQ(static_cast<int>(stated.rooms.size()), office.rooms);
+    EXPECT_EQ(scene->report.doors, office.doors);
+    EXPECT_EQ(stated.windows, office.windows);
+    EXPECT_EQ(stated.stairs, office.flights);
+    EXPECT_EQ(stated.openings_cut, stated.openings);
+    EXPECT_EQ(stated.storeys.size(), 2U);
+    ASSERT_FALSE(scene->starts.empty());
+    const auto navigation = Navigation::make(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
+    ASSERT_TRUE(navigation.has_value()) << navigation.error().sentence();
+    for (const StatedRoom& room : stated.rooms)
+        EXPECT_TRUE((*navigation)->reachable(scene->starts[0].feet_m, room.at_m)) << room.name << room.number;
+}
+
 TEST(Duplex, is_walked_from_the_front_door_to_the_bedrooms) {
     const auto path = test::real_world("duplex-apartment.ifc");
-    if (!path) GTEST_SKIP() << "../shared/worlds is not there";
+    if (!path) GTEST_SKIP() << test::needs_real_world("duplex-apartment.ifc");
     const Result<Scene> scene = read_world(*path);
     ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
     const auto navigation = Navigation::make(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
@@ -85,7 +106,8 @@ TEST(Duplex, is_walked_from_the_front_door_to_the_bedrooms) {
 
 TEST(RealIfc, houses_of_ifc_4_and_4x3_come_out_whole) {
     const auto house = test::real_world("fzk-haus.ifc"), parts = test::real_world("wall-door-column-ifc4x3.ifc");
-    if (!house || !parts) GTEST_SKIP() << "../shared/worlds is not there";
+    if (!house) GTEST_SKIP() << test::needs_real_world("fzk-haus.ifc");
+    if (!parts) GTEST_SKIP() << test::needs_real_world("wall-door-column-ifc4x3.ifc");
     const Result<Scene> scene = read_world(*house);
     ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
     EXPECT_EQ(scene->stated->rooms.size(), 7U);

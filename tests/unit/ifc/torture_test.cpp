@@ -4,6 +4,7 @@
 #include <array>
 #include <random>
 
+#include "tests/support/office_ifc.h"
 #include "tests/support/real_worlds.h"
 #include "tests/unit/ifc/ifc_text.h"
 
@@ -21,14 +22,15 @@ TEST(IfcTorture, cut_anywhere_is_told_with_its_line) {
     }
 }
 
-TEST(IfcTorture, real_files_cut_anywhere_are_told) {
-    const auto path = test::real_world("duplex-apartment.ifc");
-    if (!path) GTEST_SKIP() << "../shared/worlds is not there";
-    const std::string whole = test::content_of(*path);
-    for (std::size_t at = 997; at < whole.size() - 20; at += 997 * 97) {
-        const Result<Scene> scene = read_ifc(whole.substr(0, at), "cut.ifc");
-        EXPECT_FALSE(scene.has_value()) << "cut at " << at;
-    }
+TEST(IfcTorture, whole_buildings_cut_anywhere_are_told) {
+    std::vector<std::string> buildings{test::office_ifc({2, 1, 8, 240}).text};
+    for (const auto& path : test::with_real_worlds({}, {"duplex-apartment.ifc"}))
+        buildings.push_back(test::content_of(path));
+    for (const std::string& whole : buildings)
+        for (std::size_t at = 997; at < whole.size() - 20; at += 997 * 97) {
+            const Result<Scene> scene = read_ifc(whole.substr(0, at), "cut.ifc");
+            EXPECT_FALSE(scene.has_value()) << "cut at " << at;
+        }
 }
 
 TEST(IfcTorture, placements_in_a_circle_end_and_are_counted) {

@@ -169,7 +169,7 @@ TEST(PackagedIfc, has_the_same_parts_of_real_buildings_in_the_same_places) {
         EXPECT_GE(all.volumes, known.least_volumes);
         EXPECT_LE(all.less, known.most_less);
     }
-    if (!any) GTEST_SKIP() << "../shared/worlds is not there";
+    if (!any) GTEST_SKIP() << test::needs_real_world("duplex-apartment.ifc");
 }
 
 }  // namespace ifc_oracle_test

@@ -204,7 +204,7 @@ TEST(ImdfVenue, numbers_beyond_all_bounds_leave_the_shape_out) {
 
 TEST(ImdfRealFiles, the_smallest_venue_opens) {
     const auto path = test::real_world("minimal.imdf.zip");
-    if (!path) GTEST_SKIP() << "../shared/worlds is not there";
+    if (!path) GTEST_SKIP() << test::needs_real_world("minimal.imdf.zip");
     const Result<Scene> scene = read_world(*path);
     ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
     EXPECT_EQ(scene->name, "Tokyo Station Test Venue");

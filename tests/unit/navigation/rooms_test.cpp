@@ -154,17 +154,19 @@ TEST(Rooms, are_joined_by_routes_as_a_grid_search_finds_them_in_every_bundled_wo
     }
 }
 
-TEST(Rooms, of_real_maps_are_many_and_joined_through_their_doors) {
+TEST(Rooms, of_whole_maps_are_many_and_joined_through_their_doors) {
     struct Expected {
-        const char* file;
+        std::filesystem::path file;
         std::size_t least_rooms, most_rooms, least_doors;
     };
-    for (const Expected& expected :
-         {Expected{"agtut01.map", 2, 8, 1}, Expected{"agdm01.map", 9, 12, 4}, Expected{"office.map", 4, 60, 2}}) {
-        const auto path = test::real_world(expected.file);
-        if (!path) GTEST_SKIP() << expected.file << " is not here";
+    std::vector<Expected> worlds{{bundled("house.map"), 8, 20, 6}, {bundled("school.map"), 8, 40, 8}};
+    for (const Expected& real :
+         {Expected{"agtut01.map", 2, 8, 1}, Expected{"agdm01.map", 9, 12, 4}, Expected{"office.map", 4, 60, 2}})
+        for (const auto& path : test::with_real_worlds({}, {real.file.string()}))
+            worlds.push_back({path, real.least_rooms, real.most_rooms, real.least_doors});
+    for (const Expected& expected : worlds) {
         SCOPED_TRACE(expected.file);
-        const World world = world_of(*path);
+        const World world = world_of(expected.file);
         is_sound(world);
         const auto rooms =
             static_cast<std::size_t>(std::count_if(world.graph.rooms.begin(), world.graph.rooms.end(),

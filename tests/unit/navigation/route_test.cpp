@@ -260,27 +260,45 @@ TEST(Routes, tell_the_doors_and_stairs_on_the_way_in_order) {
     EXPECT_EQ(met, (std::vector<std::string>{"Front door", "Stairs", "Music room door"}));
 }
 
-TEST(Routes, say_where_the_way_ends_when_there_is_none) {
+void say_where_the_way_ends(const Scene& scene) {
+    const auto navigation = navigate(scene);
+    ASSERT_TRUE(navigation);
+    int reached = 0, not_reached = 0;
+    for (const Start& start : scene.starts) {
+        const Route route = navigation->plan(scene.starts.front().feet_m, start.feet_m);
+        ASSERT_FALSE(route.points_m.empty());
+        (route.reaches ? reached : not_reached)++;
+        EXPECT_EQ(route.reaches, navigation->reachable(scene.starts.front().feet_m, start.feet_m));
+        if (route.reaches) continue;
+        EXPECT_GT(route.short_of_m, 1.0);
+        // Where it ends can be reached indeed.
+        EXPECT_TRUE(navigation->plan(scene.starts.front().feet_m, route.points_m.back()).reaches);
+    }
+    EXPECT_GT(reached, 0);
+    EXPECT_GT(not_reached, 0);
+}
+
+// Two rooms of 8 by 4 m behind a wall without a door.
+TEST(Routes, say_where_the_way_ends_when_a_room_has_no_door) {
+    using test::entity;
+    using test::key;
+    const auto start = [](const char* at) { return entity("info_player_deathmatch", key("origin", at)); };
+    const auto scene = read_quake_map(
+        entity("worldspawn", {}, test::room_brushes(0, 0, 0, 520, 128, 96) + test::box_brush(256, 0, 0, 264, 128, 96)) +
+            entity("info_player_start", key("origin", "64 64 24")) + start("192 64 24") + start("456 64 24"),
+        "shut.map");
+    ASSERT_TRUE(scene) << scene.error().sentence();
+    say_where_the_way_ends(*scene);
+}
+
+TEST(Routes, say_where_the_way_ends_in_real_maps) {
     for (const char* name : {"quake-e1m1.map", "quake-start.map"}) {
+        SCOPED_TRACE(name);
         const auto path = test::real_world(name);
-        if (!path) GTEST_SKIP() << name << " is not here";
+        if (!path) GTEST_SKIP() << test::needs_real_world(name);
         const auto scene = read_world(*path);
-        ASSERT_TRUE(scene);
-        const auto navigation = navigate(*scene);
-        ASSERT_TRUE(navigation);
-        int reached = 0, not_reached = 0;
-        for (const Start& start : scene->starts) {
-            const Route route = navigation->plan(scene->starts.front().feet_m, start.feet_m);
-            ASSERT_FALSE(route.points_m.empty());
-            (route.reaches ? reached : not_reached)++;
-            EXPECT_EQ(route.reaches, navigation->reachable(scene->starts.front().feet_m, start.feet_m));
-            if (route.reaches) continue;
-            EXPECT_GT(route.short_of_m, 1.0);
-            // Where it ends can be reached indeed.
-            EXPECT_TRUE(navigation->plan(scene->starts.front().feet_m, route.points_m.back()).reaches);
-        }
-        EXPECT_GT(reached, 0) << name;
-        EXPECT_GT(not_reached, 0) << name;
+        ASSERT_TRUE(scene) << scene.error().sentence();
+        say_where_the_way_ends(*scene);
     }
 }
 

@@ -170,7 +170,7 @@ TEST(OsmHouse, the_same_bytes_give_the_same_scene) {
 
 TEST(OsmRealFiles, the_university_has_its_rooms_and_ways_across_storeys) {
     const auto path = test::real_world("apb-tu-dresden.osm");
-    if (!path) GTEST_SKIP() << "../shared/worlds is not there";
+    if (!path) GTEST_SKIP() << test::needs_real_world("apb-tu-dresden.osm");
     const Result<Scene> scene = read_world(*path);
     ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
     EXPECT_EQ(scene->name, "Andreas-Pfitzmann-Bau");
@@ -197,7 +197,7 @@ TEST(OsmRealFiles, the_university_has_its_rooms_and_ways_across_storeys) {
 
 TEST(OsmRealFiles, a_station_without_rooms_is_walked_along_its_ways) {
     const auto path = test::real_world("delft-station.osm");
-    if (!path) GTEST_SKIP() << "../shared/worlds is not there";
+    if (!path) GTEST_SKIP() << test::needs_real_world("delft-station.osm");
     const Result<Scene> scene = read_world(*path);
     ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
     EXPECT_THAT(scene->report.guessed, Contains(HasSubstr("not joined by doors")));

@@ -288,7 +288,7 @@ TEST(Meshes, cut_at_every_byte_end_in_a_world_or_one_sentence) {
 
 TEST(ReadGltf, reads_a_real_room_with_its_things) {
     const auto path = test::real_world("room.glb");
-    if (!path) GTEST_SKIP() << "no room.glb";
+    if (!path) GTEST_SKIP() << test::needs_real_world("room.glb");
     const Result<Scene> scene = read_world(*path);
     ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
     EXPECT_EQ(scene->features.size(), 17U) << "a room and sixteen spheres";

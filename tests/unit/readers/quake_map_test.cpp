@@ -1,4 +1,5 @@
 #include "tests/support/map_text.h"
+#include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/unit/readers/reading.h"
 #include "worlds/readers/reader.h"
@@ -126,16 +127,20 @@ TEST(ReadQuakeMap, takes_the_nearest_legal_value_and_says_where) {
     EXPECT_FALSE(material.friction_mu.has_value());
 }
 
-TEST(ReadWorld, reads_every_real_map_without_a_warning) {
-    for (const char* name :
-         {"agdm01", "agtut01", "agtut03", "agtut05", "house", "office", "quake-dm3", "quake-e1m1", "quake-start"}) {
-        const auto path = test::real_world(std::string(name) + ".map");
-        if (!path) GTEST_SKIP() << "the real worlds are not here";
-        const Result<Scene> scene = read_world(*path);
-        ASSERT_TRUE(scene.has_value()) << name;
-        EXPECT_TRUE(validate(*scene).has_value()) << name;
-        EXPECT_EQ(scene->report.warnings_in_all, 0) << name;
-        EXPECT_TRUE(scene->game_map) << name;
+TEST(ReadWorld, reads_every_whole_map_without_a_warning) {
+    const auto maps = test::project_root() / "worlds/maps";
+    std::vector<std::filesystem::path> ours;
+    for (const auto& entry : std::filesystem::directory_iterator(maps))
+        if (entry.path().extension() == ".map") ours.push_back(entry.path());
+    ASSERT_GE(ours.size(), 4U);
+    for (const auto& path :
+         test::with_real_worlds(ours, {"agdm01.map", "agtut01.map", "agtut03.map", "agtut05.map", "house.map",
+                                       "office.map", "quake-dm3.map", "quake-e1m1.map", "quake-start.map"})) {
+        const Result<Scene> scene = read_world(path);
+        ASSERT_TRUE(scene.has_value()) << path;
+        EXPECT_TRUE(validate(*scene).has_value()) << path;
+        EXPECT_EQ(scene->report.warnings_in_all, 0) << path;
+        EXPECT_EQ(scene->game_map, path.parent_path() != maps) << path;
     }
 }
 

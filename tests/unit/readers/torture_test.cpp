@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "tests/support/map_text.h"
+#include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
 #include "tests/support/temporary_folder.h"
@@ -46,15 +47,16 @@ TEST(Torture, a_map_cut_at_every_byte) {
     EXPECT_EQ(most, 3U);
 }
 
-TEST(Torture, real_maps_cut_at_every_97th_byte) {
+TEST(Torture, whole_maps_cut_at_every_97th_byte) {
     // Every place of the small one; of the larger ones places spread over the file. All of them take minutes of
     // processor time, shared among the processors; HANDRAIL_EVERY_CUT=1 asks for that.
     const bool every = std::getenv("HANDRAIL_EVERY_CUT") != nullptr;
-    for (const char* name : {"agtut01.map", "agdm01.map", "house.map", "office.map", "quake-e1m1.map",
-                             "quake-start.map", "quake-dm3.map", "agtut03.map", "agtut05.map"}) {
-        const auto path = test::real_world(name);
-        if (!path) GTEST_SKIP() << "the real worlds are not here";
-        const std::string bytes = test::content_of(*path);
+    const auto maps = test::project_root() / "worlds/maps";
+    for (const auto& path :
+         test::with_real_worlds({maps / "first_room.map", maps / "house.map", maps / "school.map"},
+                                {"agtut01.map", "agdm01.map", "house.map", "office.map", "quake-e1m1.map",
+                                 "quake-start.map", "quake-dm3.map", "agtut03.map", "agtut05.map"})) {
+        const std::string bytes = test::content_of(path);
         const std::size_t cuts = bytes.size() / 97,
                           tried = static_cast<std::size_t>(test::scaled(bytes.size() < 20000 ? 150 : 8));
         const std::size_t step = every ? 97 : std::max<std::size_t>(1, cuts / tried) * 97;
@@ -70,7 +72,7 @@ TEST(Torture, real_maps_cut_at_every_97th_byte) {
         work();
         for (std::thread& helper : helpers) helper.join();
         EXPECT_EQ(survived, (bytes.size() - 98) / step + 1);
-        if (every) fmt::print("{}: {} cuts survived\n", name, survived.load());
+        if (every) fmt::print("{}: {} cuts survived\n", path.filename().string(), survived.load());
     }
 }
 

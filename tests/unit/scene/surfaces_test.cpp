@@ -3,6 +3,7 @@
 #include <random>
 
 #include "tests/support/map_text.h"
+#include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "worlds/geometry/clip.h"
 #include "worlds/readers/reader.h"
@@ -230,15 +231,16 @@ TEST(Surfaces, the_order_of_brushes_and_faces_changes_nothing) {
 }
 
 TEST(Surfaces, nothing_in_a_game_level_is_named_by_a_number_or_a_texture) {
-    for (const char* name : {"quake-e1m1.map", "quake-start.map", "quake-dm3.map", "office.map", "house.map"}) {
-        const auto path = test::real_world(name);
-        if (!path) GTEST_SKIP() << "the real worlds are not here";
-        const Result<Scene> scene = read_world(*path);
+    const auto ours = test::project_root() / "tests/scenarios/worlds/game_step.map";
+    for (const auto& path : test::with_real_worlds(
+             {ours}, {"quake-e1m1.map", "quake-start.map", "quake-dm3.map", "office.map", "house.map"})) {
+        const Result<Scene> scene = read_world(path);
         ASSERT_TRUE(scene.has_value());
+        ASSERT_FALSE(scene->features.empty()) << path;
         for (std::uint32_t i = 0; i < scene->features.size(); ++i) {
             const std::string spoken = spoken_name(*scene, {i});
             EXPECT_FALSE(spoken.empty());
-            EXPECT_EQ(spoken.find_first_of("0123456789_+*{"), std::string::npos) << name << ": " << spoken;
+            EXPECT_EQ(spoken.find_first_of("0123456789_+*{"), std::string::npos) << path << ": " << spoken;
         }
     }
 }

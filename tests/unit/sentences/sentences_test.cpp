@@ -141,7 +141,7 @@ TEST_P(Sentences, of_every_command_keep_the_rules_in_every_language) {
     const auto path = ours                        ? source / "worlds" / "maps" / name
                       : name == "small_house.ifc" ? source / "tests" / "unit" / "ifc" / "worlds" / name
                                                   : test::real_world(name).value_or(std::filesystem::path());
-    if (path.empty()) GTEST_SKIP() << name << " is not here";
+    if (path.empty()) GTEST_SKIP() << test::needs_real_world(name);
     if (test::kSanitizerScale < 1.0 && name != "house.map") GTEST_SKIP() << "words are the same under a sanitizer";
     for (const LanguageName& language : bundled_languages())
         for (const ActsBy who : {ActsBy::WindowKeys, ActsBy::Lines}) {

@@ -309,7 +309,7 @@ TEST(Learning, that_is_done_at_once_is_stated_as_nothing_and_else_as_it_was_in_t
 // Base, landmarks, a way with less help each lap, pointing and a distance, in a house that architects drew.
 TEST(LessonTaught, in_a_real_building_is_walked_measured_and_finished) {
     const auto file = test::real_world("duplex-apartment.ifc");
-    if (!file) GTEST_SKIP() << "duplex-apartment.ifc is not here.";
+    if (!file) GTEST_SKIP() << test::needs_real_world("duplex-apartment.ifc");
     const auto lesson = read_lesson_text(R"(handrail_lesson = 1
 title = "From the door to the stove"
 world = "duplex-apartment.ifc"

@@ -459,7 +459,7 @@ TEST_F(WholeLesson, calls_walks_of_three_kinds_by_their_names) {
 TEST_F(WholeLesson, is_taught_in_a_house_that_architects_drew_from_its_making_to_the_last_trace_of_it) {
     if (kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the lesson in our school is enough";
     const auto file = test::real_world("duplex-apartment.ifc");
-    if (!file) GTEST_SKIP() << "duplex-apartment.ifc is not here.";
+    if (!file) GTEST_SKIP() << test::needs_real_world("duplex-apartment.ifc");
     const fs::path copy = home_.path() / file->filename();  // what is kept of it lies beside it
     fs::copy_file(*file, copy);
     whole({.world = copy,

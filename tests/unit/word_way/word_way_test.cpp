@@ -387,7 +387,7 @@ TEST(LiteralSession, comes_from_room_to_room_of_the_school_in_german) {
 void comes_from_the_base(const char* map, int percent_exact, int percent_with_errors, std::uint32_t usual = 1) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "takes minutes under a sanitizer";
     const auto file = test::real_world(map);
-    if (!file) GTEST_SKIP() << map << " is not here";
+    if (!file) GTEST_SKIP() << test::needs_real_world(map);
     const Form form = english();
     const auto world = test::world_in(*file);
     expect_share(Routes(world, form, kExact, 0).from_base(every(usual, usual)), percent_exact);
