@@ -37,8 +37,8 @@ std::vector<std::shared_ptr<const Scene>> worlds_of(int part) {
         case 2:
             return {world(maps / "school.map"), world(maps / "first_room.map")};
         case 3: {
-            const auto game = real_world("quake-e1m1.map");
-            return {world(game ? *game : maps / "house.map"), world(small / "game_step.map")};
+            const auto games = with_real_worlds({maps / "house.map"}, {"quake-e1m1.map"});
+            return {world(games.back()), world(small / "game_step.map")};
         }
         case 4:
             return {world(small / "every_property.map"), world(small / "two_pools.map")};

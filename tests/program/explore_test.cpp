@@ -43,12 +43,12 @@ TEST(Explore, libraries_of_sound_that_find_nothing_complain_to_nobody) {
     }
 }
 
-TEST(Explore, a_real_map_is_entered_too) {
-    const auto world = real_world("quake-e1m1.map");
-    if (!world) GTEST_SKIP() << "the real worlds are not here";
-    const ProgramRun run = explore({world->string()}, "");
-    EXPECT_EQ(run.exit_status, 0) << run.err;
-    EXPECT_THAT(run.out, HasSubstr("At the base, facing "));
+TEST(Explore, a_whole_map_is_entered_too) {
+    for (const auto& world : with_real_worlds({project_root() / "worlds/maps/house.map"}, {"quake-e1m1.map"})) {
+        const ProgramRun run = explore({world.string()}, "");
+        EXPECT_EQ(run.exit_status, 0) << run.err;
+        EXPECT_THAT(run.out, HasSubstr("facing ")) << world;
+    }
 }
 
 TEST(Explore, commands_from_standard_input_are_carried_out_in_order) {

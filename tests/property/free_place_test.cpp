@@ -3,6 +3,7 @@
 
 #include "haptic/compile/compile_haptic.h"
 #include "tests/property/replay.h"
+#include "tests/support/project_root.h"
 #include "tests/support/random_families.h"
 #include "tests/support/real_worlds.h"
 #include "worlds/readers/reader.h"
@@ -73,11 +74,9 @@ TEST(FreePlace, a_moved_body_counts_where_it_is) {
     EXPECT_GE(surrounding_of(*scene, here, *out, 1.0).distance_m, 0.01);
 }
 
-TEST(FreePlace, leads_out_of_the_walls_of_a_real_level) {
-    const auto path = real_world("quake-e1m1.map");
-    if (!path) GTEST_SKIP() << "quake-e1m1.map is not here";
-    const auto scene = read_world(*path);
-    ASSERT_TRUE(scene);
+void leads_out_of_the_walls_of(const std::filesystem::path& path) {
+    const auto scene = read_world(path);
+    ASSERT_TRUE(scene) << scene.error().sentence();
     const auto haptic = compile_haptic(*scene, MaterialSource::KeysOnly);
     std::mt19937 random(5);
     int tried = 0;
@@ -90,6 +89,16 @@ TEST(FreePlace, leads_out_of_the_walls_of_a_real_level) {
         EXPECT_GE(surrounding_of(*haptic, {}, *out, 1.0).distance_m, 0.1);
     }
     EXPECT_GT(tried, 0);
+}
+
+TEST(FreePlace, leads_out_of_the_walls_of_our_school) {
+    leads_out_of_the_walls_of(project_root() / "worlds/maps/school.map");
+}
+
+TEST(FreePlace, leads_out_of_the_walls_of_a_real_level) {
+    const auto path = real_world("quake-e1m1.map");
+    if (!path) GTEST_SKIP() << needs_real_world("quake-e1m1.map");
+    leads_out_of_the_walls_of(*path);
 }
 
 }  // namespace free_place_test

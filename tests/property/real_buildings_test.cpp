@@ -1,5 +1,5 @@
-// Real buildings under a hand: it never enters a solid, and ball and body pass every door that the file says is one.
-// They run where the buildings are at hand (HANDRAIL_REAL_WORLDS), and 200,000 ticks each with HANDRAIL_LONG_WALKS=1.
+// Buildings under a hand: it never enters a solid, and ball and body pass every door that the file says is one.
+// Real buildings take part if HANDRAIL_REAL_WORLDS has them. HANDRAIL_LONG_WALKS=1 makes 200,000 ticks in each.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -11,7 +11,7 @@
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/render/touch.h"
 #include "tests/property/stiff_ball.h"
-#include "tests/support/real_worlds.h"
+#include "tests/support/known_buildings.h"
 #include "tests/support/scale.h"
 #include "tests/support/way_through.h"
 #include "worlds/geometry/box_index.h"
@@ -52,20 +52,6 @@ private:
     mutable std::vector<std::uint32_t> near_;
 };
 
-// With how many of their doors stand in a wall.
-struct Known {
-    const char* name;
-    std::size_t doors;
-};
-constexpr Known kBuildings[] = {{"duplex-apartment.ifc", 14},
-                                {"fzk-haus.ifc", 5},
-                                {"institute.ifczip", 77},
-                                {"apb-tu-dresden.osm", 496},
-                                {"delft-station.osm", 0},
-                                {"minimal.imdf.zip", 0},
-                                {"room.glb", 0},
-                                {"wall-door-column-ifc4x3.ifc", 1}};
-
 struct Building {
     std::string name;
     std::size_t doors = 0;
@@ -82,14 +68,13 @@ std::vector<Vec3> places_in(const Scene& scene) {
     return places_m;
 }
 
-// Those that are here.
 void read_buildings(std::vector<Building>& buildings) {
-    for (const auto& [name, doors] : kBuildings) {
-        const auto path = test::real_world(name);
-        if (!path) continue;
-        Result<Scene> scene = read_world(*path);
+    const test::TemporaryFolder folder;
+    for (const test::KnownBuilding& known : test::known_buildings(folder)) {
+        Result<Scene> scene = read_world(known.file);
         ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
-        buildings.push_back({name, doors, std::make_shared<const Scene>(std::move(*scene))});
+        buildings.push_back(
+            {known.file.filename().string(), known.doors, std::make_shared<const Scene>(std::move(*scene))});
     }
 }
 
@@ -143,7 +128,6 @@ TEST(RealBuildings, a_hand_never_enters_a_solid) {
         }
         EXPECT_GT(touching, ticks / 10) << name;
     }
-    if (buildings.empty()) GTEST_SKIP() << "no real building is here; set HANDRAIL_REAL_WORLDS";
 }
 
 // At Room scale the ball is as wide as a fist of the building: 0.1 m.
@@ -200,7 +184,6 @@ TEST(RealBuildings, body_and_ball_pass_every_open_door_of_the_file) {
         EXPECT_EQ(shut_to_ball, 0) << name << ":" << shut;
         EXPECT_EQ(shut_to_body, 0) << name << ":" << shut;
     }
-    if (buildings.empty()) GTEST_SKIP() << "no real building is here; set HANDRAIL_REAL_WORLDS";
 }
 
 }  // namespace real_buildings_test

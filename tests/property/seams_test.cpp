@@ -4,6 +4,7 @@
 
 #include "haptic/compile/compile_haptic.h"
 #include "tests/property/replay.h"
+#include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/touch_worlds.h"
 #include "worlds/readers/reader.h"
@@ -81,12 +82,10 @@ Neighbours near(const Scene& scene, const Vec3& at, double reach) {
     return out;
 }
 
-TEST(Seams, of_a_real_map_let_no_ray_or_sweep_through_at_1000_places) {
-    const auto path = real_world("quake-e1m1.map");
-    if (!path) GTEST_SKIP() << "quake-e1m1.map is not here; HANDRAIL_REAL_WORLDS names the folder that holds it";
+void no_ray_or_sweep_passes_a_seam_of(const std::filesystem::path& path) {
     ReadOptions options;
     options.guess_materials = false;
-    const Result<Scene> scene = read_world(*path, options);
+    const Result<Scene> scene = read_world(path, options);
     ASSERT_TRUE(scene) << scene.error().sentence();
     const auto haptic = compile_haptic(*scene, MaterialSource::KeysOnly);
     constexpr std::uint32_t kSeed = 4711;
@@ -144,6 +143,16 @@ TEST(Seams, of_a_real_map_let_no_ray_or_sweep_through_at_1000_places) {
     EXPECT_EQ(seams, wanted);
     EXPECT_GT(touched, seams) << "of two rays per seam";
     std::cout << fmt::format("{} seams, {} of {} rays touched, deepest {:.1e} m\n", seams, touched, 2 * seams, deepest);
+}
+
+TEST(Seams, of_our_school_let_no_ray_or_sweep_through_at_1000_places) {
+    no_ray_or_sweep_passes_a_seam_of(project_root() / "worlds/maps/school.map");
+}
+
+TEST(Seams, of_a_real_map_let_no_ray_or_sweep_through_at_1000_places) {
+    const auto path = real_world("quake-e1m1.map");
+    if (!path) GTEST_SKIP() << needs_real_world("quake-e1m1.map");
+    no_ray_or_sweep_passes_a_seam_of(*path);
 }
 
 }  // namespace seams_test

@@ -7,6 +7,7 @@
 #include "app/window/large_text.h"
 #include "app/window/plan.h"
 #include "tests/support/map_text.h"
+#include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/window/offscreen_gl.h"
 #include "tests/window/small_room.h"
@@ -623,10 +624,10 @@ TEST_F(RendererTest, plan_keeps_names_of_rooms_apart_and_the_own_one_always) {
 }
 
 // The cost is reported, never asserted: it is the machine's.
-TEST_F(RendererTest, draws_a_whole_game_map_without_holes_and_reports_its_cost) {
-    const auto path = real_world("quake-e1m1.map");
-    if (!path) GTEST_SKIP() << "quake-e1m1.map is not on this machine";
-    auto read = read_world(*path);
+TEST_F(RendererTest, draws_a_whole_map_without_holes_and_reports_its_cost) {
+    const auto maps = with_real_worlds({project_root() / "worlds/maps/school.map"}, {"quake-e1m1.map"});
+    const auto path = maps.back();
+    auto read = read_world(path);
     ASSERT_TRUE(read.has_value()) << read.error().sentence();
     const auto scene = std::make_shared<const Scene>(std::move(*read));
     const auto seconds =

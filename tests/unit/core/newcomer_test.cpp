@@ -5,8 +5,10 @@
 #include <set>
 
 #include "app/core/scenario/session_log.h"
+#include "tests/support/office_ifc.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/worlds_once.h"
 #include "tests/unit/core/app_session.h"
 #include "tests/unit/core/hall_with_lift.h"
@@ -37,7 +39,7 @@ std::string room_with(Newcomer& n, const std::string& word) {
 
 TEST(ANewcomer, walks_the_first_tutorial_map_from_its_start_to_its_exit_through_its_door) {
     const auto world = real("agtut01.map");
-    if (!world) GTEST_SKIP() << "agtut01.map is not here";
+    if (!world) GTEST_SKIP() << test::needs_real_world("agtut01.map");
     Newcomer n(world);
     const std::string exit_room = room_with(n, "exit");
     ASSERT_FALSE(exit_room.empty()) << n.last_lines(5);
@@ -55,7 +57,7 @@ TEST(ANewcomer, walks_the_first_tutorial_map_from_its_start_to_its_exit_through_
 TEST(ANewcomer, meets_the_locked_door_of_the_fifth_tutorial_map_finds_its_button_presses_it_and_goes_through_the_door) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the house is enough";
     const auto world = real("agtut05.map");
-    if (!world) GTEST_SKIP() << "agtut05.map is not here";
+    if (!world) GTEST_SKIP() << test::needs_real_world("agtut05.map");
     const auto door =
         std::find_if(world->movers.begin(), world->movers.end(), [](const Mover& mover) { return !mover.by_hand; });
     ASSERT_NE(door, world->movers.end());
@@ -95,7 +97,6 @@ TEST(ANewcomer, meets_the_locked_door_of_the_fifth_tutorial_map_finds_its_button
 // Three things, each in another room than the one before: the way to the room is asked for, then what is there, then it
 // is walked to by ear.
 void reaches_three_things(const std::shared_ptr<const Scene>& world) {
-    if (!world) GTEST_SKIP() << "that world is not here";
     Newcomer n(world);
     std::set<std::string> found;
     for (const std::string& entry : n.entries("Shift+4")) {
@@ -124,11 +125,15 @@ TEST(ANewcomer, reaches_three_things_in_other_rooms_of_the_school_that_it_found_
 }
 TEST(ANewcomer, reaches_three_things_in_other_rooms_of_the_melee_that_it_found_by_asking) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the house is enough";
-    reaches_three_things(real("agdm01.map"));
+    const auto world = real("agdm01.map");
+    if (!world) GTEST_SKIP() << test::needs_real_world("agdm01.map");
+    reaches_three_things(world);
 }
 TEST(ANewcomer, reaches_three_things_in_other_rooms_of_the_office_that_it_found_by_asking) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the house is enough";
-    reaches_three_things(real("office.map"));
+    const auto world = real("office.map");
+    if (!world) GTEST_SKIP() << test::needs_real_world("office.map");
+    reaches_three_things(world);
 }
 
 // Named on two storeys: "E008" is at the ground, "1022" one flight up. From the main entrance to each and out again, by
@@ -136,7 +141,7 @@ TEST(ANewcomer, reaches_three_things_in_other_rooms_of_the_office_that_it_found_
 TEST(ANewcomer, walks_in_the_university_to_three_rooms_on_two_storeys_and_out_again) {
     if (test::kThreadSanitizer) GTEST_SKIP() << "unit_osm starts the threads that read OpenStreetMap";
     const auto read = real("apb-tu-dresden.osm");
-    if (!read) GTEST_SKIP() << "apb-tu-dresden.osm is not here";
+    if (!read) GTEST_SKIP() << test::needs_real_world("apb-tu-dresden.osm");
     const auto world = std::make_shared<Scene>(*read);
     for (Feature& feature : world->features)
         if (feature.kind == FeatureKind::Lift) feature.kind = FeatureKind::Object;
@@ -190,14 +195,20 @@ std::unique_ptr<Newcomer> newcomer(const std::shared_ptr<const Scene>& world, co
 struct Building {
     const char* file;
     std::size_t here, other;
-    bool below = false;
+    bool below = false, ours = false;
 };
+
+// An office of two storeys as an architect's program would write it.
+std::shared_ptr<const Scene> office(const char* file) {
+    const test::TemporaryFolder folder;
+    return test::world_in(folder.write(file, test::office_ifc({2, 1, 3}).text));
+}
 
 // From the outer door at which it begins to three rooms, each chosen from the list of ways by where it is told to be,
 // and back to the ground outside: by what is spoken alone.
 void walks_to_three_rooms_and_out_again(const Building& building, const char* device) {
-    const auto world = real(building.file);
-    if (!world) GTEST_SKIP() << building.file << " is not here";
+    const auto world = building.ours ? office(building.file) : real(building.file);
+    if (!world) GTEST_SKIP() << test::needs_real_world(building.file);
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "takes minutes under a sanitizer";
     const std::unique_ptr<Newcomer> walks = newcomer(world, device);
     Newcomer& n = *walks;
@@ -234,8 +245,15 @@ void walks_to_three_rooms_and_out_again(const Building& building, const char* de
 }
 
 constexpr Building kInstitute{"institute.ifczip", 1, 2}, kDuplex{"duplex-apartment.ifc", 1, 2},
-    kFamilyHouse{"fzk-haus.ifc", 2, 1}, kStation{"delft-station.osm", 1, 2, true};
+    kFamilyHouse{"fzk-haus.ifc", 2, 1}, kStation{"delft-station.osm", 1, 2, true},
+    kOffice{"office.ifc", 1, 2, false, true};
 
+TEST(ANewcomer, walks_in_an_office_of_ours_to_three_rooms_on_two_storeys_and_out_again) {
+    walks_to_three_rooms_and_out_again(kOffice, nullptr);
+}
+TEST(ANewcomer, walks_in_an_office_of_ours_with_a_simulated_device_to_three_rooms_on_two_storeys_and_out_again) {
+    walks_to_three_rooms_and_out_again(kOffice, "SIM-T");
+}
 TEST(ANewcomer, walks_in_the_institute_to_three_rooms_on_two_storeys_and_out_again) {
     walks_to_three_rooms_and_out_again(kInstitute, nullptr);
 }
@@ -267,7 +285,7 @@ TEST(ANewcomer, walks_in_the_station_with_a_simulated_device_to_three_places_on_
 // The only room upstairs: its spiral stairs wind below the gallery's own floor, with 1.6 m under it where they begin.
 TEST(ANewcomer, hears_in_the_family_house_what_is_around_and_that_the_stairs_to_its_gallery_are_taken_in_one_go) {
     const auto world = real("fzk-haus.ifc");
-    if (!world) GTEST_SKIP() << "fzk-haus.ifc is not here";
+    if (!world) GTEST_SKIP() << test::needs_real_world("fzk-haus.ifc");
     Newcomer n(world);
     (void)n.entries("Shift+4");
     const std::string way = n.choose("Shift+4", "Galerie");
@@ -282,7 +300,10 @@ TEST(ANewcomer, walks_to_every_room_of_the_duplex_and_of_the_family_house) {
     if (!std::getenv("HANDRAIL_ALL_ROUTES")) GTEST_SKIP() << "set HANDRAIL_ALL_ROUTES: half a minute of computing";
     for (const char* file : {"duplex-apartment.ifc", "fzk-haus.ifc"}) {
         const auto world = real(file);
-        if (!world) continue;
+        if (!world) {
+            std::cout << "Skipped: " << test::needs_real_world(file) << "\n";
+            continue;
+        }
         Newcomer n(world);
         (void)n.entries("Shift+4");
         std::set<std::string> rooms;
@@ -312,7 +333,7 @@ TEST(ANewcomer, rides_the_lift_of_a_building_without_stairs_to_its_highest_store
 TEST(ANewcomer, walks_in_the_university_by_stairs_and_lift_with_a_simulated_device) {
     if (!std::getenv("HANDRAIL_ALL_ROUTES")) GTEST_SKIP() << "set HANDRAIL_ALL_ROUTES: ten seconds of computing";
     const auto world = real("apb-tu-dresden.osm");
-    if (!world) GTEST_SKIP() << "apb-tu-dresden.osm is not here";
+    if (!world) GTEST_SKIP() << test::needs_real_world("apb-tu-dresden.osm");
     const std::unique_ptr<Newcomer> walks = newcomer(world, "SIM-T");
     Newcomer& n = *walks;
     (void)n.entries("Shift+4");

@@ -1,4 +1,5 @@
-// The body of a session at every door of real buildings: it walks through, as the file has the floor before and behind.
+// The body of a session at every door of buildings, our own and real ones: it walks through, as the file has the floor
+// before and behind.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -7,7 +8,7 @@
 #include <string_view>
 
 #include "app/core/world/walker.h"
-#include "tests/support/real_worlds.h"
+#include "tests/support/known_buildings.h"
 #include "tests/support/scale.h"
 #include "tests/support/way_through.h"
 #include "worlds/readers/reader.h"
@@ -27,20 +28,11 @@ bool walks(const BodyWorld& world, const BodySize& size, const Vec3& middle_m, c
 
 TEST(RealDoors, are_walked_through_both_ways_by_the_body_of_a_session) {
     if (test::kThreadSanitizer) GTEST_SKIP() << "unit_osm starts the threads that read OpenStreetMap";
-    bool any = false;
-    struct Known {
-        const char* file;
-        std::size_t doors;
-        bool large;  // reading it takes half a minute under a sanitizer
-    };
-    for (const auto& [file, known_doors, large] :
-         {Known{"duplex-apartment.ifc", 14, false}, Known{"fzk-haus.ifc", 5, false},
-          Known{"wall-door-column-ifc4x3.ifc", 1, false}, Known{"institute.ifczip", 77, true},
-          Known{"apb-tu-dresden.osm", 496, true}}) {
-        const auto path = test::real_world(file);
-        if (!path || (test::kSanitizerScale < 1.0 && large)) continue;
-        any = true;
-        const Result<Scene> scene = read_world(*path);
+    const test::TemporaryFolder folder;
+    for (const auto& [path, known_doors, large] : test::known_buildings(folder)) {
+        if (known_doors == 0 || (test::kSanitizerScale < 1.0 && large)) continue;
+        const std::string file = path.filename().string();
+        const Result<Scene> scene = read_world(path);
         ASSERT_TRUE(scene) << scene.error().sentence();
         auto open = std::make_shared<Scene>(*scene);  // no leaf in the way
         std::erase_if(open->solids, [](const Solid& solid) { return solid.role == SolidRole::Mover; });
@@ -64,7 +56,6 @@ TEST(RealDoors, are_walked_through_both_ways_by_the_body_of_a_session) {
         EXPECT_EQ(doors.size(), known_doors) << file;
         EXPECT_EQ(held, 0) << file << ":" << names;
     }
-    if (!any) GTEST_SKIP() << "no real building is here; set HANDRAIL_REAL_WORLDS";
 }
 
 }  // namespace real_doors_test

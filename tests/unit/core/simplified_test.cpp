@@ -7,10 +7,12 @@
 
 #include "haptic/render/free_place.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/office_ifc.h"
 #include "tests/support/random_families.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
 #include "tests/support/spoken_language.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/unit/core/explorer.h"
 #include "worlds/navigation/rooms.h"
 
@@ -395,10 +397,7 @@ TEST(Simplified, changes_under_the_hand_without_leaving_it_in_a_wall_or_a_jolt) 
 
 // Scenario 17: an architect's house, its first level. Each scale is told by its name and its true width, what is too
 // narrow to feel is widened and told, the ball goes through every door, and on the way back all is as it was.
-TEST(Simplified, tells_the_truth_of_each_scale_in_an_architects_house_and_changes_unfelt) {
-    const auto path = test::real_world("duplex-apartment.ifc");
-    if (!path) GTEST_SKIP() << "duplex-apartment.ifc is not here";
-    const auto world = test::world_once(*path);
+void tells_the_truth_of_each_scale(const std::shared_ptr<const Scene>& world) {
     {
         Explorer p(world, "sim-t");
         const double hand_m = 2.0 * find_device_spec("sim-t")->workspace_radius_m;
@@ -439,6 +438,17 @@ TEST(Simplified, tells_the_truth_of_each_scale_in_an_architects_house_and_change
         EXPECT_EQ(at_scale(Command::ScaleBuilding, "Building"), building);
     }
     changes_under_the_hand(world, "sim-t", test::scaled(30));
+}
+
+TEST(Simplified, tells_the_truth_of_each_scale_in_an_office_of_ours_and_changes_unfelt) {
+    const test::TemporaryFolder folder;
+    tells_the_truth_of_each_scale(test::world_in(folder.write("office.ifc", test::office_ifc({2, 1, 4, 24}).text)));
+}
+
+TEST(Simplified, tells_the_truth_of_each_scale_in_an_architects_house_and_changes_unfelt) {
+    const auto path = test::real_world("duplex-apartment.ifc");
+    if (!path) GTEST_SKIP() << test::needs_real_world("duplex-apartment.ifc");
+    tells_the_truth_of_each_scale(test::world_once(*path));
 }
 
 // Hands held still anywhere in their reach: another scale puts each ball outside of everything wherever the one

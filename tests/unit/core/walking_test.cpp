@@ -6,6 +6,7 @@
 #include "app/core/session/session.h"
 #include "audio-cues/sinks/recording_sinks.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "worlds/readers/reader.h"
 
@@ -221,13 +222,10 @@ TEST(Walking, callouts_go_off_and_on_by_their_key_and_stay_so) {
 // In a level of steps half a metre high one walks a minute in every direction: few words that were not asked for, and
 // the body gets about.
 TEST(Walking, game_levels_stay_walkable_and_quiet) {
-    for (const char* name : {"agtut01.map", "quake-e1m1.map"}) {
-        const auto file = test::real_world(name);
-        if (!file) {
-            std::cout << "skipped: no " << name << " here\n";
-            continue;
-        }
-        auto scene = read_world(*file);
+    const auto ours = test::project_root() / "tests/scenarios/worlds/game_step.map";
+    for (const auto& file : test::with_real_worlds({ours}, {"agtut01.map", "quake-e1m1.map"})) {
+        const std::string name = file.filename().string();
+        auto scene = read_world(file);
         ASSERT_TRUE(scene) << name;
         Walk w(std::make_shared<const Scene>(std::move(*scene)));
         const Vec3 start = w.app.feet_m();

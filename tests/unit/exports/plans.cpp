@@ -16,6 +16,7 @@ const NamedStoreys* storeys_of(const std::string& file) {
     static std::map<std::string, NamedStoreys> known;
     if (const auto it = known.find(file); it != known.end()) return &it->second;
     std::filesystem::path path = test::project_root() / "worlds" / "maps" / file;
+    if (file == "small_house.ifc") path = test::project_root() / "tests" / "unit" / "ifc" / "worlds" / file;
     if (!std::filesystem::exists(path)) {
         const auto real = real_world(file);
         if (!real) return nullptr;

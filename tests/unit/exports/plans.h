@@ -13,7 +13,8 @@ struct NamedStoreys {
     std::string world;
     std::vector<Storey> storeys;
 };
-// "house.map" and "school.map" ship with the program; others are looked for among real worlds. Null: it is not here.
+// "house.map", "school.map" and "small_house.ifc" are ours; others are looked for among real worlds. Null: it is not
+// here.
 const NamedStoreys* storeys_of(const std::string& file);
 
 // A room of 6 by 4 m with a door of 1 m to a second of 3 by 4 m, a table in the first: see plans.cpp.

@@ -85,11 +85,12 @@ TEST(ImportTorture, rooms_doors_and_walls_without_end_are_read_or_refused) {
     (void)outcome(folder.write("walls.ifc", copies("=IFCWALL(", 100)));
 }
 
-TEST(ImportTorture, real_models_cut_anywhere_are_told_and_never_half_a_building) {
-    for (const char* name : {"duplex-apartment.ifc", "fzk-haus.ifc", "wall-door-column-ifc4x3.ifc"}) {
-        const auto path = test::real_world(name);
-        if (!path) GTEST_SKIP() << "../shared/worlds is not there";
-        const std::string whole = test::content_of(*path);
+TEST(ImportTorture, models_cut_anywhere_are_told_and_never_half_a_building) {
+    const fs::path ours = test::project_root() / "tests/unit/ifc/worlds/small_house.ifc";
+    for (const fs::path& path :
+         test::with_real_worlds({ours}, {"duplex-apartment.ifc", "fzk-haus.ifc", "wall-door-column-ifc4x3.ifc"})) {
+        const std::string name = path.filename().string();
+        const std::string whole = test::content_of(path);
         const std::size_t step = at_length() ? 997 : 997 * 211;
         for (std::size_t at = 997; at < whole.size() - 20; at += step) {
             const Result<Scene> scene = read_ifc(whole.substr(0, at), "cut.ifc");
@@ -103,8 +104,8 @@ TEST(ImportTorture, real_models_and_large_offices_are_read_within_the_limits) {
     // All that are at hand. Of their doors at most one in two hundred may be shut, and each such is told with its line.
     int doors = 0, shut = 0;
     std::vector<fs::path> models;
-    if (const auto one = test::real_world("duplex-apartment.ifc"))
-        for (const fs::directory_entry& entry : fs::directory_iterator(one->parent_path()))
+    for (const fs::path& one : test::with_real_worlds({}, {"duplex-apartment.ifc"}))
+        for (const fs::directory_entry& entry : fs::directory_iterator(one.parent_path()))
             if (entry.path().extension() == ".ifc" || entry.path().extension() == ".ifczip")
                 models.push_back(entry.path());
     for (const fs::path& path : models) {

@@ -4,6 +4,7 @@
 
 #include "app/main/commands.h"
 #include "tests/support/map_text.h"
+#include "tests/support/office_ifc.h"
 #include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/temporary_folder.h"
@@ -232,7 +233,7 @@ TEST(InfoCommand, counts_the_real_maps_as_measured_by_an_independent_reader) {
           Expected{"quake-dm3.map", 726, 4296, 8472, 0}, Expected{"office.map", 150, 896, 1784, 8},
           Expected{"agtut05.map", 199, 1135, 2150, 4}}) {
         const auto path = test::real_world(expected.file);
-        if (!path) GTEST_SKIP() << "the real worlds are not here";
+        if (!path) GTEST_SKIP() << test::needs_real_world(expected.file);
         const nlohmann::json json = nlohmann::json::parse(info(*path, true).out);
         EXPECT_EQ(json["brushes"], expected.brushes) << expected.file;
         EXPECT_EQ(json["polygons"], expected.polygons) << expected.file;
@@ -246,9 +247,26 @@ TEST(InfoCommand, counts_the_real_maps_as_measured_by_an_independent_reader) {
     }
 }
 
+TEST(InfoCommand, tells_honestly_what_it_understood_of_an_office_of_ours) {
+    const test::TemporaryFolder folder;
+    const test::OfficeIfc office = test::office_ifc({2, 1, 3});
+    const nlohmann::json honesty =
+        nlohmann::json::parse(info(folder.write("office.ifc", office.text), true).out)["honesty"];
+    const nlohmann::json& understood = honesty["understood"];
+    EXPECT_EQ(understood["rooms"], office.rooms);
+    EXPECT_EQ(understood["doors"], office.doors);
+    EXPECT_EQ(understood["windows"], office.windows);
+    EXPECT_EQ(understood["stairs"], office.flights);
+    EXPECT_EQ(honesty["doors_joining_two_rooms"], office.doors - 1) << "all but the front door";
+    EXPECT_EQ(honesty["doors_of_one_room"], 1);
+    EXPECT_EQ(honesty["openings_uncut"], 0);
+    ASSERT_EQ(honesty["rooms_by_storey"].size(), 2U);
+    EXPECT_EQ(honesty["rooms_by_storey"][1]["rooms"], office.rooms / 2);
+}
+
 TEST(InfoCommand, tells_honestly_what_it_understood_of_an_architects_model) {
     const auto duplex = test::real_world("duplex-apartment.ifc");
-    if (!duplex) GTEST_SKIP() << "the real worlds are not here";
+    if (!duplex) GTEST_SKIP() << test::needs_real_world("duplex-apartment.ifc");
     const nlohmann::json honesty = nlohmann::json::parse(info(*duplex, true).out)["honesty"];
     const nlohmann::json& understood = honesty["understood"];
     EXPECT_EQ(understood["rooms"], 21);

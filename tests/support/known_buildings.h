@@ -1,0 +1,22 @@
+// Buildings that name their doors: our own, and real ones if they are present.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+#include "tests/support/temporary_folder.h"
+
+namespace handrail::test {
+
+struct KnownBuilding {
+    std::filesystem::path file;
+    std::size_t doors = 0;  // that are in a wall
+    bool large = false;     // reading it takes half a minute under a sanitizer
+};
+
+// Writes an office of two storeys into the folder. For each absent building it prints a line, as with_real_worlds()
+// does.
+std::vector<KnownBuilding> known_buildings(const TemporaryFolder& folder);
+
+}  // namespace handrail::test
