@@ -38,15 +38,9 @@ void write_not_first(const std::filesystem::path& config, bool voice) {
 
 std::map<std::string, std::string> bare_environment(const std::string& home, bool voice) {
     write_not_first(std::filesystem::path(home) / ".config", voice);
-    return {{"HOME", home},
-            {"XDG_CACHE_HOME", ""},
-            {"XDG_CONFIG_HOME", ""},
-            {"DISPLAY", ""},
-            {"WAYLAND_DISPLAY", ""},
-            {"LC_ALL", "C"},
-            {"NO_AT_BRIDGE", "1"},
-            {"ALSOFT_DRIVERS", "null"},
-            {"SPEECHD_ADDRESS", "unix_socket:/nonexistent"},
+    return {{"HOME", home},           {"XDG_CACHE_HOME", ""},     {"XDG_CONFIG_HOME", ""},
+            {"DISPLAY", ""},          {"WAYLAND_DISPLAY", ""},    {"LC_ALL", "C"},
+            {"NO_AT_BRIDGE", "1"},    {"ALSOFT_DRIVERS", "null"}, {"SPEECHD_ADDRESS", "unix_socket:/nonexistent"},
             {"BRLAPI_HOST", ":99999"}};
 }
 
