@@ -10,8 +10,8 @@ std::vector<KnownBuilding> known_buildings(const TemporaryFolder& folder) {
     const OfficeIfc office = office_ifc({2, 1, 4, 24});
     std::vector<KnownBuilding> buildings{
         {folder.write("office.ifc", office.text), static_cast<std::size_t>(office.doors)},
-        {project_root() / "tests/unit/ifc/worlds/small_house.ifc", 1},
-        {project_root() / "tests/unit/osm/worlds/test_house.osm", 1}};
+        {project_root() / "tests/unit/ifc/worlds/small_house.ifc", 2},
+        {project_root() / "tests/unit/osm/worlds/test_house.osm", 9}};
     const std::vector<KnownBuilding> real{{"duplex-apartment.ifc", 14},
                                           {"fzk-haus.ifc", 5},
                                           {"institute.ifczip", 77, true},
