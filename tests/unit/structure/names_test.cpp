@@ -8,6 +8,7 @@
 #include "tests/support/precompiled.h"
 #include "tests/support/project_files.h"
 #include "tests/support/project_root.h"
+#include "tests/support/temporary_folder.h"
 
 namespace handrail {
 namespace names_test {
