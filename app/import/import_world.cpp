@@ -1,6 +1,7 @@
 #include "app/import/import_world.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 

@@ -1,4 +1,5 @@
 // The other side of read_apart: what runs in handrail-reader.
+#include <fmt/format.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>

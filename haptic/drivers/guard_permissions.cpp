@@ -1,6 +1,7 @@
 #include "haptic/drivers/guard_permissions.h"
 
 #include <cstdlib>
+#include <system_error>
 
 #include "haptic/drivers/falcon_device.h"
 #include "haptic/drivers/found_device.h"
@@ -17,11 +18,19 @@ void permit_finding_devices(Permissions& permissions) {
     permissions.device_events = true;
 }
 
+// A library is often a link to the version that is installed elsewhere.
+void permit_folder_with_links(const fs::path& folder, std::vector<fs::path>& paths) {
+    paths.push_back(folder);
+    std::error_code none;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, none))
+        if (entry.is_symlink(none)) paths.push_back(fs::weakly_canonical(entry.path(), none));
+}
+
 void permit_folders_of(const char* variable, std::vector<fs::path>& paths) {
     const char* value = std::getenv(variable);
     for (std::string rest = value ? value : ""; !rest.empty();) {
         const std::size_t end = rest.find(':');
-        if (end != 0) paths.emplace_back(rest.substr(0, end));
+        if (end != 0) permit_folder_with_links(rest.substr(0, end), paths);
         rest = end == std::string::npos ? std::string() : rest.substr(end + 1);
     }
 }

@@ -102,7 +102,8 @@ std::string all_of(const std::string& ending) {
 // A test program by its name, and what its filter names: nothing where all is there, else what is not.
 std::string fault_of_test_program(const std::string& name, const Words& options) {
     static const std::string kLists = all_of("CMakeLists.txt");
-    if (!std::regex_search(kLists, std::regex(R"((handrail_test|add_executable)\()" + name + "\\b")) &&
+    if (!std::regex_search(
+            kLists, std::regex(R"((handrail_test|handrail_program|bench_program|add_executable)\()" + name + "\\b")) &&
         name != "handrail")
         return "no program is named " + name;
     const fs::path program = test::built_program(name);
