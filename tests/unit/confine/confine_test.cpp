@@ -257,8 +257,8 @@ TEST(Confinement, is_one_sentence_for_whatever_the_kernel_offers) {
     using testing::HasSubstr;
     using testing::Not;
     EXPECT_THAT(confinement_sentence({true, 2}), AllOf(HasSubstr("seccomp and Landlock"), Not(HasSubstr("no "))));
-    EXPECT_THAT(confinement_sentence({true, 0}), HasSubstr("offers no Landlock"));
-    EXPECT_THAT(confinement_sentence({false, 1}), HasSubstr("offers no seccomp"));
+    EXPECT_THAT(confinement_sentence({true, 0}), HasSubstr("Without Landlock"));
+    EXPECT_THAT(confinement_sentence({false, 1}), HasSubstr("Without seccomp"));
     EXPECT_THAT(confinement_sentence({false, 0}), HasSubstr("neither seccomp nor Landlock"));
 }
 
