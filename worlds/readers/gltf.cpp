@@ -246,8 +246,7 @@ private:
 
     void add(const Json& primitive, std::size_t thing, const std::string& name, const Matrix& at) {
         const std::size_t mode = whole(in(primitive, "mode")).value_or(4);
-        auto points =
-            points_of(entry(in(document_, "accessors"), in(in(primitive, "attributes"), "POSITION")), at);
+        auto points = points_of(entry(in(document_, "accessors"), in(in(primitive, "attributes"), "POSITION")), at);
         if (points) points_ += points->size();
         const auto corners = points ? corners_of(in(primitive, "indices"), points->size()) : std::nullopt;
         if (!corners || mode < 4 || mode > 6) {
