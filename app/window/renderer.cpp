@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
-#include <optional>
+#include <memory>
 
 #include "app/window/draw_plan.h"
 #include "app/window/first_person.h"
@@ -74,7 +74,7 @@ public:
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         if (view.scene && (!uploaded_ || uploaded_->scene() != view.scene.get())) {
             uploaded_.reset();
-            uploaded_.emplace(view.scene);
+            uploaded_ = std::make_unique<UploadedScene>(view.scene);
             plan_.forget_scene();
         }
 
@@ -123,7 +123,7 @@ private:
 
     FirstPerson first_person_;
     PlanDrawing plan_;
-    std::optional<UploadedScene> uploaded_;
+    std::unique_ptr<UploadedScene> uploaded_;
     ImGuiContext* imgui_ = nullptr;
     ImFont* font_ = nullptr;
     bool imgui_drawing_ = false;
