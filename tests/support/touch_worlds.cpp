@@ -115,7 +115,9 @@ void TouchWorld::random_triangles(std::mt19937& random, int count, double spread
 
 void TouchWorld::random_things(std::mt19937& random, int count, double spread, double size) {
     for (int i = 0; i < count; ++i) {
-        const Vec3 at = in_cube(random, spread), along = direction(random) * between(random, 0.1 * size, size);
+        const Vec3 at = in_cube(random, spread);
+        const double length = between(random, 0.1 * size, size);
+        const Vec3 along = direction(random) * length;
         const double radius = between(random, 0.1 * size, 0.5 * size);
         switch (i % 7) {
             case 0:
@@ -435,8 +437,8 @@ std::vector<TouchCase> hard_cases(double radius_m) {
         constexpr double kQuantum = 6e-5;
         for (Vec3& g : c.goals_m) {
             // Four uniform numbers: near enough to a normal one of 20 um.
-            const Vec3 noise =
-                in_cube(random, 1.7e-5) + in_cube(random, 1.7e-5) + in_cube(random, 1.7e-5) + in_cube(random, 1.7e-5);
+            Vec3 noise(0.0);
+            for (int i = 0; i < 4; ++i) noise += in_cube(random, 1.7e-5);
             g = glm::round((g + noise) / kQuantum) * kQuantum;
         }
     }
@@ -479,7 +481,10 @@ std::vector<TouchCase> hard_cases(double radius_m) {
     {
         TouchCase& c = add("T16d heap of random brushes", false, false);
         std::mt19937 random(11);
-        for (int i = 0; i < 25; ++i) c.world.random_brush(random, in_cube(random, .04), between(random, .005, .02), 4);
+        for (int i = 0; i < 25; ++i) {
+            const double half_size = between(random, .005, .02);
+            c.world.random_brush(random, in_cube(random, .04), half_size, 4);
+        }
         std::vector<Vec3> way{{0, 0, .09}};
         for (int i = 0; i < 30; ++i) way.push_back(in_cube(random, .06));
         way.emplace_back(0, 0, .09);
