@@ -23,8 +23,11 @@ inline std::vector<Vec3> record_walk(const HapticScene& scene, const TouchTuning
     int left = 1, stuck = 0;
     for (int i = 0; i < ticks; ++i) {
         if (left <= 0 || stuck > 100) {
-            do direction = Vec3(2 * unit() - 1, 2 * unit() - 1, 2 * unit() - 1);
-            while (glm::dot(direction, direction) < 0.1 || glm::dot(direction, direction) > 1.0);
+            do {
+                // One after the other, z first: compilers evaluate arguments in different orders.
+                const double z = 2 * unit() - 1, y = 2 * unit() - 1, x = 2 * unit() - 1;
+                direction = {x, y, z};
+            } while (glm::dot(direction, direction) < 0.1 || glm::dot(direction, direction) > 1.0);
             if (random() % 4 != 0) direction -= normal * (glm::dot(direction, normal) + 0.3 * glm::length(direction));
             direction = glm::normalize(direction);
             left = 400 + static_cast<int>(1200 * unit());
