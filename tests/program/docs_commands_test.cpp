@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "tests/support/project_root.h"
+#include "tests/support/real_worlds.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scale.h"
 #include "tests/support/temporary_folder.h"
@@ -120,7 +121,9 @@ std::string fault_of_test_program(const std::string& name, const Words& options)
         bool any = false;
         for (std::string line; std::getline(lines, line);)
             any = any || (gtest ? line.starts_with("  ") : !line.empty() && line.find(' ') == std::string::npos);
-        if (!any) return name + " has nothing that " + option + " names";
+        // Benchmarks in real maps are there only if the maps are.
+        if (!any && !(speed && !test::real_world("quake-e1m1.map")))
+            return name + " has nothing that " + option + " names";
     }
     return {};
 }
