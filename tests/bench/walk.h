@@ -24,7 +24,7 @@ inline std::vector<Vec3> record_walk(const HapticScene& scene, const TouchTuning
     for (int i = 0; i < ticks; ++i) {
         if (left <= 0 || stuck > 100) {
             do {
-                // One after the other, z first: compilers evaluate arguments in different orders.
+                // Not drawn as arguments: the order in which arguments are evaluated differs between compilers.
                 const double z = 2 * unit() - 1, y = 2 * unit() - 1, x = 2 * unit() - 1;
                 direction = {x, y, z};
             } while (glm::dot(direction, direction) < 0.1 || glm::dot(direction, direction) > 1.0);

@@ -121,7 +121,7 @@ std::string fault_of_test_program(const std::string& name, const Words& options)
         bool any = false;
         for (std::string line; std::getline(lines, line);)
             any = any || (gtest ? line.starts_with("  ") : !line.empty() && line.find(' ') == std::string::npos);
-        // Benchmarks in real maps are there only if the maps are.
+        // Some benchmarks need real maps and do not exist without them.
         if (!any && !(speed && !test::real_world("quake-e1m1.map")))
             return name + " has nothing that " + option + " names";
     }
