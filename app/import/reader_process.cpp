@@ -23,8 +23,7 @@
 #include "worlds/base/descriptor.h"
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
-
-extern "C" char** environ;
+#include "worlds/confine/confine.h"
 
 namespace handrail {
 namespace {
@@ -128,18 +127,6 @@ Result<ReadApart> read_answer(int fd) {
     return ReadApart{std::move(*bytes), answer.kept, answer.kept_damaged, std::move(answer.beside)};
 }
 
-// The reader needs nothing of the person's environment, in which there are keys and addresses of other programs. A
-// sanitizer takes its options from there.
-std::vector<char*> readers_environment() {
-    std::vector<char*> variables;
-#if defined(HANDRAIL_SANITIZED)
-    for (char** variable = environ; *variable; ++variable)
-        if (std::string_view(*variable).find("SAN_OPTIONS=") != std::string_view::npos) variables.push_back(*variable);
-#endif
-    variables.push_back(nullptr);
-    return variables;
-}
-
 // The descriptors become 3, 4 and so on there.
 Result<pid_t> start(const fs::path& program, std::vector<std::string> words, const std::vector<int>& passed) {
     // Numbers out of the way of those first, so that none is overwritten before it is passed on.
@@ -170,7 +157,7 @@ Result<pid_t> start(const fs::path& program, std::vector<std::string> words, con
     argv.push_back(nullptr);
     pid_t process = -1;
     const int status =
-        ::posix_spawn(&process, program.c_str(), &actions, &how, argv.data(), readers_environment().data());
+        ::posix_spawn(&process, program.c_str(), &actions, &how, argv.data(), environment_with({}).data());
     posix_spawnattr_destroy(&how);
     posix_spawn_file_actions_destroy(&actions);
     if (status != 0) return fail(reason_of(status));
