@@ -76,9 +76,10 @@ void tell(const ReadOptions& options, std::string_view line) {
     }
 }
 
-Result<std::string> everything_in(int fd) {
+Result<std::string> everything_in(int fd, std::size_t most_bytes) {
     struct stat of {};
     if (::fstat(fd, &of) != 0) return fail(reason_of(errno));
+    if (static_cast<std::size_t>(of.st_size) > most_bytes) return fail(phrase("import.too_large"));
     std::string bytes(static_cast<std::size_t>(of.st_size), '\0');
     std::size_t done = 0;
     while (done < bytes.size()) {
@@ -115,8 +116,8 @@ double children_cpu_s() {
            1e-6 * static_cast<double>(use.ru_utime.tv_usec + use.ru_stime.tv_usec);
 }
 
-Result<ReadApart> read_answer(int fd) {
-    Result<std::string> bytes = everything_in(fd);
+Result<ReadApart> read_answer(int fd, std::size_t most_bytes) {
+    Result<std::string> bytes = everything_in(fd, most_bytes);
     if (!bytes) return tl::unexpected(bytes.error());
     Unpacker unpack(*bytes);
     ReaderAnswer answer;
@@ -211,7 +212,7 @@ Result<ReadApart> read_apart(const fs::path& path, const ReadOptions& options, c
     const SteadyClock clock;
     const double until_s = clock.now_s() + limits.wall_s;
     std::string line;
-    bool asks = !path.empty();  // what unpacks ways has no world, so it gets no file
+    bool asks = !path.empty();  // what unpacks ways or parses TOML has no world, so it gets no file
     for (bool open = true; open;) {
         if (options.stop.stop_requested()) return fail(phrase("files.stopped"), name);
         if (clock.now_s() > until_s) return fail(phrase("import.too_long", {{"seconds", limits.wall_s}}), name);
@@ -231,7 +232,7 @@ Result<ReadApart> read_apart(const fs::path& path, const ReadOptions& options, c
     const int status = reading.wait();
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
         return fail(end_words(status, limits, children_cpu_s() - before_s), name);
-    return read_answer(answer.get());
+    return read_answer(answer.get(), limits.answer_bytes);
 }
 
 std::string unpack_ways_apart(const KeptForReader& kept, const fs::path& program, const std::stop_token& stop,
