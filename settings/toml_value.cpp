@@ -6,6 +6,7 @@
 
 #include "settings/parse_toml.h"
 #include "worlds/base/contract.h"
+#include "worlds/base/language.h"
 #include "worlds/base/overloaded.h"
 
 namespace handrail {
@@ -176,7 +177,7 @@ Result<TomlValue> toml_of(const std::string& text) {
         return fail(std::string(error.description()), {}, std::max(1, static_cast<int>(at.line)),
                     static_cast<int>(at.column));
     } catch (const TooDeep& place) {
-        return fail("Nested too deeply", {}, std::max(1, place.line));
+        return fail(phrase("settings_file.too_deep"), {}, std::max(1, place.line));
     }
 }
 

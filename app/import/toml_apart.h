@@ -1,8 +1,8 @@
 // TOML that others may have made, parsed in a process of its own (reader_process), which hands over plain values: a
 // file that brings the parser down ends that process and nothing else. Of the answer nothing is trusted: every kind,
 // count and depth is checked, keys must be in order, and texts must be UTF-8. Copies share what they know; any thread.
-// Cost: 5 to 10 ms for a text that is new, and microseconds for one that was read before, also if reading it failed:
-// read a world's files where nobody waits, and the app's thread finds the same bytes known.
+// Cost: about 5 ms of the processor for a text that is new, and a copy for one that was read before, also if reading it
+// failed: read a world's files where nobody waits, and the app's thread finds the same bytes known.
 #pragma once
 
 #include <filesystem>
