@@ -339,8 +339,9 @@ int explore(ExploreCall call, FirstLanguage first, std::ostream& err, const Long
         std::optional<SettingsStore> settings = load_settings(call.settings, std::move(first), problems, err);
         if (!settings) return 2;
         if (call.arguments.world)  // house.settings.toml beside house.map
-            for (Diagnostic& problem : settings->load_file(
-                     fs::path(*call.arguments.world).replace_extension(".settings.toml"), SettingSource::World))
+            for (Diagnostic& problem :
+                 settings->load_file(fs::path(*call.arguments.world).replace_extension(".settings.toml"),
+                                     SettingSource::World, toml_beside_worlds()))
                 problems.push_back(std::move(problem));
         ExploreEnd end = run_explore(call.arguments, *settings, err, progress);
         if (!end.learner) return end.status;

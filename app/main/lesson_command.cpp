@@ -54,7 +54,7 @@ std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments
     const auto file = lesson_given(arguments.file);
     if (!file) return refused(file.error());
     if (arguments.protocol) {
-        const auto lesson = read_lesson(*file, {world_folder()});
+        const auto lesson = read_lesson(*file, {world_folder()}, toml_beside_worlds());
         if (!lesson) return refused(lesson.error());
         out << protocol_of(*lesson, learner);
         return 0;

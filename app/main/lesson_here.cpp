@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kTurn_s = 0.1;
-constexpr std::size_t kMostOffered = 50;
+constexpr std::size_t kMostLooked = 50;  // at lessons of a folder
 constexpr std::string_view kEnding = ".lesson.toml";
 
 // In the order of their names.
@@ -30,7 +30,24 @@ std::vector<fs::path> lessons_in(const fs::path& folder) {
     return files;
 }
 
+// Next to the world and in the folder of the person's own, each once.
+std::vector<fs::path> lessons_near(const fs::path& world) {
+    std::vector<fs::path> files;
+    for (const fs::path& folder : {world.parent_path(), lessons_folder()}) {
+        std::vector<fs::path> here = lessons_in(folder);
+        if (here.size() > kMostLooked) here.resize(kMostLooked);
+        for (fs::path& file : here)
+            if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(std::move(file));
+    }
+    return files;
+}
+
 }  // namespace
+
+void read_lessons_ahead(const fs::path& world, const std::stop_token& stop) {
+    for (const fs::path& file : lessons_near(world))
+        if (!stop.stop_requested()) (void)read_lesson(file, {world_folder()}, toml_beside_worlds());
+}
 
 fs::path lessons_folder() { return user_data_folder() / "lessons"; }
 
@@ -49,36 +66,32 @@ Result<fs::path> lesson_given(const fs::path& word) {
 }
 
 Result<std::shared_ptr<TaughtWorld>> read_taught_world(const fs::path& file) {
-    auto lesson = read_lesson(file, {world_folder()});
+    auto lesson = read_lesson(file, {world_folder()}, toml_beside_worlds());
     if (!lesson) return tl::unexpected(lesson.error());
     auto scene = read_world(lesson->world);
     if (!scene) return tl::unexpected(scene.error());
     const std::string checksum =
-        lesson->world_checksum.empty() ? std::string() : SideFile::of_world(lesson->world, {}).world_checksum();
+        lesson->world_checksum.empty() ? std::string() : SideFile::checksum_of_world(lesson->world);
     return TaughtWorld::find(std::move(*lesson), std::make_shared<const Scene>(std::move(*scene)), checksum);
 }
 
-// Those whose world this is, beside it and in the folder of the person's own.
+// Those whose world this is.
 void LessonHere::offer(const fs::path& world, double now_s) {
     offered_.clear();
     TeacherActed act{TeacherActed::Kind::Offer, {}, {}, {}, 0.0};
-    for (const fs::path& folder : {world.parent_path(), lessons_folder()}) {
+    for (const fs::path& file : lessons_near(world)) {
         std::error_code ec;
-        for (const fs::path& file : lessons_in(folder)) {
-            if (offered_.size() >= kMostOffered) break;
-            const auto lesson = read_lesson(file, {world_folder()});
-            if (!lesson || !fs::equivalent(lesson->world, world, ec)) continue;
-            if (std::find(offered_.begin(), offered_.end(), file) != offered_.end()) continue;
-            offered_.push_back(file);
-            std::vector<std::string> news;
-            std::string title = lesson->title.spoken();
-            if (arguments_.remember)
-                title = phrase("teaching.offer_goes_on", {{"title", title},
-                                                          {"number", next_session(arguments_, *lesson, news) + 1},
-                                                          {"count", lesson->sessions.size()}});
-            for (std::string& words : news) say_(std::move(words));
-            act.items.push_back(std::move(title));
-        }
+        const auto lesson = read_lesson(file, {world_folder()}, toml_beside_worlds());
+        if (!lesson || !fs::equivalent(lesson->world, world, ec)) continue;
+        offered_.push_back(file);
+        std::vector<std::string> news;
+        std::string title = lesson->title.spoken();
+        if (arguments_.remember)
+            title = phrase("teaching.offer_goes_on", {{"title", title},
+                                                      {"number", next_session(arguments_, *lesson, news) + 1},
+                                                      {"count", lesson->sessions.size()}});
+        for (std::string& words : news) say_(std::move(words));
+        act.items.push_back(std::move(title));
     }
     app_.apply(std::move(act), now_s);
 }

@@ -18,14 +18,14 @@ extern "C" {  // glibc 2.36 forgot to say so itself
 #include <new>
 #include <optional>
 
+#include "haptic/drivers/guard_permissions.h"
 #include "haptic/drivers/guard_process.h"
 #include "haptic/drivers/hand_guard.h"
 #include "worlds/base/clock.h"
 #include "worlds/base/descriptor.h"
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
-
-extern "C" char** environ;
+#include "worlds/confine/confine.h"
 
 namespace handrail {
 namespace fs = std::filesystem;
@@ -90,7 +90,8 @@ Result<void> GuardedDevice::start(const char* role, int third_fd, int& life_fd, 
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
-    const int status = ::posix_spawn(&process, guard_program_.c_str(), &actions, nullptr, argv.data(), environ);
+    const int status = ::posix_spawn(&process, guard_program_.c_str(), &actions, nullptr, argv.data(),
+                                     environment_with(kGuardVariables).data());
     posix_spawn_file_actions_destroy(&actions);
     if (status != 0) {
         process = -1;
