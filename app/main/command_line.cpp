@@ -382,7 +382,7 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
     if (&chosen == grammar.replay_app) return grammar.recorded.replay;
     if (&chosen == grammar.recorded.lesson_app) {
         ExploreArguments& taught = grammar.recorded.lesson.explore.arguments;
-        if (grammar.recorded.lesson.recorded) taught.record_in = user_data_folder() / "recordings";
+        if (grammar.recorded.lesson.recorded) taught.record_in = user_data_folder("recordings");
         taught.program_version = HANDRAIL_VERSION;
         return grammar.recorded.lesson;
     }
@@ -392,7 +392,7 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
         if (auto error = check_touch(grammar.touch)) return *error;
         return grammar.touch;
     }
-    if (grammar.explore_recorded) grammar.explore.arguments.record_in = user_data_folder() / "recordings";
+    if (grammar.explore_recorded) grammar.explore.arguments.record_in = user_data_folder("recordings");
     grammar.explore.arguments.program_version = HANDRAIL_VERSION;
     auto& world = grammar.explore.arguments.world;
     if (world && is_misspelt_command(*world)) {
@@ -459,7 +459,7 @@ int run_command_line(const std::vector<std::string>& words, std::ostream& out, s
                 return 0;
             },
             [&](const UsageError& error) {
-                err << error.sentence << "\n";
+                err << one_line(error.sentence) << "\n";  // it may quote what was typed
                 return 2;
             }},
         parsed);

@@ -29,6 +29,7 @@ constexpr std::size_t kLongestFile_bytes = std::size_t{16} << 20;
 constexpr std::size_t kLongestFileName_bytes = 220;  // of 255, less our ending and that of a file being written
 constexpr std::string_view kEnding = ".handrail.toml";
 constexpr std::size_t kMostTold = 5;
+constexpr std::string_view kMarks = "mark";  // the list of which each entry is a thing of its own
 
 std::string checksum_of(std::string_view bytes) {
     auto crc = ::crc32(0, Z_NULL, 0);
@@ -213,7 +214,8 @@ struct SideFile::Content {
             if (alike(before, here)) {
                 taken.differs = true;
             } else if (missing_or_tables(before) && missing_or_tables(here) && missing_or_tables(there)) {
-                const MergedEntries list = merge_entries(entries_in(before), entries_in(here), entries_in(there));
+                const MergedEntries list = merge_entries(entries_in(before), entries_in(here), entries_in(there),
+                                                         name == kMarks ? Alike::TwoThings : Alike::OneThing);
                 put_list(merged, name, list.entries);
                 taken.differs |= list.differs;
                 for (const std::string& entry : list.conflicts) conflicts.push_back(entry.empty() ? name : entry);
@@ -444,6 +446,11 @@ fs::path user_data_folder() {
     const char* home = std::getenv("HOME");
     if (home && home[0] == '/') return fs::path(home) / ".local" / "share" / "handrail";
     return {};
+}
+
+fs::path user_data_folder(std::string_view name) {
+    const fs::path folder = user_data_folder();
+    return folder.empty() ? folder : folder / name;
 }
 
 }  // namespace handrail
