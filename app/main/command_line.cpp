@@ -11,6 +11,7 @@
 #include "app/main/learner_grammar.h"
 #include "app/main/learner_start.h"
 #include "app/main/lesson_grammar.h"
+#include "app/main/plain_output.h"
 #include "app/main/recorded_grammar.h"
 #include "app/main/world_files.h"
 #include "app/main/wrong_usage.h"
@@ -403,8 +404,9 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
     return grammar.explore;
 }
 
-int run_command_line(const std::vector<std::string>& words, std::ostream& out, std::ostream& err,
+int run_command_line(const std::vector<std::string>& words, std::ostream& to_out, std::ostream& to_err,
                      const LongWork& progress) {
+    PlainOutput out(to_out), err(to_err);
     std::vector<Diagnostic> problems;
     FirstLanguage first = speak_first();
     ParsedCommandLine parsed = parse_command_line(words);

@@ -8,6 +8,7 @@
 
 #include "app/core/kept/side_file.h"
 #include "app/core/kept/world_shelf.h"
+#include "app/main/plain_output.h"
 #include "haptic/drivers/falcon_device.h"
 #include "tests/support/environment.h"
 #include "tests/support/project_root.h"
@@ -247,6 +248,50 @@ TEST(CommandLine, prints_no_control_character_of_a_word_that_it_quotes) {
         EXPECT_THAT(text, Not(HasSubstr("\u202e"))) << testing::PrintToString(words);
         EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
     }
+}
+
+// Names of a world that steer a terminal or turn round what follows them.
+TEST(CommandLine, prints_names_of_worlds_without_what_steers_a_terminal) {
+    const test::TemporaryFolder folder;
+    const test::WithEnvironment cache("XDG_CACHE_HOME", "/dev/null");
+    std::string house = test::content_of(test::bundled_world("house.map"));
+    for (const char* key : {"\"message\" \"", "\"name\" \""})
+        for (std::size_t at = 0; (at = house.find(key, at)) != std::string::npos;) {
+            at += std::string_view(key).size();
+            house.insert(at, "\u202eturned\u2066\x1b[31m ");
+        }
+    const std::string world = folder.write("house.map", house).string(), sheet = (folder.path() / "a.svg").string();
+    for (const Words& words : {Words{"info", world},
+                               {"check", world},
+                               {"info", "--as-words", world},
+                               {"info", "--json", world},
+                               {"check", "--json", world},
+                               {"export", world, "--swell", sheet}}) {
+        std::ostringstream out, err;
+        run_command_line(words, out, err);
+        const std::string text = out.str() + err.str();
+        EXPECT_THAT(text, HasSubstr("turned")) << testing::PrintToString(words) << text;
+        for (const char* steers : {"\u202e", "\u2066", "\x1b"})
+            EXPECT_THAT(text, Not(HasSubstr(steers))) << testing::PrintToString(words);
+    }
+    const std::string page = test::content_of(sheet);
+    EXPECT_THAT(page, Not(HasSubstr("\u202e")));
+    EXPECT_FALSE(page.empty());
+}
+
+TEST(PlainOutput, lets_all_other_text_through_however_it_is_cut) {
+    const std::string text = "T\xC3\xBCr \xe2\x80\x9cx\xe2\x80\x9d \xd8\xa8\t5 \xE2\x82\xAC\n\xe2\x80";
+    for (std::size_t cut = 0; cut <= text.size(); ++cut) {
+        std::ostringstream to;
+        {
+            PlainOutput plain(to);
+            plain << text.substr(0, cut) << text.substr(cut);
+        }
+        EXPECT_EQ(to.str(), text) << cut;
+    }
+    std::ostringstream to;
+    PlainOutput(to) << "a\u202eb\u061cc\x1b[1m\u2069\x07" << 5 << std::flush;
+    EXPECT_EQ(to.str(), "abc[1m5");
 }
 
 // Without a home nothing is looked for, and nothing kept, in the folder the program was started in.
