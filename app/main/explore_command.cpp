@@ -11,7 +11,6 @@
 #include "app/main/commands.h"
 #include "app/main/device_facts.h"
 #include "app/main/ears.h"
-#include "app/main/end_in_time.h"
 #include "app/main/end_signals.h"
 #include "app/main/guided_set_up.h"
 #include "app/main/hand_in_use.h"
@@ -314,11 +313,10 @@ private:
         recording_.end();
         progress_.done();
         // All is saved and said. Another person goes on in this process; else work on other threads is not waited for.
-        if (!learners_.next()) end_in_time_.end_within(kAfterLastWord_s, status);
+        if (!learners_.next()) signals_.in_time.end_within(kAfterLastWord_s, status);
         worlds_.end();
     }
 
-    EndInTime end_in_time_;  // first, so that it waits for the end of all others
     const ExploreArguments& arguments_;
     SettingsStore& settings_;
     const LongWork progress_;  // of what comes after the last word

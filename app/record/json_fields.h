@@ -32,7 +32,7 @@ Whole whole_of(const Json& json) {
         if (const auto number = json.get<std::int64_t>(); std::in_range<Whole>(number))
             return static_cast<Whole>(number);
     }
-    throw Json::out_of_range::create(401, "not a whole number that fits", &json);
+    throw Json::out_of_range::create(401, "range", &json);
 }
 // One line without its end; what is no UTF-8 is replaced.
 inline std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }

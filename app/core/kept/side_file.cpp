@@ -210,7 +210,9 @@ struct SideFile::Content {
         std::vector<std::string> conflicts, twice;
         for (const std::string& name : names) {
             const toml::node *before = base.get(name), *here = root.get(name), *there = other.get(name);
-            if (alike(here, there)) continue;
+            // Marks that both sessions have set alike are two.
+            const bool new_marks = name == kMarks && !alike(before, here);
+            if (alike(here, there) && !new_marks) continue;
             if (alike(before, here)) {
                 taken.differs = true;
             } else if (missing_or_tables(before) && missing_or_tables(here) && missing_or_tables(there)) {
