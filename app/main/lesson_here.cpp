@@ -49,7 +49,7 @@ void read_lessons_ahead(const fs::path& world, const std::stop_token& stop) {
         if (!stop.stop_requested()) (void)read_lesson(file, {world_folder()}, toml_beside_worlds());
 }
 
-fs::path lessons_folder() { return user_data_folder() / "lessons"; }
+fs::path lessons_folder() { return user_data_folder("lessons"); }
 
 Result<fs::path> lesson_given(const fs::path& word) {
     std::error_code ec;
@@ -126,11 +126,12 @@ void LessonHere::write_draft(const fs::path& world, double now_s) {
         else if (!stem.empty() && stem.back() != '-') stem += '-';
     while (stem.ends_with('-')) stem.pop_back();
     if (stem.empty()) stem = "lesson";
-    fs::create_directories(lessons_folder(), ec);  // what keeps it from being there is told by the write
-    fs::path file = lessons_folder() / (stem + ".lesson.toml");
-    for (int number = 2; fs::exists(file, ec); ++number)
-        file = lessons_folder() / fmt::format("{}-{}.lesson.toml", stem, number);
-    const auto written = write_file_atomically(file, lesson_text(lesson));
+    const fs::path folder = lessons_folder();
+    fs::create_directories(folder, ec);  // what keeps it from being there is told by the write
+    fs::path file = folder / (stem + ".lesson.toml");
+    for (int number = 2; fs::exists(file, ec); ++number) file = folder / fmt::format("{}-{}.lesson.toml", stem, number);
+    const auto written =
+        folder.empty() ? fail(phrase("files.no_home")) : write_file_atomically(file, lesson_text(lesson));
     app_.apply(Told{written ? phrase("prepare.saved", {{"title", draft->title}, {"file", file.string()}})
                             : written.error().sentence(),
                     SpeechClass::Answer},

@@ -214,7 +214,7 @@ fs::path newest_in(const fs::path& folder) {
 
 int run_replay(const ReplayArguments& arguments, const Settings& settings, std::ostream& out, std::ostream& err,
                const LongWork& progress) {
-    const fs::path folder = arguments.folder.value_or(newest_in(user_data_folder() / "recordings"));
+    const fs::path folder = arguments.folder.value_or(newest_in(user_data_folder("recordings")));
     const auto refuse = [&err](const Error& error) {
         err << error.sentence() << '\n';
         return 1;

@@ -202,8 +202,8 @@ int run_touch(const TouchArguments& arguments, std::ostream&, std::ostream& err,
     if (arguments.device) {
         limits = find_device_spec(*arguments.device);
         if (!limits) {
-            err << phrase("program.no_model",
-                          {{"name", *arguments.device}, {"known", fmt::format("{}", fmt::join(device_names(), ", "))}})
+            err << one_line(phrase("program.no_model", {{"name", *arguments.device},
+                                                        {"known", fmt::format("{}", fmt::join(device_names(), ", "))}}))
                 << '\n';
             return 2;
         }

@@ -32,9 +32,10 @@ private:
         if (line.is == "world_entered") return enter(line);
         if (!events_.world) return;
         if (line.is == "contact")
-            events_.contacts.push_back(
-                {line.t_s, json.at("feature").get<std::uint32_t>(), json.value("thing", ""), vec_of(json.at("at_m"))});
-        if (line.is == "thing_visited") events_.visits.push_back({line.t_s, json.at("feature").get<std::uint32_t>()});
+            events_.contacts.push_back({line.t_s, whole_of<std::uint32_t>(json.at("feature")), json.value("thing", ""),
+                                        vec_of(json.at("at_m"))});
+        if (line.is == "thing_visited")
+            events_.visits.push_back({line.t_s, whole_of<std::uint32_t>(json.at("feature"))});
         if (line.is == "help_asked") events_.help_s.push_back(line.t_s);
         if (line.is == "command_down" && json.value("command", "") == "home") events_.home_s.push_back(line.t_s);
         if (line.is == "teacher") teacher(line, json);

@@ -82,7 +82,8 @@ std::string carry_out_order(TeachingRun& run, std::string_view order, double now
 }
 
 fs::path desk_socket_path() {
-    if (const char* run = std::getenv("XDG_RUNTIME_DIR"); run && *run) return fs::path(run) / "handrail-desk.sock";
+    if (const char* run = std::getenv("XDG_RUNTIME_DIR"); run && run[0] == '/')
+        return fs::path(run) / "handrail-desk.sock";
     const fs::path own = fs::temp_directory_path() / fmt::format("handrail-{}", ::getuid());
     return own / "desk.sock";
 }

@@ -1,9 +1,11 @@
 // What persons and the program write as text: settings, what is kept beside a world, scenarios, languages, paths of a
 // hand. All but the path come as files.
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
 #include "app/core/kept/side_file.h"
+#include "app/core/kept/side_merge.h"
 #include "app/core/scenario/scenario.h"
 #include "app/import/toml_apart.h"
 #include "app/learners/learner.h"
@@ -87,7 +89,10 @@ std::string side_file_fault(std::string_view bytes) {
         entries.push_back(added);
         file.set_entries(list, entries);
         if (const Result<void> saved = file.save(); !saved) return words_fault(saved.error().sentence());
-        if (SideFile::of_world(world, {}).entries(list) != entries)
+        const std::vector<SideEntry> again = SideFile::of_world(world, {}).entries(list);
+        // Numbers that are none are alike, as for the merge.
+        if (!std::equal(again.begin(), again.end(), entries.begin(), entries.end(),
+                        [](const SideEntry& a, const SideEntry& b) { return same(a, b); }))
             return std::string("entries changed by saving and reading: ") + list;
     }
     return {};

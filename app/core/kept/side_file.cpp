@@ -26,6 +26,7 @@ constexpr std::size_t kLongestFile_bytes = std::size_t{16} << 20;
 constexpr std::size_t kLongestFileName_bytes = 220;  // of 255, less our ending and that of a file being written
 constexpr std::string_view kEnding = ".handrail.toml";
 constexpr std::size_t kMostTold = 5;
+constexpr std::string_view kMarks = "mark";  // the list of which each entry is a thing of its own
 
 std::string checksum_of(std::string_view bytes) {
     auto crc = ::crc32(0, Z_NULL, 0);
@@ -195,11 +196,14 @@ struct SideFile::Content {
         std::vector<std::string> conflicts, twice;
         for (const std::string& name : names) {
             const TomlValue *before = base.find(name), *here = root.find(name), *there = other.find(name);
-            if (alike(here, there)) continue;
+            // Marks that both sessions have set alike are two.
+            const bool new_marks = name == kMarks && !alike(before, here);
+            if (alike(here, there) && !new_marks) continue;
             if (alike(before, here)) {
                 taken.differs = true;
             } else if (missing_or_tables(before) && missing_or_tables(here) && missing_or_tables(there)) {
-                const MergedEntries list = merge_entries(entries_in(before), entries_in(here), entries_in(there));
+                const MergedEntries list = merge_entries(entries_in(before), entries_in(here), entries_in(there),
+                                                         name == kMarks ? Alike::TwoThings : Alike::OneThing);
                 put_list(merged, name, list.entries);
                 taken.differs |= list.differs;
                 for (const std::string& entry : list.conflicts) conflicts.push_back(entry.empty() ? name : entry);
@@ -447,6 +451,11 @@ fs::path user_data_folder() {
     const char* home = std::getenv("HOME");
     if (home && home[0] == '/') return fs::path(home) / ".local" / "share" / "handrail";
     return {};
+}
+
+fs::path user_data_folder(std::string_view name) {
+    const fs::path folder = user_data_folder();
+    return folder.empty() ? folder : folder / name;
 }
 
 }  // namespace handrail

@@ -156,5 +156,8 @@ std::string unfit_words(std::string_view key, const std::vector<std::string>& un
 
 // $XDG_DATA_HOME/handrail, else ~/.local/share/handrail; empty when neither is known.
 std::filesystem::path user_data_folder();
+// A folder in it, whether it exists or not. Empty if there is no user_data_folder(): a relative path would be looked
+// for in whatever folder the program was started in.
+std::filesystem::path user_data_folder(std::string_view name);
 
 }  // namespace handrail

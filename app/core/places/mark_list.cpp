@@ -50,9 +50,14 @@ void MarkList::tell_faults(double now_s) {
         context_.say(std::move(unfit), SpeechClass::Answer, now_s);
 }
 
-void MarkList::save(double now_s) {
+bool MarkList::save(double now_s) {
     write_marks(context_.additions, marks_);
-    context_.asks.save_additions(now_s);
+    return context_.asks.save_additions(now_s);
+}
+
+void MarkList::save_and_answer(const std::string& words, double now_s) {
+    write_marks(context_.additions, marks_);
+    context_.keep_and_answer(words, now_s);
 }
 
 // ---- setting, naming, deleting ----
@@ -87,10 +92,10 @@ void MarkList::drop(bool by_button, double now_s) {
     marks_.push_back(std::move(mark));
     near_.resize(marks_.size() - 1, false);
     near_.push_back(true);
-    save(now_s);
     context_.play_at(SoundKind::Mark, place, now_s);
     if (by_button || !context_.settings.marks.ask_name)
-        return context_.answer(phrase("marks.set", {{"name", name}}), now_s);
+        return save_and_answer(phrase("marks.set", {{"name", name}}), now_s);
+    save(now_s);
     TextSpec question;
     question.question = phrase("marks.set_and_ask", {{"name", name}});
     question.text = name;
@@ -104,8 +109,7 @@ void MarkList::rename(const std::string& name, const std::string& typed, double 
     if (!good) return context_.answer(good.error().message, now_s);
     if (mark == marks_.end()) return;
     mark->name = *good;
-    save(now_s);
-    context_.answer(*good, now_s);
+    save_and_answer(*good, now_s);
 }
 
 void MarkList::remove(std::size_t which, double now_s) {
@@ -113,8 +117,7 @@ void MarkList::remove(std::size_t which, double now_s) {
     const std::string name = marks_[which].name;
     marks_.erase(marks_.begin() + static_cast<std::ptrdiff_t>(which));
     near_.assign(marks_.size(), true);
-    save(now_s);
-    context_.answer(phrase("marks.deleted", {{"name", name}}), now_s);
+    save_and_answer(phrase("marks.deleted", {{"name", name}}), now_s);
 }
 
 // ---- choosing ----

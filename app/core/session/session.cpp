@@ -100,6 +100,7 @@ void Session::enter_world(EnteringWorld world, double now_s) {
 
 void Session::keep_learnt(double now_s) {
     if (state_.world.scene) learn_.place.keep(now_s);
+    if (state_.additions_due_s) save_additions(now_s);
 }
 
 void Session::set_hand(const HandFacts& hand, const Settings& settings, double now_s) {
@@ -423,6 +424,7 @@ void Session::tick(double now_s, const ToolState& tool, const ToolState& left_to
     places_.marks.tick(now_s);
     places_.faults.tick(now_s);
     places_.why_no_way.tick(now_s);
+    tick_additions(now_s);
     guide_.call(now_s);
     publish_pose(now_s, PoseChange::Walked);
     hand_.forces.tell_break(now_s);

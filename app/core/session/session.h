@@ -171,7 +171,8 @@ private:
     // What the person added: session_additions.cpp.
     void take_additions();
     void tell_additions(double now_s);
-    void save_additions(double now_s);
+    bool save_additions(double now_s);
+    void tick_additions(double now_s);
     void ask_for_last_place(double now_s);
     void take_others_additions();
     std::string entering_text() const;

@@ -11,7 +11,7 @@
 namespace handrail {
 
 void Session::wire() {
-    state_.context.asks.save_additions = [this](double now_s) { save_additions(now_s); };
+    state_.context.asks.save_additions = [this](double now_s) { return save_additions(now_s); };
     state_.context.asks.place = [this](const Vec3& feet_m, double heading_rad, double now_s) {
         place(feet_m, heading_rad, now_s);
     };
