@@ -420,6 +420,26 @@ TEST_F(FailingGuard, frozen_when_the_program_is_left_leaves_zero_behind) {
     EXPECT_EQ(program_.wait_for_end(), 0) << program_.said();
 }
 
+// Frozen first, so that nobody but the program is there when the first guard dies.
+TEST_F(FailingGuard, killed_beside_a_frozen_second_one_is_followed_by_zero_all_the_same) {
+    expect_zero_within(250.0, "second guard frozen, first killed", [this] {
+        const auto both = guards();
+        ::kill(both.back(), SIGSTOP);
+        ::kill(both.front(), SIGKILL);
+    });
+    if (IsSkipped() || HasFatalFailure()) return;
+    EXPECT_TRUE(program_.says("The device no longer pushes.")) << program_.said();
+}
+
+TEST_F(FailingGuard, frozen_beside_a_frozen_second_one_is_followed_by_zero_also_when_the_program_is_left) {
+    expect_zero_within(500.0, "both guards frozen, then left", [this] {
+        for (const pid_t guard : guards()) ::kill(guard, SIGSTOP);
+        program_.type("quit\n");
+    });
+    if (IsSkipped() || HasFatalFailure()) return;
+    EXPECT_EQ(program_.wait_for_end(), 0) << program_.said();
+}
+
 TEST_F(FailingGuard, keeps_no_privileges_and_is_replaced_when_the_second_one_dies) {
     press_on_the_floor();
     if (IsSkipped() || HasFatalFailure()) return;
