@@ -51,6 +51,7 @@ public:
 
     // There is a servo, and so something that feels.
     bool driven() const { return servo_ != nullptr; }
+    bool real() const { return guarded_ != nullptr; }
     // A simulated one that nobody asked for.
     bool stands_in() const { return facts_.present && facts_.simulated && !hand_without_looking(wanted()); }
     // A hand that can be set up. A simulated one counts only for who asked for one: nobody else wants to be asked to
