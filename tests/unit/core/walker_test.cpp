@@ -147,6 +147,26 @@ TEST(Walker, steps_over_a_threshold_of_2_cm_under_a_lintel_that_leaves_it_3_cm) 
     EXPECT_NEAR(walker.state().feet_m.z, 0.0, 1e-3);
 }
 
+// Between walls that it overlaps nothing held it up: it fell through the floor that it stood on.
+TEST(Walker, stands_on_the_floor_where_it_is_too_wide_for_its_place) {
+    SceneBuilder passage;
+    passage.box({-5, -5, -0.2}, {5, 5, 0});
+    passage.box({-1, 0.5, 0}, {1, 0.7, 2.6});
+    passage.box({-1, -0.7, 0}, {1, -0.5, 2.6});
+    const auto scene = passage.share();
+    const BodyWorld world(scene);
+    for (const double z : {0.0, -0.1}) {
+        Walker walker(world, body_size(*scene, 0.6));
+        walker.place({0, 0, z});
+        EXPECT_TRUE(walker.state().on_ground) << z;
+        walk(walker, {0, 0, 0}, 2.0);
+        EXPECT_NEAR(walker.state().feet_m.z, 0.0, 1e-3) << z;
+        walk(walker, {1, 0, 0}, 3.0);  // out of it
+        EXPECT_NEAR(walker.state().feet_m.x, 3.0, 0.01) << z;
+        EXPECT_FALSE(world.blocked(walker.state().feet_m, walker.shape())) << z;
+    }
+}
+
 // Whatever one wishes, at any frame rate, the body is never inside a solid.
 TEST(Walker, never_ends_inside_a_solid_in_random_clutter) {
     std::mt19937 random(20);
