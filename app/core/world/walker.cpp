@@ -16,8 +16,9 @@ constexpr int kLifts = 25;
 
 double horizontal_length(const Vec3& v) { return std::sqrt(v.x * v.x + v.y * v.y); }
 
-// A body that is too wide for its place overlaps what is at its sides, and walks out of that. It must not overlap the
-// ground as well, or it would fall through: whatever it overlaps lets it through. So its middle alone is lifted out.
+// A body that is too wide for its place overlaps what is at its sides, and walks out of that. Its middle must not be in
+// the ground as well, or it would fall through: what the middle is in lets it through. So the middle alone is lifted
+// out.
 Vec3 on_top_of_m(const BodyWorld& world, const Vec3& feet_m, double height_m) {
     const BodyShape middle{0.0, height_m};
     const Vec3 above = feet_m + Vec3(0.0, 0.0, 2.0 * BodyWorld::kContactGap_m);  // ground at the feet carries it
