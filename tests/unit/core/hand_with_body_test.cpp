@@ -74,7 +74,7 @@ TEST(AHandForWantOfADevice, is_where_one_stands_and_touches_nothing_on_the_way_t
 
 TEST(AHandForWantOfADevice, stays_ahead_where_keys_moved_it_and_comes_along_through_a_door) {
     const auto p = with_keys_alone(test::our_world("house.map"));
-    for (int i = 0; i < 4; ++i) p->tap(Command::HandForward, 0.3);
+    p->hold({0.0, 0.02, 0.0});
     const Vec3 off = p->tool().proxy_m - p->app().feet_m();
     EXPECT_GT(off.y, 0.8);
     walk_into_the_study(*p);
