@@ -228,8 +228,10 @@ TraceHit BodyWorld::trace(const Vec3& from_m, const Vec3& to_m, const BodyShape&
     const Piece* met = nullptr;
     std::int32_t met_face = -1;
     std::uint32_t number = 0;  // of the first piece of these
-    // Of a piece that the body overlaps from the start: it would overlap it more. The face that is the shortest way out
-    // tells, or of several equally near ones the one that the way leaves most.
+    // Of a piece that the body overlaps from the start: it would walk farther into it. The face that is the shortest
+    // way out tells, or of several equally near ones the one that the way leaves most. Up and down it is free, or what
+    // has come to overlap it would hold it above the ground.
+    const Vec3 level_step(step.x, step.y, 0.0);
     const auto goes_deeper = [&](const Pieces& some, const Piece& piece, Vec3& normal, std::int32_t& face) {
         const BodyShape middle{0.0, body.height_m};
         bool rim_alone = false;
@@ -238,7 +240,7 @@ TraceHit BodyWorld::trace(const Vec3& from_m, const Vec3& to_m, const BodyShape&
             const Bound& bound = some.bounds[k];
             const double grow = support(bound.plane.normal, body);
             const double d0 = signed_distance(bound.plane, from_m) - grow;
-            const double away = signed_distance(bound.plane, to_m) - grow - d0;
+            const double away = glm::dot(bound.plane.normal, level_step);
             rim_alone = rim_alone || d0 + grow - support(bound.plane.normal, middle) > -kContactGap_m;
             if (d0 < nearest - kSameDepth_m || (d0 <= nearest + kSameDepth_m && away <= leaves)) continue;
             nearest = std::max(nearest, d0);
@@ -246,7 +248,9 @@ TraceHit BodyWorld::trace(const Vec3& from_m, const Vec3& to_m, const BodyShape&
             normal = bound.plane.normal;
             face = bound.face;
         }
-        return body.radius_m > 0.0 && rim_alone && leaves < -kAlong_m;
+        if (body.radius_m == 0.0 || !rim_alone || leaves >= -kAlong_m) return false;
+        normal = glm::normalize(Vec3(normal.x, normal.y, 0.0));
+        return true;
     };
     const auto look_at = [&](const Pieces& some, std::uint32_t i, double& reach) {
         const Piece& piece = some.pieces[i];

@@ -190,6 +190,28 @@ TEST(Walker, walks_out_of_what_it_overlaps_and_never_farther_in) {
     EXPECT_NEAR(walker.state().feet_m.y, -0.1, 1e-3);
 }
 
+// A crate that comes down at a slant neither lifts nor moves a body that it touches.
+TEST(Walker, stands_where_it_stood_when_something_has_come_to_overlap_it) {
+    SceneBuilder room;
+    room.box({-5, -5, -0.2}, {5, 5, 0});
+    room.ramp({0.15, -0.5, 0.3}, {1.5, 0.5, 1.5});
+    const auto scene = room.share();
+    const BodyWorld world(scene);
+    Walker walker(world, body_size(*scene, 0.25));
+    WalkerState stood;
+    stood.feet_m = {0, 0, 1e-4};
+    stood.on_ground = true;
+    walker.resume(stood);
+    EXPECT_TRUE(world.blocked(walker.state().feet_m, walker.shape()));
+    walk(walker, {0, 0, 0}, 1.0);
+    EXPECT_LT(glm::length(walker.state().feet_m - stood.feet_m), 1e-9);
+    EXPECT_TRUE(walker.state().on_ground);
+    walk(walker, {1, 0, 0}, 1.0);
+    EXPECT_LE(walker.state().feet_m.x, 1e-5);
+    walk(walker, {-1, 0, 0}, 1.0);
+    EXPECT_FALSE(world.blocked(walker.state().feet_m, walker.shape()));
+}
+
 // Nobody is kept in something that was set down around them.
 TEST(Walker, walks_out_of_a_solid_that_its_middle_is_in_either_way) {
     SceneBuilder room;

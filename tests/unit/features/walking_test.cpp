@@ -268,7 +268,7 @@ TEST(ByEarFeature, is_not_put_back_into_what_stands_there) {
     const Vec3 gate_m{4.1, 0.0, 0.0};
     one.walking.set_down(gate_m, 0.0);
     ASSERT_TRUE(one.plain.world.solids->blocked(one.feet_m(), one.plain.body.walker->shape()));
-    one.tap(Command::LeapNext);
+    one.tap(Command::Home);
     ASSERT_FALSE(one.plain.world.solids->blocked(one.feet_m(), one.plain.body.walker->shape()));
     (void)one.plain.said();
     const Vec3 free_m = one.feet_m();
