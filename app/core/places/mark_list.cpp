@@ -81,7 +81,7 @@ void MarkList::tick_button(double now_s) {
 
 void MarkList::drop(bool by_button, double now_s) {
     Vec3 place = context_.body.feet_m();
-    if (context_.hands.right.present && context_.hands.tool.ticks > 0) {
+    if (context_.hands.answers()) {
         // A hand of the keys alone, on its way to where one stands, is no reason to have no mark.
         if (!is_gone(context_.hands.tool.fault) && context_.hands.tool.workspace_jump == context_.hands.pose.jump)
             place = context_.hands.tool.proxy_m;
@@ -183,8 +183,7 @@ void MarkList::tick(double now_s) {
         if (level_m > range_m || std::abs(way.z) > kStorey_m) return 1e9;
         return muffling_db(*context_.world.solids, waist, place) >= kDoorMuffles_db ? 1e9 : level_m;
     };
-    const bool hand = context_.hands.right.present && context_.hands.tool.ticks > 0 &&
-                      context_.hands.tool.workspace_jump == context_.hands.pose.jump;
+    const bool hand = context_.hands.answers() && context_.hands.tool.workspace_jump == context_.hands.pose.jump;
     near_.resize(marks_.size(), false);
     for (std::size_t i = 0; i < marks_.size(); ++i) {
         const Vec3& place = marks_[i].place_m;

@@ -406,6 +406,7 @@ void Session::tick(double now_s, const ToolState& tool, const ToolState& left_to
     learn_.teaching.exercise.tick();
     if (hand_.workspace.pushed(now_s)) guide_.person_moved(now_s);
     hand_.workspace.push(guide_.carry(), now_s);
+    if (!guide_.leads_hand()) hand_.workspace.stay_with_body(now_s);
     hand_.workspace.tell_motion(now_s);
     touch_events_.tick(now_s);
     movers_.triggers.tick(now_s);
