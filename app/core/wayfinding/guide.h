@@ -58,6 +58,8 @@ public:
     // So much instead, as a lesson has it, 0 to 1; none: as the laps have it.
     void limit_help(std::optional<double> help) { help_limit_ = help; }
     bool may_lead_hand() const { return hand_.may_lead() && hand_.force_may_act(); }
+    // The hand, the ear or the beacon leads now.
+    bool leads() const { return ear_.following() || hand_.at_work() || beacon().on(); }
     // Nothing leads any more, without a word.
     void leave_way();
     void change_help(int by) { laps_.change(by); }
