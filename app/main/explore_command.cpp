@@ -199,7 +199,7 @@ private:
                 guide(now_s);
             } else {
                 const ToolState& left_tool = left_.tool();
-                lesson_.turn(worlds_.path(), now_s);
+                lesson_.turn(worlds_.path(), ears_.sound().speaking(), now_s);
                 app_.tick(now_s, hand_.tool(), left_tool);
                 lesson_.see(recording_.ticked(app_, now_s, hand_.tool(), left_tool));
                 hand_over();

@@ -45,7 +45,7 @@ std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments
                               std::ostream& out, std::ostream& err, const LongWork& progress) {
     std::error_code ec;
     if (arguments.file == "watch" && !std::filesystem::exists(arguments.file, ec))
-        return watch_desk(desk_socket_path(), STDIN_FILENO, out, err);
+        return watch_desk(desk_folder(), STDIN_FILENO, out, err);
     const LearnerName learner = learner_named(arguments.learner);
     const auto refused = [&](const Error& error) {
         fmt::print(err, "{}\n", error.sentence());

@@ -6,6 +6,7 @@
 #include "app/learners/kept_results.h"
 #include "app/learners/lesson_progress.h"
 #include "app/main/world_files.h"
+#include "app/teaching/run_words.h"
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
@@ -109,7 +110,13 @@ void LessonHere::begin(const LessonToTeach& lesson, double now_s) {
     begun_s_ = now_s;
     begun_utc_ = now_utc();
     run_.emplace(begin_lesson(lesson.world, lesson.session, lesson.learner, app_));
-    if (auto desk = DeskServer::open(desk_socket_path())) desk_ = std::move(*desk);
+    const LessonFile& file = lesson.world->lesson();
+    const std::string title = one_after(
+        phrase("desk_order.title", {{"lesson", file.title.spoken()},
+                                    {"session", file.sessions[lesson.session].name},
+                                    {"world", spoken_name(*lesson.world->scene())}}),
+        lesson.learner.name.empty() ? std::string() : phrase("desk_order.learner", {{"name", lesson.learner.name}}));
+    if (auto desk = DeskServer::open(desk_folder(), title)) desk_ = std::move(*desk);
     else say_(desk.error().sentence());
 }
 
@@ -160,7 +167,7 @@ void LessonHere::listen_to_desk(double now_s) {
     desk_->tell(run_->summary());
 }
 
-void LessonHere::turn(const fs::path& world, double now_s) {
+void LessonHere::turn(const fs::path& world, bool speaking, double now_s) {
     if (app_.world().entered == 0) return;
     if (world_ != app_.world().entered) {
         world_ = app_.world().entered;
@@ -174,7 +181,7 @@ void LessonHere::turn(const fs::path& world, double now_s) {
     if (!run_ || now_s - turned_s_ < kTurn_s) return;
     turned_s_ = now_s;
     listen_to_desk(now_s);
-    teach_on(*run_, app_, std::exchange(events_, {}), now_s);
+    teach_on(*run_, app_, std::exchange(events_, {}), now_s, speaking);
     if (!run_->over()) return;
     close(now_s);
     offer(world, now_s);

@@ -24,8 +24,8 @@ public:
     LessonHere(const ExploreArguments& arguments, Session& app, const SessionVoice& say)
         : arguments_(arguments), app_(app), say_(say) {}
 
-    // Before the session's tick. world: the file one is in.
-    void turn(const std::filesystem::path& world, double now_s);
+    // Before the session's tick. world: the file one is in; speaking: somebody speaks.
+    void turn(const std::filesystem::path& world, bool speaking, double now_s);
     // After it: what happened in it.
     void see(const std::vector<SessionEvent>& events);
     // The session ends: what was measured until now is kept where that is agreed.

@@ -112,12 +112,12 @@ LessonPlace place_in(const TomlValue& table, const char* what) {
     if (fields.has("thing")) ++kinds, place.thing = name_in(fields, "thing");
     if (fields.has("room")) ++kinds, place.room = name_in(fields, "room");
     if (fields.has("place_m")) {
-        ++kinds, place.place_m = fields.vector("place_m");
+        place.place_m = fields.vector("place_m");
         for (int i = 0; i < 3; ++i)
             if (std::abs((*place.place_m)[i]) > 1e5) bad(fields.node("place_m"), phrase("teaching.far_place"));
     }
     fields.done();
-    if (kinds != 1 || (place.place_m && place.name.empty())) bad(table, phrase("teaching.one_place"));
+    if (kinds > 1 || (kinds == 0 && (!place.place_m || place.name.empty()))) bad(table, phrase("teaching.one_place"));
     if (place.name.empty()) place.name = place.thing + place.room;
     return place;
 }

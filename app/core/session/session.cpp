@@ -378,6 +378,7 @@ void Session::tick(double now_s, const ToolState& tool, const ToolState& left_to
     if (!state_.world.scene) return;
     const double dt_s = std::clamp(now_s - state_.context.tick_s, 0.0, 0.1);
     state_.context.tick_s = now_s;
+    tell_changes(now_s);
     desk_visit_.tick(now_s);
     if (at_desk()) {
         // The world waits: nothing moves, walks or turns.
@@ -429,6 +430,15 @@ void Session::tick(double now_s, const ToolState& tool, const ToolState& left_to
     guide_.call(now_s);
     publish_pose(now_s, PoseChange::Walked);
     hand_.forces.tell_break(now_s);
+}
+
+void Session::tell_changes(double now_s) {
+    const auto tell = [&](bool& told, bool now, const auto& what) {
+        if (std::exchange(told, now) != now) state_.events.tell(what, now_s);
+    };
+    const bool leads = guide_.leads(), open = state_.lists.dialogue.is_open();
+    tell(watched_.leads, leads, Leading{leads});
+    tell(watched_.list_open, open, ListShown{open});
 }
 
 void Session::set_left_hand(const HandFacts& hand, double now_s) {

@@ -38,6 +38,7 @@ void Session::teach(const TeacherActed& act, double now_s) {
             learn_.teaching.exercise.take(act, now_s);
             break;
     }
+    tell_changes(now_s);
 }
 
 // By the hand where there is one; by words from half the help on, below that by the sound of the goal alone.

@@ -265,6 +265,28 @@ TEST(Pointing, is_by_the_devices_hand_where_it_went_and_else_by_facing) {
     EXPECT_LT(pupil.run().results()[0].measures.at("pointing_off"), 9.0);
 }
 
+TEST(Pointing, is_judged_from_where_one_was_put_for_the_question) {
+    LessonFile lesson = pointing_lesson()->lesson();
+    TaughtStep free;
+    free.kind = StepKind::Free;
+    lesson.sessions[0].steps.insert(lesson.sessions[0].steps.begin(), free);
+    const auto world = *TaughtWorld::find(lesson, school()->scene());
+    Walker20 pupil(world, 0, HandFacts{true, true, *find_device_spec("sim-t")});
+    pupil.live(1.0);
+    pupil.headless().app().apply(Placed{{4.2, 8.6, 0.0}, 1.0}, pupil.headless().now_s());
+    pupil.live(1.0);
+    pupil.answer();
+    pupil.live(1.0);
+    ASSERT_TRUE(pupil.heard("Face Trophy case")) << pupil.all();
+    // The hand has not moved, so facing north, as the base does, is the answer.
+    pupil.answer();
+    const double off_deg = std::remainder(-bearing_deg(*world, "Trophy case"), 360.0);
+    EXPECT_TRUE(
+        pupil.heard(fmt::format("{:.0f} degrees too far {}", std::abs(off_deg), off_deg > 0 ? "right" : "left")))
+        << off_deg << "\n"
+        << pupil.all();
+}
+
 TEST(Pointing, is_by_a_hand_that_is_known_only_after_the_question_too) {
     const auto world = pointing_lesson();
     Walker20 pupil(world, 0, {}, false);

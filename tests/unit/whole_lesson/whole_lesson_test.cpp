@@ -40,7 +40,7 @@ public:
     DeskLine() : socket_(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
         sockaddr_un address{};
         address.sun_family = AF_UNIX;
-        const std::string path = desk_socket_path().string();
+        const std::string path = (desk_folder() / fmt::format("{}.sock", ::getpid())).string();
         std::strncpy(static_cast<char*>(address.sun_path), path.c_str(), sizeof address.sun_path - 1);
         connected_ = ::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
     }
