@@ -69,7 +69,7 @@ struct SessionReport {
     std::vector<std::string> rooms;  // walked through, in order
     // Where the body walked on the storey of the plan. A new piece begins where it came back to it or was put.
     std::vector<std::vector<Vec2>> ways_m;
-    std::optional<Storey> storey;         // none: no plan is drawn
+    std::optional<Storey> storey;  // none: no plan is drawn
 };
 
 // What went well and what did not, to the learner, in short sentences without a technical word.

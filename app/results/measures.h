@@ -32,7 +32,8 @@ struct Span {
 };
 // How long `span` is without the `busy` times in it, which may overlap.
 double free_s(const Span& span, std::span<const Span> busy);
-// Pauses within kPause_m of which more than kPause_s are left without the `busy` times: a list is open, somebody speaks.
+// Pauses within kPause_m of which more than kPause_s are left without the `busy` times: a list is open, somebody
+// speaks.
 inline constexpr double kPause_s = 2.0, kPause_m = 0.15;
 struct Hesitations {
     int count = 0;
