@@ -20,7 +20,6 @@
 #include "app/main/lesson_here.h"
 #include "app/main/session_recording.h"
 #include "app/main/session_voice.h"
-#include "app/main/sleep_watch.h"
 #include "app/main/typed_keys.h"
 #include "app/main/typed_lines.h"
 #include "app/main/window_input.h"
@@ -189,7 +188,7 @@ private:
             hand_.read();
             hand_.tell_how_it_runs();
             notice_left_hand(now_s);
-            watch_sleep();
+            hand_.watch_sleep(left_.real() ? &left_.tool() : nullptr);
             set_up_.begin_if_asked();
             recording_.set_up(set_up_.under_way());
             if (auto ended = recording_.take_problem()) say_(std::move(*ended));
@@ -224,7 +223,7 @@ private:
             take_input(now_s);
             set_up_.look_for_hand();
             hand_.read();
-            watch_sleep();
+            hand_.watch_sleep(left_.real() ? &left_.tool() : nullptr);
             guide(now_s);
             kept_.keep_saved(now_s);
             draw_words();
@@ -267,15 +266,6 @@ private:
         if (left_.take_change(news)) app_.apply(LeftHandChanged{left_.facts()}, now_s);
         ears_.follow_hands(app_.two_hands(), hand_.stands_in());
         for (std::string& sentence : news) say_(std::move(sentence));
-    }
-
-    // From the first real device on. The watch acts as the stop key does, so the person decides when to feel again.
-    void watch_sleep() {
-        if (!sleep_ && (hand_.real() || left_.real())) sleep_.emplace([this] { switches_.stop(); });
-        if (!sleep_) return;
-        if (sleep_->delays_sleep() && hand_.tool().force_n == Vec3(0.0) && left_.tool().force_n == Vec3(0.0))
-            sleep_->let_sleep();
-        if (sleep_->take_woken()) say_(phrase("program.has_slept"));
     }
 
     // To the servos and the ears, what this frame changed.
@@ -357,7 +347,6 @@ private:
     std::unique_ptr<TypedKeys> keys_;
     std::optional<TypedLines> lines_;
     std::optional<CompanionSession> companions_;
-    std::optional<SleepWatch> sleep_;
 };
 
 }  // namespace

@@ -4,9 +4,11 @@
 
 #include <cstdlib>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "worlds/base/clock.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -109,8 +111,8 @@ void SleepWatch::subscribe() {
 
 void SleepWatch::inhibit() {
     const Message message = method(kLogin, kLoginPath, kManager, "Inhibit");
-    const char *what = "sleep", *who = "Handrail", *why = "The force of a touch device is taken away first.",
-               *mode = "delay";
+    const std::string reason = phrase("program.delays_sleep");
+    const char *what = "sleep", *who = "Handrail", *why = reason.c_str(), *mode = "delay";
     if (message && dbus_message_append_args(message.get(), DBUS_TYPE_STRING, &what, DBUS_TYPE_STRING, &who,
                                             DBUS_TYPE_STRING, &why, DBUS_TYPE_STRING, &mode, DBUS_TYPE_INVALID))
         inhibit_ = send(bus_, message);

@@ -147,10 +147,11 @@ TEST(MapBodies, of_five_thousand_the_first_are_free_and_the_rest_stay) {
     }
     const Reading reading = read(things);
     EXPECT_EQ(reading.scene.bodies.size(), FreeBody::kMost);
-    EXPECT_THAT(reading.said, ElementsAre(testing::AllOf(
-                                  HasSubstr("test.map, line "),
-                                  HasSubstr("more than 2,048 things are free to move: 2,952 more from here on."),
-                                  HasSubstr("They stay where they are."))));
+    EXPECT_THAT(reading.said,
+                ElementsAre(testing::AllOf(HasSubstr("test.map, line "),
+                                           HasSubstr("more than 2,048 things are free to move: 2,952 more "
+                                                     "from here on."),
+                                           HasSubstr("They stay where they are."))));
 }
 
 }  // namespace map_bodies_test
