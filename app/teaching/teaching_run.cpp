@@ -166,7 +166,7 @@ void TeachingRun::follow_walk() {
 // What is known of the room that is to be learnt counts as it was when one was in it last.
 void TeachingRun::follow_room() {
     if (step().kind != StepKind::Learn || lower_ascii(view_.room) != lower_ascii(step().room)) return;
-    if (view_.walls > 0) task_.walls_percent = 100.0 * view_.walls_share;
+    if (view_.perimeter_m > 0.0) task_.walls_percent = 100.0 * view_.walls_share;
     if (view_.exits > 0) task_.exits_percent = 100.0 * view_.exits_found / view_.exits;
 }
 
@@ -197,7 +197,7 @@ void TeachingRun::tick(double now_s, const LessonView& view, bool speaking) {
     }
     const TaughtStep& now = step();
     if (now.kind == StepKind::Learn && (now.walls_percent > 0 || now.exits > 0) &&
-        lower_ascii(view.room) == lower_ascii(now.room) && (now.walls_percent <= 0 || view.walls > 0) &&
+        lower_ascii(view.room) == lower_ascii(now.room) && (now.walls_percent <= 0 || view.perimeter_m > 0.0) &&
         100.0 * view.walls_share >= now.walls_percent && view.exits_found >= now.exits)
         return void(next(now_s));
     if (now.kind != StepKind::Go) return;

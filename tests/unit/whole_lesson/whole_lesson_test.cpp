@@ -181,7 +181,7 @@ protected:
         const DeskLine desk;
         ASSERT_TRUE(desk.connected());
         EXPECT_THAT(desk.order(sitting, "block " + at.misspelt), HasSubstr("Did you mean \"" + at.door + "\"?"));
-        EXPECT_THAT(desk.order(sitting, "block " + at.door), HasSubstr("Done."));
+        EXPECT_THAT(desk.order(sitting, "block " + at.door), HasSubstr(" is blocked."));
         EXPECT_THAT(desk.order(sitting, "summary"), HasSubstr("contact"));
         const TaughtPlace before{"before it", at.before_m, {}};
         ASSERT_TRUE(sitting.walk(world.way(world.base().stand_m, {before}).points_m)) << sitting.all();
