@@ -75,11 +75,11 @@ bool is_command_word(std::string_view word) {
 }
 
 // Nothing for what no setting takes: lists, dates and times.
-std::optional<SettingValue> from_toml(const toml::node& node) {
-    if (const auto* v = node.as_boolean()) return v->get();
-    if (const auto* v = node.as_integer()) return v->get();
-    if (const auto* v = node.as_floating_point()) return v->get();
-    if (const auto* v = node.as_string()) return v->get();
+std::optional<SettingValue> from_toml(const TomlValue& value) {
+    if (const auto* v = value.flag()) return *v;
+    if (const auto* v = value.whole()) return *v;
+    if (const auto* v = value.fraction()) return *v;
+    if (const auto* v = value.text()) return *v;
     return std::nullopt;
 }
 
@@ -110,12 +110,21 @@ std::string toml_text(const SettingValue& value) {
                       value);
 }
 
+// What a TomlReader said of a file.
+Error damage_in(const fs::path& path, const Error& error) {
+    Error told = error;
+    told.file = path.filename().string();
+    if (error.line > 0) told.message = phrase("settings_file.damaged", {{"reason", error.message}});
+    return told;
+}
+
 Result<toml::table> parse(const std::string& content, const fs::path& path) {
     try {
         return parse_toml(content);
     } catch (const toml::parse_error& error) {
-        return fail(phrase("settings_file.damaged", {{"reason", error.description()}}), path.filename().string(),
-                    static_cast<int>(error.source().begin.line), static_cast<int>(error.source().begin.column));
+        const toml::source_position& at = error.source().begin;
+        Error found{{}, static_cast<int>(at.line), static_cast<int>(at.column), std::string(error.description())};
+        return tl::unexpected(damage_in(path, found));
     }
 }
 
@@ -261,20 +270,20 @@ struct SettingsStore::Impl {
                 values.damaged_profiles.insert(damaged);
     }
 
-    void collect(const toml::table& table, const std::string& prefix, const fs::path& path, SettingSource source,
+    void collect(const TomlValue::Table& table, const std::string& prefix, const fs::path& path, SettingSource source,
                  Layer& layer, std::set<std::string>& damaged, std::vector<Diagnostic>& problems) const {
         for (const auto& [name, node] : table) {
             // A dot inside a quoted name does not make a path; only devices may have one in their name.
-            const std::string_view plain = name.str();
+            const std::string_view plain = name;
             const bool quoted =
                 plain.find('.') != std::string_view::npos && prefix != kDevicePrefix && prefix != kProfilePrefix;
             const std::string key =
                 canonical_key(quoted ? fmt::format("{}\"{}\"", prefix, plain) : fmt::format("{}{}", prefix, plain));
-            if (const toml::table* inner = node.as_table()) {
+            if (const TomlValue::Table* inner = node.table()) {
                 collect(*inner, key + ".", path, source, layer, damaged, problems);
                 continue;
             }
-            const auto line = static_cast<int>(node.source().begin.line);
+            const int line = node.line;
             const std::optional<SettingValue> value = from_toml(node);
             Result<void> checked = check(key, value.value_or(std::string{}), source);
             if (const SettingInfo* info = find_setting(key); info && !value)
@@ -283,8 +292,8 @@ struct SettingsStore::Impl {
             if (checked) {
                 layer[key] = {*value, fmt::format("{}:{}", path.string(), line)};
             } else if (!profile || damaged.insert(profile->device).second) {
-                problems.push_back({Severity::Error, path.filename().string(), line,
-                                    static_cast<int>(node.source().begin.column), checked.error().message,
+                problems.push_back({Severity::Error, path.filename().string(), line, node.column,
+                                    checked.error().message,
                                     phrase(profile ? "settings_file.profile_set_aside" : "settings_file.not_used")});
             }
         }
@@ -317,7 +326,7 @@ SettingsStore& SettingsStore::operator=(SettingsStore&&) noexcept = default;
 
 const Settings& SettingsStore::values() const { return impl_->values; }
 
-std::vector<Diagnostic> SettingsStore::load_file(const fs::path& path, SettingSource source) {
+std::vector<Diagnostic> SettingsStore::load_file(const fs::path& path, SettingSource source, const TomlReader& toml) {
     contract_pre(source != SettingSource::Default);
     if (source == SettingSource::UserFile) impl_->user_file = path;
     std::error_code ec;
@@ -325,9 +334,11 @@ std::vector<Diagnostic> SettingsStore::load_file(const fs::path& path, SettingSo
         clear(source);
         return {};
     }
-    const Result<toml::table> table =
-        read_whole_file(path, kLongestFileBytes).and_then([&](const std::string& content) {
-            return parse(content, path);
+    const Result<TomlValue> table =
+        read_whole_file(path, kLongestFileBytes).and_then([&](const std::string& content) -> Result<TomlValue> {
+            Result<TomlValue> read = toml(content);
+            if (!read) return tl::unexpected(damage_in(path, read.error()));
+            return read;
         });
     if (!table) {
         const Error& e = table.error();
@@ -336,7 +347,7 @@ std::vector<Diagnostic> SettingsStore::load_file(const fs::path& path, SettingSo
     std::vector<Diagnostic> problems;
     Layer layer;
     std::set<std::string> damaged;
-    impl_->collect(*table, "", path, source, layer, damaged, problems);
+    impl_->collect(*table->table(), "", path, source, layer, damaged, problems);
     Impl::set_aside(damaged, layer);
     if (source == SettingSource::UserFile) impl_->damaged_profiles = std::move(damaged);
     // A TOML table is sorted by name; people read their file from the top.

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "settings/toml_value.h"
 #include "worlds/base/result.h"
 
 namespace handrail {
@@ -180,11 +181,13 @@ public:
     SettingsStore& operator=(SettingsStore&&) noexcept;
 
     const Settings& values() const;
-    // Reads a TOML file as the layer `source`, in place of what that layer held. A damaged or unreadable file changes
-    // nothing; an unknown key, a wrong type or a value out of range is a diagnostic naming the nearest key or legal
-    // range, and the rest applies. A missing file is no problem. A profile with a value that cannot be is set aside as
-    // a whole, with one sentence. A world may set only what world_may_set() allows: never a force or a speech setting.
-    std::vector<Diagnostic> load_file(const std::filesystem::path& path, SettingSource source);
+    // Reads a TOML file by `toml` as the layer `source`, in place of what that layer held. A damaged or unreadable file
+    // changes nothing; an unknown key, a wrong type or a value out of range is a diagnostic naming the nearest key or
+    // legal range, and the rest applies. A missing file is no problem. A profile with a value that cannot be is set
+    // aside as a whole, with one sentence. A world may set only what world_may_set() allows: never a force or a speech
+    // setting.
+    std::vector<Diagnostic> load_file(const std::filesystem::path& path, SettingSource source,
+                                      const TomlReader& toml = toml_of);
     // One setting, from the command line, a world's own key, or a live change. Fails naming the nearest key or the
     // legal range.
     Result<void> set(std::string_view key, std::string_view value, SettingSource source);

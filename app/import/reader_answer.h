@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/import/reader_process.h"
+#include "settings/toml_value.h"
 #include "worlds/stored/archive.h"
 #include "worlds/stored/stored_scene.h"
 
@@ -10,6 +11,8 @@ namespace handrail {
 inline constexpr int kAnswerFd = 3, kTellFd = 4, kFilesFd = 5, kKeptFd = 6;
 inline constexpr int kReaderWords = 12;  // with the program's own name
 inline constexpr int kWrongUse = 2, kNoMemory = 3, kNoRoom = 4, kCutMeanwhile = 5;
+// In place of the name of a world and of what is kept: the text at kKeptFd is TOML. No file of the cache has that name.
+inline constexpr const char* kTomlText = "toml";
 inline constexpr std::size_t kMostHandedOver_bytes = std::size_t{1} << 30;
 
 // Before the bytes of the scene or of the ways, which follow if `read`.
@@ -33,6 +36,36 @@ template <class A, Is<ReaderAnswer> T>
 void fields(A& a, T& v) {
     auto& [read, kept, kept_damaged, error, beside] = v;
     a(read, kept, kept_damaged, error, beside);
+}
+
+// After the answer to kTomlText. A fault has a line; else there are values.
+struct TomlAnswer {
+    Error fault;
+    TomlValue values;
+};
+
+template <class A, Is<TomlMoment> T>
+void fields(A& a, T& v) {
+    auto& [has_date, has_time, has_offset, year, month, day, hour, minute, second, nanosecond, offset_minutes] = v;
+    a(has_date, has_time, has_offset, year, month, day, hour, minute, second, nanosecond, offset_minutes);
+}
+template <class A, Is<TomlMember> T>
+void fields(A& a, T& v) {
+    auto& [key, value] = v;
+    a(key, value);
+}
+template <class A, Is<TomlValue> T>
+void fields(A& a, T& v) {
+    auto& [value, line, column, in_line] = v;
+    if constexpr (A::kReads)
+        if (!a.descend(kDeepestToml)) return;
+    a(value, line, column, in_line);
+    if constexpr (A::kReads) a.ascend();
+}
+template <class A, Is<TomlAnswer> T>
+void fields(A& a, T& v) {
+    auto& [fault, values] = v;
+    a(fault, values);
 }
 
 }  // namespace handrail

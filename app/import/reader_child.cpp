@@ -13,6 +13,7 @@
 #include "app/import/reader_answer.h"
 #include "app/import/reader_process.h"
 #include "app/import/requested_files.h"
+#include "app/import/toml_apart.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 #include "worlds/cache/cache.h"
@@ -118,6 +119,20 @@ int answer_with_ways(const std::string& kept_name) {
     return answer(told, ways);
 }
 
+int answer_with_toml() {
+    const OpenFile text{Descriptor(kKeptFd), kLargestToml_bytes, {}};
+    const Result<std::string> bytes = read_whole_file(text, kLargestToml_bytes, {});
+    if (!bytes) return kNoRoom;
+    TomlAnswer found;
+    if (Result<TomlValue> values = toml_of(*bytes)) found.values = std::move(*values);
+    else found.fault = values.error();
+    Packer pack;
+    pack(found);
+    ReaderAnswer told;
+    told.read = true;
+    return answer(told, pack.take());
+}
+
 }  // namespace
 
 int reader_process(int argc, char** argv) {
@@ -134,16 +149,18 @@ int reader_process(int argc, char** argv) {
 #endif
     end_where_the_file_was_cut();
     std::set_new_handler([] { ::_exit(kNoMemory); });
-    (void)speak_language(argv[1], argv[2]);
-
-    (void)sha256_of("");  // libgcrypt looks at the system when it is first used
+    const std::string name = argv[6];
+    const bool reads_toml = name.empty() && std::string_view(argv[11]) == kTomlText;
+    if (!reads_toml) {  // which needs neither, and is waited for
+        (void)speak_language(argv[1], argv[2]);
+        (void)sha256_of("");  // libgcrypt looks at the system when it is first used
+    }
     Permissions permissions;
 #if defined(HANDRAIL_SANITIZED)
     permissions.read.emplace_back("/proc");  // where a sanitizer looks for leaks
 #endif
     (void)confine(permissions);  // what the kernel lacks, `handrail devices` reports
 
-    const std::string name = argv[6];
     ReadOptions options;
     options.map_metres_per_unit = number<double>(argv[7]);
     options.obj_metres_per_unit = number<double>(argv[8]);
@@ -159,6 +176,7 @@ int reader_process(int argc, char** argv) {
     };
     options.stage = [](std::string_view stage) { write_all(kTellFd, fmt::format("s{}\n", stage)); };
     try {
+        if (reads_toml) return answer_with_toml();
         return name.empty() ? answer_with_ways(argv[11]) : answer_with_scene(name, options, argv[11]);
     } catch (const std::bad_alloc&) {
         return kNoMemory;

@@ -23,8 +23,7 @@
 #include "worlds/base/descriptor.h"
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
-
-extern "C" char** environ;
+#include "worlds/confine/confine.h"
 
 namespace handrail {
 namespace {
@@ -77,9 +76,10 @@ void tell(const ReadOptions& options, std::string_view line) {
     }
 }
 
-Result<std::string> everything_in(int fd) {
+Result<std::string> everything_in(int fd, std::size_t most_bytes) {
     struct stat of {};
     if (::fstat(fd, &of) != 0) return fail(reason_of(errno));
+    if (static_cast<std::size_t>(of.st_size) > most_bytes) return fail(phrase("import.too_large"));
     std::string bytes(static_cast<std::size_t>(of.st_size), '\0');
     std::size_t done = 0;
     while (done < bytes.size()) {
@@ -116,8 +116,8 @@ double children_cpu_s() {
            1e-6 * static_cast<double>(use.ru_utime.tv_usec + use.ru_stime.tv_usec);
 }
 
-Result<ReadApart> read_answer(int fd) {
-    Result<std::string> bytes = everything_in(fd);
+Result<ReadApart> read_answer(int fd, std::size_t most_bytes) {
+    Result<std::string> bytes = everything_in(fd, most_bytes);
     if (!bytes) return tl::unexpected(bytes.error());
     Unpacker unpack(*bytes);
     ReaderAnswer answer;
@@ -126,18 +126,6 @@ Result<ReadApart> read_answer(int fd) {
     if (!answer.read) return tl::unexpected(answer.error);
     bytes->erase(0, bytes->size() - unpack.rest().size());
     return ReadApart{std::move(*bytes), answer.kept, answer.kept_damaged, std::move(answer.beside)};
-}
-
-// The reader needs nothing of the person's environment, in which there are keys and addresses of other programs. A
-// sanitizer takes its options from there.
-std::vector<char*> readers_environment() {
-    std::vector<char*> variables;
-#if defined(HANDRAIL_SANITIZED)
-    for (char** variable = environ; *variable; ++variable)
-        if (std::string_view(*variable).find("SAN_OPTIONS=") != std::string_view::npos) variables.push_back(*variable);
-#endif
-    variables.push_back(nullptr);
-    return variables;
 }
 
 // The descriptors become 3, 4 and so on there.
@@ -170,7 +158,7 @@ Result<pid_t> start(const fs::path& program, std::vector<std::string> words, con
     argv.push_back(nullptr);
     pid_t process = -1;
     const int status =
-        ::posix_spawn(&process, program.c_str(), &actions, &how, argv.data(), readers_environment().data());
+        ::posix_spawn(&process, program.c_str(), &actions, &how, argv.data(), environment_with({}).data());
     posix_spawnattr_destroy(&how);
     posix_spawn_file_actions_destroy(&actions);
     if (status != 0) return fail(reason_of(status));
@@ -224,7 +212,7 @@ Result<ReadApart> read_apart(const fs::path& path, const ReadOptions& options, c
     const SteadyClock clock;
     const double until_s = clock.now_s() + limits.wall_s;
     std::string line;
-    bool asks = !path.empty();  // what unpacks ways has no world, so it gets no file
+    bool asks = !path.empty();  // what unpacks ways or parses TOML has no world, so it gets no file
     for (bool open = true; open;) {
         if (options.stop.stop_requested()) return fail(phrase("files.stopped"), name);
         if (clock.now_s() > until_s) return fail(phrase("import.too_long", {{"seconds", limits.wall_s}}), name);
@@ -244,7 +232,7 @@ Result<ReadApart> read_apart(const fs::path& path, const ReadOptions& options, c
     const int status = reading.wait();
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
         return fail(end_words(status, limits, children_cpu_s() - before_s), name);
-    return read_answer(answer.get());
+    return read_answer(answer.get(), limits.answer_bytes);
 }
 
 std::string unpack_ways_apart(const KeptForReader& kept, const fs::path& program, const std::stop_token& stop,

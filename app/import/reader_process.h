@@ -1,9 +1,9 @@
 // Reading a file in a process of its own (handrail-reader), so that no file takes the program down, whatever it holds:
 // its memory and time are bounded, and it dies with the program. It is confined: it has no environment, opens nothing,
 // and requests the world and the files next to it from the program (requested_files). The same process unpacks what the
-// cache keeps. What it made of either comes back through a piece of shared memory (worlds/stored), how far it is
-// through a pipe. Of that answer the program trusts nothing but its length: reading it back checks every count,
-// enumerator and reference.
+// cache keeps and parses TOML (toml_apart). What it made of either comes back through a piece of shared memory
+// (worlds/stored), how far it is through a pipe. Of that answer the program trusts nothing but its length: reading it
+// back checks every count, enumerator and reference.
 #pragma once
 
 #include <cstdint>
@@ -16,9 +16,10 @@
 namespace handrail {
 
 struct ReaderLimits {
-    std::size_t memory_bytes = 2'000'000'000;  // address space; sanitized builds need all there is and have none
-    int cpu_s = 50;                            // of the processor
-    double wall_s = 60.0;                      // on the clock, where the machine is busy or a disk hangs
+    std::size_t memory_bytes = 2'000'000'000;         // address space; sanitized builds need all there is and have none
+    int cpu_s = 50;                                   // of the processor
+    double wall_s = 60.0;                             // on the clock, where the machine is busy or a disk hangs
+    std::size_t answer_bytes = std::size_t{1} << 30;  // what it hands over
 };
 
 // A file next to the world's that it needed, and its SHA-256 in hex; empty if it could not be read.

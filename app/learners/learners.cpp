@@ -8,6 +8,7 @@
 
 #include "app/core/kept/folder_lock.h"
 #include "worlds/base/files.h"
+#include "worlds/base/folder_unless_kept.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
@@ -33,22 +34,20 @@ std::string id_by_chance() {
     return id;
 }
 
+tl::unexpected<Error> no_folder(const fs::path& folder, int error) {
+    return fail(phrase("learner.no_folder", {{"folder", folder.string()}, {"reason", reason_of(error)}}));
+}
+
 // For nobody but the person, whatever the mask says.
 Result<void> make_private(const fs::path& folder) {
     if (::mkdir(folder.c_str(), 0700) == 0 || errno == EEXIST) return {};
-    return fail(phrase("learner.no_folder", {{"folder", folder.string()}, {"reason", reason_of(errno)}}));
-}
-
-Result<void> write_private(const fs::path& file, const std::string& text) {
-    auto written = write_file_atomically(file, text);
-    if (written && ::chmod(file.c_str(), 0600) != 0)
-        return fail(phrase("learner.no_folder", {{"folder", file.string()}, {"reason", reason_of(errno)}}));
-    return written;
+    return no_folder(folder, errno);
 }
 
 }  // namespace
 
-Learners::Learners(const fs::path& data_folder) : folder_(data_folder / "learners") {}
+Learners::Learners(const fs::path& data_folder)
+    : folder_(data_folder.empty() ? data_folder : data_folder / "learners") {}
 
 Result<Learner> Learners::read(const std::string& id) const {
     const auto text = read_whole_file(file_of(id), kLongestFile_bytes);
@@ -82,7 +81,7 @@ Result<Learner> Learners::find(const std::string& name_or_id) const {
         names.push_back(one.name);
     }
     std::error_code ec;
-    if (is_id(name_or_id) && fs::is_directory(folder_of(name_or_id), ec))
+    if (!folder_.empty() && is_id(name_or_id) && fs::is_directory(folder_of(name_or_id), ec))
         return read(name_or_id);  // says what is wrong
     if (names.empty()) return fail(phrase("learner.nobody", {{"name", one_line(name_or_id)}}));
     return fail(
@@ -92,12 +91,14 @@ Result<Learner> Learners::find(const std::string& name_or_id) const {
 std::string Learners::id_of(const std::string& name_or_id) const {
     if (const auto learner = find(name_or_id)) return learner->id;
     std::error_code ec;
-    return is_id(name_or_id) && fs::is_directory(folder_of(name_or_id), ec) ? name_or_id : std::string();
+    return !folder_.empty() && is_id(name_or_id) && fs::is_directory(folder_of(name_or_id), ec) ? name_or_id
+                                                                                                : std::string();
 }
 
 Result<Learner> Learners::make(const std::string& name, const std::string& settings) const {
     auto good = good_learner_name(name);
     if (!good) return tl::unexpected(good.error());
+    if (folder_.empty()) return fail(phrase("files.no_home"));
     std::error_code ec;
     fs::create_directories(folder_.parent_path(), ec);  // what is wrong with it the next line tells
     if (auto made = make_private(folder_); !made) return tl::unexpected(made.error());
@@ -110,12 +111,15 @@ Result<Learner> Learners::make(const std::string& name, const std::string& setti
     while (fs::exists(folder_of(learner.id), ec));
     learner.name = std::move(*good);
     learner.created = today();
-    if (auto made = make_private(folder_of(learner.id)); !made) return tl::unexpected(made.error());
+    FolderUnlessKept begun(folder_of(learner.id));
+    if (const int error = begun.make()) return no_folder(folder_of(learner.id), error);
     const auto text = text_of(learner, {}, file_of(learner.id).string());
     if (!text) return tl::unexpected(text.error());
-    if (auto written = write_private(settings_of(learner.id), settings); !written)
+    if (auto written = write_private_file_atomically(settings_of(learner.id), settings); !written)
         return tl::unexpected(written.error());
-    if (auto written = write_private(file_of(learner.id), *text); !written) return tl::unexpected(written.error());
+    if (auto written = write_private_file_atomically(file_of(learner.id), *text); !written)
+        return tl::unexpected(written.error());
+    begun.keep();
     return learner;
 }
 
@@ -130,7 +134,8 @@ Result<Learner> Learners::change(const std::string& id, const std::function<void
     to(*learner);
     const auto text = text_of(*learner, *before, file_of(id).string());
     if (!text) return tl::unexpected(text.error());
-    if (auto written = write_private(file_of(id), *text); !written) return tl::unexpected(written.error());
+    if (auto written = write_private_file_atomically(file_of(id), *text); !written)
+        return tl::unexpected(written.error());
     return learner;
 }
 

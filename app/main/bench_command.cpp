@@ -5,6 +5,7 @@
 #include "tests/bench/compare/report.h"
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
+#include "worlds/base/text.h"
 
 namespace handrail {
 namespace {
@@ -35,7 +36,7 @@ int run_bench_command(const BenchArguments& arguments, std::ostream& out, std::o
     for (const fs::path& map : arguments.maps) {
         std::error_code ec;
         if (!fs::is_regular_file(map, ec)) {
-            err << phrase("program.no_map", {{"file", map.string()}}) << '\n';
+            err << one_line(phrase("program.no_map", {{"file", map.string()}})) << '\n';
             return 1;
         }
         options.maps.push_back(map);
@@ -45,7 +46,7 @@ int run_bench_command(const BenchArguments& arguments, std::ostream& out, std::o
     options.servo_s = arguments.seconds.value_or(arguments.quick ? 1.0 : 60.0);
     const std::vector<std::string> names = bench::scene_names(options);
     if (names.empty()) {
-        err << phrase("program.no_scene", {{"name", arguments.scene}}) << '\n';
+        err << one_line(phrase("program.no_scene", {{"name", arguments.scene}})) << '\n';
         return 1;
     }
     if (arguments.list) {

@@ -44,11 +44,15 @@ std::vector<std::string> CarriedLines::take_rest() {
 
 bool CarriedLines::take(double now_s, WizardSession* wizard) {
     if (wizard) return answer(*wizard, now_s);
-    if (worlds_.reading()) {
+    const bool first = !app_.scene();  // there is nowhere to be until the first world is read
+    if (first || worlds_.reading()) {
         stood_s_ = -1.0;
-        if (by_person_ && !lines_.empty() && leaves(lines_.front()) && worlds_.give_up_reading(now_s))
+        if (!by_person_) return true;
+        if (!lines_.empty() && leaves(lines_.front()) && (first || worlds_.give_up_reading(now_s))) {
+            left_ = first;
             lines_.pop_front();
-        return true;
+            return true;
+        }
     }
     if (!falls_on(now_s) && repeat_left_ == 0 && !app_.idle()) {
         settle_until_s_ = now_s + kSettles_s;  // what came of it wants to be said before the next line interrupts

@@ -26,8 +26,9 @@ public:
     void drop();
     // The same, for somebody else to do.
     std::vector<std::string> take_rest();
-    // Once a frame: does what is next, for the wizard where there is one. Nothing but leaving is done while a world is
-    // read. False when there was nothing to do and nothing is waited for.
+    // Once a frame: does what is next, for the wizard where there is one. While a world is read, a person's words are
+    // done at once, in the world they are still in, and a script waits for it. False when there was nothing to do and
+    // nothing is waited for.
     bool take(double now_s, WizardSession* wizard);
     // A line left the program.
     bool left() const { return left_; }

@@ -11,6 +11,7 @@
 #include "app/main/learner_grammar.h"
 #include "app/main/learner_start.h"
 #include "app/main/lesson_grammar.h"
+#include "app/main/plain_output.h"
 #include "app/main/recorded_grammar.h"
 #include "app/main/world_files.h"
 #include "app/main/wrong_usage.h"
@@ -339,8 +340,9 @@ int explore(ExploreCall call, FirstLanguage first, std::ostream& err, const Long
         std::optional<SettingsStore> settings = load_settings(call.settings, std::move(first), problems, err);
         if (!settings) return 2;
         if (call.arguments.world)  // house.settings.toml beside house.map
-            for (Diagnostic& problem : settings->load_file(
-                     fs::path(*call.arguments.world).replace_extension(".settings.toml"), SettingSource::World))
+            for (Diagnostic& problem :
+                 settings->load_file(fs::path(*call.arguments.world).replace_extension(".settings.toml"),
+                                     SettingSource::World, toml_beside_worlds()))
                 problems.push_back(std::move(problem));
         ExploreEnd end = run_explore(call.arguments, *settings, err, progress);
         if (!end.learner) return end.status;
@@ -382,7 +384,7 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
     if (&chosen == grammar.replay_app) return grammar.recorded.replay;
     if (&chosen == grammar.recorded.lesson_app) {
         ExploreArguments& taught = grammar.recorded.lesson.explore.arguments;
-        if (grammar.recorded.lesson.recorded) taught.record_in = user_data_folder() / "recordings";
+        if (grammar.recorded.lesson.recorded) taught.record_in = user_data_folder("recordings");
         taught.program_version = HANDRAIL_VERSION;
         return grammar.recorded.lesson;
     }
@@ -392,7 +394,7 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
         if (auto error = check_touch(grammar.touch)) return *error;
         return grammar.touch;
     }
-    if (grammar.explore_recorded) grammar.explore.arguments.record_in = user_data_folder() / "recordings";
+    if (grammar.explore_recorded) grammar.explore.arguments.record_in = user_data_folder("recordings");
     grammar.explore.arguments.program_version = HANDRAIL_VERSION;
     auto& world = grammar.explore.arguments.world;
     if (world && is_misspelt_command(*world)) {
@@ -403,8 +405,9 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
     return grammar.explore;
 }
 
-int run_command_line(const std::vector<std::string>& words, std::ostream& out, std::ostream& err,
+int run_command_line(const std::vector<std::string>& words, std::ostream& to_out, std::ostream& to_err,
                      const LongWork& progress) {
+    PlainOutput out(to_out), err(to_err);
     std::vector<Diagnostic> problems;
     FirstLanguage first = speak_first();
     ParsedCommandLine parsed = parse_command_line(words);
@@ -459,7 +462,7 @@ int run_command_line(const std::vector<std::string>& words, std::ostream& out, s
                 return 0;
             },
             [&](const UsageError& error) {
-                err << error.sentence << "\n";
+                err << one_line(error.sentence) << "\n";  // it may quote what was typed
                 return 2;
             }},
         parsed);

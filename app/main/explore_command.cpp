@@ -36,7 +36,9 @@ namespace handrail {
 namespace {
 
 constexpr double kFrame_s = 1.0 / 60.0;
-constexpr double kLastWords_s = 3.0;  // how long the end waits for what is being said
+// How long the end waits for what is being said: "Goodbye." takes as long. With what follows it is a second at most.
+constexpr double kLastWords_s = 0.6;
+constexpr double kAfterLastWord_s = 0.3;  // the process ends then, whatever other threads are at
 
 bool a_display_is_there() {
     for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"})
@@ -79,14 +81,14 @@ public:
         if (arguments_.calibrate) {
             set_up_.begin(*arguments_.calibrate);
             calibrate();
-            finish(err);
+            finish(err, 0);
             return {};
         }
         hand_.begin(asked_s);
         if (settings_.values().pads.use) companions_.emplace(clock_);
         left_.look_for(arguments_.left_device.value_or(settings_.values().haptic.left_device));
         const int status = load_world(err) ? explore(err) : ended() ? 0 : 1;
-        finish(err);
+        finish(err, status);
         ExploreEnd end{status, learners_.next(), worlds_.path(), {}};
         if (lines_) end.lines = lines_->take_rest();
         return end;
@@ -148,10 +150,12 @@ private:
     bool load_world(std::ostream& err) {
         const std::filesystem::path path = arguments_.world.value_or(first_world());
         WorldLoading loading(path, arguments_.common);
+        watch_lines();
         while (!loading.ready()) {
             clock_.sleep_until_s(clock_.now_s() + kFrame_s);
             if (window_) window_->take(set_up_.session());
             if (keys_) keys_->take(clock_.now_s(), set_up_.session());
+            if (lines_) lines_->take(clock_.now_s(), set_up_.session(), true);
             if (ended()) return false;
             if (!hand_.look(err)) return false;
             kept_.keep_saved(clock_.now_s());
@@ -173,7 +177,6 @@ private:
 
     int explore(std::ostream& err) {
         double next_s = clock_.now_s();
-        watch_lines();
         while (!ended() && !app_.requests().leave && !learners_.next()) {
             const double now_s = in_whole_microseconds(clock_.now_s());
             app_.apply(Stopped{switches_.stops}, now_s);
@@ -185,6 +188,7 @@ private:
             hand_.read();
             hand_.tell_how_it_runs();
             notice_left_hand(now_s);
+            hand_.watch_sleep(left_.real() ? &left_.tool() : nullptr);
             set_up_.begin_if_asked();
             recording_.set_up(set_up_.under_way());
             if (auto ended = recording_.take_problem()) say_(std::move(*ended));
@@ -194,7 +198,7 @@ private:
                 guide(now_s);
             } else {
                 const ToolState& left_tool = left_.tool();
-                lesson_.turn(worlds_.path(), now_s);
+                lesson_.turn(worlds_.path(), ears_.sound().speaking(), now_s);
                 app_.tick(now_s, hand_.tool(), left_tool);
                 lesson_.see(recording_.ticked(app_, now_s, hand_.tool(), left_tool));
                 hand_over();
@@ -218,6 +222,8 @@ private:
             const double now_s = clock_.now_s();
             take_input(now_s);
             set_up_.look_for_hand();
+            hand_.read();
+            hand_.watch_sleep(left_.real() ? &left_.tool() : nullptr);
             guide(now_s);
             kept_.keep_saved(now_s);
             draw_words();
@@ -296,7 +302,7 @@ private:
     }
 
     // Forces down first, then the settings, then the last words.
-    void finish(std::ostream& err) {
+    void finish(std::ostream& err, int status) {
         companions_.reset();
         hand_.stop_looking();
         left_.stop();
@@ -309,6 +315,8 @@ private:
         progress_.at(phrase("progress.recording_end"));
         recording_.end();
         progress_.done();
+        // All is saved and said. Another person goes on in this process; else work on other threads is not waited for.
+        if (!learners_.next()) signals_.in_time.end_within(kAfterLastWord_s, status);
         worlds_.end();
     }
 

@@ -74,6 +74,14 @@ void HandInUse::tell_how_it_runs() {
     tell_of_guard();
 }
 
+void HandInUse::watch_sleep(const ToolState* left) {
+    if (!sleep_ && (guarded_ || left)) sleep_.emplace([this] { parts_.switches.stop(); });
+    if (!sleep_) return;
+    const bool no_force = tool_.force_n == Vec3(0.0) && (!left || left->force_n == Vec3(0.0));
+    if (no_force && sleep_->delays_sleep()) sleep_->let_sleep();
+    if (sleep_->take_woken()) parts_.say(phrase("program.has_slept"));
+}
+
 // ---- the search, and what is plugged in ----
 
 void HandInUse::begin(double asked_s) {

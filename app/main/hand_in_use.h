@@ -12,6 +12,7 @@
 #include "app/main/commands.h"
 #include "app/main/find_hand.h"
 #include "app/main/session_voice.h"
+#include "app/main/sleep_watch.h"
 #include "haptic/device/simulated_device.h"
 #include "haptic/servo/servo_loop.h"
 
@@ -24,7 +25,7 @@ public:
         const ExploreArguments& arguments;
         const SettingsStore& settings;
         Clock& clock;
-        const ServoSwitches& switches;
+        ServoSwitches& switches;
         ServoLoop::EventRing& contacts;  // of whichever device is in use
         Session& app;
         const SessionVoice& say;
@@ -63,6 +64,10 @@ public:
     // Once, for a real device: what may make it uneven. And what its guard has to tell, whenever it has.
     void tell_how_it_runs();
 
+    // Once a frame: from the first real device on, takes all force away before the computer sleeps, as the stop key
+    // does, and says afterwards how it comes back. `left`: the newest of the left hand; null: that is no real device.
+    void watch_sleep(const ToolState* left);
+
     // What this frame changed, to the servo. `more_confirms`: besides those of the app.
     void feel_world(std::uint32_t more_confirms);
     void feel_set_up(const std::shared_ptr<const HapticScene>& scene, const ServoTuning& tuning,
@@ -97,6 +102,7 @@ private:
     double asked_s_ = 0.0;              // when the program or the person began the search
     bool told_how_it_runs_ = false;
     bool guard_missed_ = false;  // and the device offered anew
+    std::optional<SleepWatch> sleep_;
     // What the servo was last given.
     std::shared_ptr<const HapticScene> given_scene_, given_desk_;
     std::uint64_t given_bodies_ = 0;

@@ -213,7 +213,7 @@ void tell_honestly(const Scene& scene, std::ostream& out) {
 void tell(const Scene& scene, const TouchModel& touch, const Cost& cost, std::ostream& out) {
     const ReadReport& report = scene.report;
     const Vec3 size = scene.bounds_m.empty() ? Vec3{0.0} : scene.bounds_m.size_m();
-    const auto line = [&out](const std::string& sentence) { out << sentence << '\n'; };
+    const auto line = [&out](const std::string& sentence) { out << one_line(sentence) << '\n'; };
     line(phrase("info.world", {{"world", spoken_name(scene)}, {"file", scene.source_file}}));
     line(phrase("info.size",
                 {{"x", size.x}, {"y", size.y}, {"z", size.z}, {"unit", fmt::format("{}", scene.metres_per_unit)}}));
@@ -258,7 +258,7 @@ void tell(const Scene& scene, const TouchModel& touch, const Cost& cost, std::os
     const auto list = [&](const std::string& title, const std::vector<std::string>& sentences) {
         if (sentences.empty()) return;
         line(title);
-        for (const std::string& sentence : sentences) out << "  " << sentence << '\n';
+        for (const std::string& sentence : sentences) out << "  " << one_line(sentence) << '\n';
     };
     list(phrase("info.guessed"), report.guessed);
     list(phrase("info.simplified"), report.simplified);
@@ -337,8 +337,8 @@ std::vector<std::string> simplified_at(const Scene& scene, double world_m_per_ha
 // Can a hand tell this world's materials apart? 1 when not.
 int tell_lint(const Scene& scene, std::ostream& out) {
     const LintReport lint = lint_materials(scene);
-    for (const std::string& problem : lint.problems) out << problem << '\n';
-    for (const std::string& warning : lint.warnings) out << warning << '\n';
+    for (const std::string& problem : lint.problems) out << one_line(problem) << '\n';
+    for (const std::string& warning : lint.warnings) out << one_line(warning) << '\n';
     if (lint.problems.empty()) out << phrase("program.told_apart") << '\n';
     return lint.problems.empty() ? 0 : 1;
 }

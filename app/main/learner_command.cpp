@@ -45,7 +45,7 @@ public:
 
 private:
     int refuse(const std::string& sentence, int status) {
-        err_ << sentence << '\n';
+        err_ << one_line(sentence) << '\n';
         return status;
     }
     int refuse(const Error& error, int status = 1) { return refuse(error.sentence(), status); }
@@ -197,7 +197,8 @@ private:
         progress_.at(phrase("progress.search"));
         const Search left = search_for(words, folders);
         progress_.done();
-        for (const fs::path& file : left.unread) err_ << phrase("learner.unread", {{"file", file.string()}}) << '\n';
+        for (const fs::path& file : left.unread)
+            err_ << one_line(phrase("learner.unread", {{"file", file.string()}})) << '\n';
         if (left.hits.empty()) {
             out_ << phrase("learner.nothing_left", {{"files", left.files}}) << '\n';
             return left.unread.empty() ? 0 : 1;

@@ -48,7 +48,7 @@ std::string LearnersHere::told_of(const Learner& learner) const {
     const auto lessons = lessons_begun(folder);
     if (!lessons) return words + " " + lessons.error().sentence();
     for (const LessonProgress& one : *lessons)
-        if (const auto lesson = read_lesson(one.file, {world_folder()}))
+        if (const auto lesson = read_lesson(one.file, {world_folder()}, toml_beside_worlds()))
             words += " " + phrase("learner.lesson_goes_on",
                                   {{"title", lesson->title.spoken()},
                                    {"number", session_behind(one.taught, lesson->sessions.size()) + 1},

@@ -23,6 +23,7 @@ public:
     void look_for(const std::string& wanted);
     // Once a frame: tells what is new of it; true on the frame on which the hand came.
     bool take_change(std::vector<std::string>& news);
+    bool real() const { return guarded_ != nullptr; }
     const HandFacts& facts() const { return facts_; }
     // What this frame changed, to the servo.
     void hand_over(const Session& app);

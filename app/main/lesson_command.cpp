@@ -45,7 +45,7 @@ std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments
                               std::ostream& out, std::ostream& err, const LongWork& progress) {
     std::error_code ec;
     if (arguments.file == "watch" && !std::filesystem::exists(arguments.file, ec))
-        return watch_desk(desk_socket_path(), STDIN_FILENO, out, err);
+        return watch_desk(desk_folder(), STDIN_FILENO, out, err);
     const LearnerName learner = learner_named(arguments.learner);
     const auto refused = [&](const Error& error) {
         fmt::print(err, "{}\n", error.sentence());
@@ -54,7 +54,7 @@ std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments
     const auto file = lesson_given(arguments.file);
     if (!file) return refused(file.error());
     if (arguments.protocol) {
-        const auto lesson = read_lesson(*file, {world_folder()});
+        const auto lesson = read_lesson(*file, {world_folder()}, toml_beside_worlds());
         if (!lesson) return refused(lesson.error());
         out << protocol_of(*lesson, learner);
         return 0;

@@ -6,6 +6,7 @@
 #include "app/learners/kept_results.h"
 #include "app/learners/lesson_progress.h"
 #include "app/main/world_files.h"
+#include "app/teaching/run_words.h"
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
@@ -17,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kTurn_s = 0.1;
-constexpr std::size_t kMostOffered = 50;
+constexpr std::size_t kMostLooked = 50;  // at lessons of a folder
 constexpr std::string_view kEnding = ".lesson.toml";
 
 // In the order of their names.
@@ -30,9 +31,26 @@ std::vector<fs::path> lessons_in(const fs::path& folder) {
     return files;
 }
 
+// Next to the world and in the folder of the person's own, each once.
+std::vector<fs::path> lessons_near(const fs::path& world) {
+    std::vector<fs::path> files;
+    for (const fs::path& folder : {world.parent_path(), lessons_folder()}) {
+        std::vector<fs::path> here = lessons_in(folder);
+        if (here.size() > kMostLooked) here.resize(kMostLooked);
+        for (fs::path& file : here)
+            if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(std::move(file));
+    }
+    return files;
+}
+
 }  // namespace
 
-fs::path lessons_folder() { return user_data_folder() / "lessons"; }
+void read_lessons_ahead(const fs::path& world, const std::stop_token& stop) {
+    for (const fs::path& file : lessons_near(world))
+        if (!stop.stop_requested()) (void)read_lesson(file, {world_folder()}, toml_beside_worlds());
+}
+
+fs::path lessons_folder() { return user_data_folder("lessons"); }
 
 Result<fs::path> lesson_given(const fs::path& word) {
     std::error_code ec;
@@ -49,36 +67,32 @@ Result<fs::path> lesson_given(const fs::path& word) {
 }
 
 Result<std::shared_ptr<TaughtWorld>> read_taught_world(const fs::path& file) {
-    auto lesson = read_lesson(file, {world_folder()});
+    auto lesson = read_lesson(file, {world_folder()}, toml_beside_worlds());
     if (!lesson) return tl::unexpected(lesson.error());
     auto scene = read_world(lesson->world);
     if (!scene) return tl::unexpected(scene.error());
     const std::string checksum =
-        lesson->world_checksum.empty() ? std::string() : SideFile::of_world(lesson->world, {}).world_checksum();
+        lesson->world_checksum.empty() ? std::string() : SideFile::checksum_of_world(lesson->world);
     return TaughtWorld::find(std::move(*lesson), std::make_shared<const Scene>(std::move(*scene)), checksum);
 }
 
-// Those whose world this is, beside it and in the folder of the person's own.
+// Those whose world this is.
 void LessonHere::offer(const fs::path& world, double now_s) {
     offered_.clear();
     TeacherActed act{TeacherActed::Kind::Offer, {}, {}, {}, 0.0};
-    for (const fs::path& folder : {world.parent_path(), lessons_folder()}) {
+    for (const fs::path& file : lessons_near(world)) {
         std::error_code ec;
-        for (const fs::path& file : lessons_in(folder)) {
-            if (offered_.size() >= kMostOffered) break;
-            const auto lesson = read_lesson(file, {world_folder()});
-            if (!lesson || !fs::equivalent(lesson->world, world, ec)) continue;
-            if (std::find(offered_.begin(), offered_.end(), file) != offered_.end()) continue;
-            offered_.push_back(file);
-            std::vector<std::string> news;
-            std::string title = lesson->title.spoken();
-            if (arguments_.remember)
-                title = phrase("teaching.offer_goes_on", {{"title", title},
-                                                          {"number", next_session(arguments_, *lesson, news) + 1},
-                                                          {"count", lesson->sessions.size()}});
-            for (std::string& words : news) say_(std::move(words));
-            act.items.push_back(std::move(title));
-        }
+        const auto lesson = read_lesson(file, {world_folder()}, toml_beside_worlds());
+        if (!lesson || !fs::equivalent(lesson->world, world, ec)) continue;
+        offered_.push_back(file);
+        std::vector<std::string> news;
+        std::string title = lesson->title.spoken();
+        if (arguments_.remember)
+            title = phrase("teaching.offer_goes_on", {{"title", title},
+                                                      {"number", next_session(arguments_, *lesson, news) + 1},
+                                                      {"count", lesson->sessions.size()}});
+        for (std::string& words : news) say_(std::move(words));
+        act.items.push_back(std::move(title));
     }
     app_.apply(std::move(act), now_s);
 }
@@ -96,7 +110,13 @@ void LessonHere::begin(const LessonToTeach& lesson, double now_s) {
     begun_s_ = now_s;
     begun_utc_ = now_utc();
     run_.emplace(begin_lesson(lesson.world, lesson.session, lesson.learner, app_));
-    if (auto desk = DeskServer::open(desk_socket_path())) desk_ = std::move(*desk);
+    const LessonFile& file = lesson.world->lesson();
+    const std::string title = one_after(
+        phrase("desk_order.title", {{"lesson", file.title.spoken()},
+                                    {"session", file.sessions[lesson.session].name},
+                                    {"world", spoken_name(*lesson.world->scene())}}),
+        lesson.learner.name.empty() ? std::string() : phrase("desk_order.learner", {{"name", lesson.learner.name}}));
+    if (auto desk = DeskServer::open(desk_folder(), title)) desk_ = std::move(*desk);
     else say_(desk.error().sentence());
 }
 
@@ -113,11 +133,12 @@ void LessonHere::write_draft(const fs::path& world, double now_s) {
         else if (!stem.empty() && stem.back() != '-') stem += '-';
     while (stem.ends_with('-')) stem.pop_back();
     if (stem.empty()) stem = "lesson";
-    fs::create_directories(lessons_folder(), ec);  // what keeps it from being there is told by the write
-    fs::path file = lessons_folder() / (stem + ".lesson.toml");
-    for (int number = 2; fs::exists(file, ec); ++number)
-        file = lessons_folder() / fmt::format("{}-{}.lesson.toml", stem, number);
-    const auto written = write_file_atomically(file, lesson_text(lesson));
+    const fs::path folder = lessons_folder();
+    fs::create_directories(folder, ec);  // what keeps it from being there is told by the write
+    fs::path file = folder / (stem + ".lesson.toml");
+    for (int number = 2; fs::exists(file, ec); ++number) file = folder / fmt::format("{}-{}.lesson.toml", stem, number);
+    const auto written =
+        folder.empty() ? fail(phrase("files.no_home")) : write_file_atomically(file, lesson_text(lesson));
     app_.apply(Told{written ? phrase("prepare.saved", {{"title", draft->title}, {"file", file.string()}})
                             : written.error().sentence(),
                     SpeechClass::Answer},
@@ -146,7 +167,7 @@ void LessonHere::listen_to_desk(double now_s) {
     desk_->tell(run_->summary());
 }
 
-void LessonHere::turn(const fs::path& world, double now_s) {
+void LessonHere::turn(const fs::path& world, bool speaking, double now_s) {
     if (app_.world().entered == 0) return;
     if (world_ != app_.world().entered) {
         world_ = app_.world().entered;
@@ -160,7 +181,7 @@ void LessonHere::turn(const fs::path& world, double now_s) {
     if (!run_ || now_s - turned_s_ < kTurn_s) return;
     turned_s_ = now_s;
     listen_to_desk(now_s);
-    teach_on(*run_, app_, std::exchange(events_, {}), now_s);
+    teach_on(*run_, app_, std::exchange(events_, {}), now_s, speaking);
     if (!run_->over()) return;
     close(now_s);
     offer(world, now_s);

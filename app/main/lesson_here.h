@@ -6,6 +6,7 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,8 @@ public:
     LessonHere(const ExploreArguments& arguments, Session& app, const SessionVoice& say)
         : arguments_(arguments), app_(app), say_(say) {}
 
-    // Before the session's tick. world: the file one is in.
-    void turn(const std::filesystem::path& world, double now_s);
+    // Before the session's tick. world: the file one is in; speaking: somebody speaks.
+    void turn(const std::filesystem::path& world, bool speaking, double now_s);
     // After it: what happened in it.
     void see(const std::vector<SessionEvent>& events);
     // The session ends: what was measured until now is kept where that is agreed.
@@ -54,6 +55,8 @@ private:
     double turned_s_ = -1e9, told_s_ = -1e9;
 };
 
+// Reads the lessons that will be offered in a world, so that the app's thread finds them known (toml_beside_worlds).
+void read_lessons_ahead(const std::filesystem::path& world, const std::stop_token& stop);
 // The lesson that a command was given: a file, or by its name, "school", one of the person's own or of those that come
 // with the program. Fails with what there is instead.
 Result<std::filesystem::path> lesson_given(const std::filesystem::path& word);

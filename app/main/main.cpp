@@ -6,6 +6,7 @@
 
 #include "app/main/command_line.h"
 #include "app/main/long_work.h"
+#include "app/main/plain_output.h"
 
 namespace {
 
@@ -22,6 +23,7 @@ void open_standard_descriptors() {
 int main(int argc, char** argv) {
     open_standard_descriptors();
     const handrail::LongWork progress = handrail::LongWork::begun();
-    const handrail::LongWorkLines lines(progress, std::cerr);
+    handrail::PlainOutput plain(std::cerr);
+    const handrail::LongWorkLines lines(progress, plain);
     return handrail::run_command_line({argv + 1, argv + argc}, std::cout, std::cerr, progress);
 }

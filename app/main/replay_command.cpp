@@ -160,8 +160,8 @@ private:
 template <class Rows>
 Result<void> write_table(const fs::path& file, std::string_view header, const Rows& rows) {
     if (rows.empty()) return {};
-    std::string text = std::string(header) + "\n";
-    for (const auto& row : rows) text += fmt::format("{}\n", fmt::join(numbers_of(row), ","));
+    std::string text = std::string(header) + "\r\n";
+    for (const auto& row : rows) text += fmt::format("{}\r\n", fmt::join(numbers_of(row), ","));
     return write_file_atomically(file, text);
 }
 
@@ -214,7 +214,7 @@ fs::path newest_in(const fs::path& folder) {
 
 int run_replay(const ReplayArguments& arguments, const Settings& settings, std::ostream& out, std::ostream& err,
                const LongWork& progress) {
-    const fs::path folder = arguments.folder.value_or(newest_in(user_data_folder() / "recordings"));
+    const fs::path folder = arguments.folder.value_or(newest_in(user_data_folder("recordings")));
     const auto refuse = [&err](const Error& error) {
         err << error.sentence() << '\n';
         return 1;

@@ -100,7 +100,7 @@ private:
     }
 
     int of_session() {
-        const fs::path folder = arguments_.folder.value_or(newest_in(user_data_folder() / "recordings"));
+        const fs::path folder = arguments_.folder.value_or(newest_in(user_data_folder("recordings")));
         if (folder.empty()) return refuse({{}, 0, 0, phrase("replay.none")});
         WorldBefore none;
         auto report = report_of_folder(folder, none, progress_, out_, err_);

@@ -11,6 +11,7 @@
 #include "audio-cues/sinks/recording_sinks.h"
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
+#include "worlds/base/markup.h"
 
 namespace handrail {
 namespace {
@@ -86,27 +87,6 @@ Outcome run_one(const Scenario& scenario, const ScenarioArguments& arguments) {
     return outcome;
 }
 
-std::string xml_text(const std::string& text) {
-    std::string out;
-    for (const char c : text) switch (c) {
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '&':
-                out += "&amp;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            default:
-                out += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? ' ' : c;
-        }
-    return out;
-}
-
 std::string junit_xml(const std::vector<Outcome>& outcomes) {
     const auto failed =
         std::count_if(outcomes.begin(), outcomes.end(), [](const Outcome& o) { return !o.failures.empty(); });
@@ -115,15 +95,15 @@ std::string junit_xml(const std::vector<Outcome>& outcomes) {
         "failures=\"{}\">\n",
         outcomes.size(), failed);
     for (const Outcome& o : outcomes) {
-        xml += fmt::format("  <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"", xml_text(o.name),
-                           xml_text(o.title), o.virtual_s);
+        xml += fmt::format("  <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"", markup_text(o.name),
+                           markup_text(o.title), o.virtual_s);
         if (o.failures.empty()) {
             xml += "/>\n";
             continue;
         }
         xml += ">\n";
         for (const std::string& failure : o.failures)
-            xml += fmt::format("    <failure message=\"{}\"/>\n", xml_text(failure));
+            xml += fmt::format("    <failure message=\"{}\"/>\n", markup_text(failure));
         xml += "  </testcase>\n";
     }
     return xml + "</testsuite>\n";

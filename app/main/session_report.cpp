@@ -26,9 +26,12 @@ std::vector<WayPoint> way_of(const Recording& recording, const RecordedEvents& e
     std::vector<WayPoint> walk;
     Vec3 before(0.0);
     bool leap = false, first = true;
+    std::size_t leaps = 0;
     for (const FrameRow& frame : recording.frames) {
         const double t_s = frame.now_s - recording.head.begun_s;
         if (t_s < events.from_s || t_s > events.to_s) continue;
+        // Frames are as they were at the end of a tick, leaps as they were told in it.
+        for (; leaps < events.leaps_s.size() && events.leaps_s[leaps] <= t_s + 1e-3; ++leaps) leap = true;
         leap = leap || (!first && glm::length(frame.feet_m - before) > kLeap_m);
         before = frame.feet_m;
         first = false;
@@ -121,8 +124,10 @@ int count_between(std::span<const double> times_s, double from_s, double to_s) {
         std::count_if(times_s.begin(), times_s.end(), [&](double t_s) { return t_s >= from_s && t_s <= to_s; }));
 }
 
-void add_pauses(ReportTask& task, std::span<const WayPoint> walk) {
-    const Hesitations pauses = hesitations(walk);
+void add_pauses(ReportTask& task, std::span<const WayPoint> walk, const RecordedEvents& events) {
+    std::vector<Span> busy;
+    for (const RecordedSpan& span : events.busy) busy.push_back({span.from_s, span.to_s});
+    const Hesitations pauses = hesitations(walk, busy);
     task.measures.push_back({"pauses", static_cast<double>(pauses.count)});
     task.measures.push_back({"pause_time", pauses.sum_s});
 }
@@ -143,7 +148,7 @@ ReportTask task_of(const RecordedWay& way, double to_s, std::span<const WayPoint
             task.measures.push_back({"turns_early", static_cast<double>(turns.early)});
         }
     }
-    add_pauses(task, walk);
+    add_pauses(task, walk, events);
     task.measures.push_back({"help_asked", static_cast<double>(count_between(events.help_s, way.from_s, end_s))});
     return task;
 }
@@ -165,12 +170,32 @@ ReportTask task_of(const RecordedTask& done) {
     return task;
 }
 
+// The rooms walked through, and the way where it is on that storey.
+void add_rooms(SessionReport& report, std::span<const WayPoint> walk, const RoomGraph& graph, const WalkSpace& space,
+               int storey) {
+    bool on_plan = false;
+    for (const WayPoint& point : walk) {
+        const std::uint32_t room = room_at(graph, space, point.place_m);
+        const bool was = on_plan;
+        if (room != kNothing) {
+            on_plan = graph.rooms[room].level + 1 == storey;
+            const std::string name = capitalised(graph.rooms[room].name);
+            if (report.rooms.empty() || report.rooms.back() != name) report.rooms.push_back(name);
+        }
+        if (!on_plan) continue;
+        const Vec2 at(point.place_m.x, point.place_m.y);
+        if (!was || point.leap) report.ways_m.emplace_back();
+        std::vector<Vec2>& way = report.ways_m.back();
+        if (way.empty() || glm::length(at - way.back()) >= kWaySpacing_m) way.push_back(at);
+    }
+}
+
 ReportTask whole(const RecordedEvents& events, std::span<const WayPoint> walk) {
     ReportTask task{.kind = ReportTaskKind::Free, .name = {}, .reached = {}, .measures = {}};
     std::vector<Touch> touches;
     for (const RecordedContact& met : events.contacts) touches.push_back({met.t_s, met.feature});
     task.measures.push_back({"time", events.to_s - events.from_s});
-    add_pauses(task, walk);
+    add_pauses(task, walk, events);
     task.measures.push_back({"contacts_hand", static_cast<double>(contact_episodes(touches))});
     task.measures.push_back({"help_asked", static_cast<double>(events.help_s.size())});
     return task;
@@ -204,13 +229,14 @@ Result<SessionReport> report_of(const Recording& recording, const RecordedEvents
         if (line.voiced && line.t_s >= events.from_s && line.t_s <= events.to_s && report.course.size() < kMostLines)
             report.course.push_back({line.t_s - events.from_s, line.text});
     report.contacts = contacts_of(events, *scene);
-    for (const WayPoint& point : walk) {
-        const Vec2 at(point.place_m.x, point.place_m.y);
-        if (report.way_m.empty() || glm::length(at - report.way_m.back()) >= kWaySpacing_m) report.way_m.push_back(at);
-    }
+    for (const RecordedNote& note : events.notes)
+        if (note.t_s >= events.from_s && note.t_s <= events.to_s)
+            report.notes.push_back({note.t_s - events.from_s, note.text});
+    report.walked_m = way_walked_m(walk);
     const WalkSpace& space = rooms.navigation().space();
-    if (auto storey = storey_of(*scene, rooms.graph(), space, storey_of_start(*scene, rooms.graph(), space)))
-        report.storey = std::move(*storey);
+    const int storey = storey_of_start(*scene, rooms.graph(), space);
+    add_rooms(report, walk, rooms.graph(), space, storey);
+    if (auto plan = storey_of(*scene, rooms.graph(), space, storey)) report.storey = std::move(*plan);
     return report;
 }
 

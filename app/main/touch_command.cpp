@@ -158,7 +158,7 @@ std::string replay(const std::shared_ptr<const Scene>& file, const std::vector<P
     TouchState state;
     RowChecks checks(limits ? kJump_hand_m * tuning.world_m_per_hand_m : std::numeric_limits<double>::infinity());
     Vec3 proxy_m(0.0);
-    std::string out = "t,x,y,z,px,py,pz,fx,fy,fz,contacts,feature,fault,tick_ns\n";
+    std::string out = "t,x,y,z,px,py,pz,fx,fy,fz,contacts,feature,fault,tick_ns\r\n";
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const PathRow& row = rows[i];
         const char* fault = checks.judge(row.position_m);
@@ -190,7 +190,7 @@ std::string replay(const std::shared_ptr<const Scene>& file, const std::vector<P
             }
         out += fmt::format(",{},", contacts);
         append_text(out, feature);
-        out += fmt::format(",{},{}\n", fault, tick_ns);
+        out += fmt::format(",{},{}\r\n", fault, tick_ns);
     }
     return out;
 }
@@ -202,8 +202,8 @@ int run_touch(const TouchArguments& arguments, std::ostream&, std::ostream& err,
     if (arguments.device) {
         limits = find_device_spec(*arguments.device);
         if (!limits) {
-            err << phrase("program.no_model",
-                          {{"name", *arguments.device}, {"known", fmt::format("{}", fmt::join(device_names(), ", "))}})
+            err << one_line(phrase("program.no_model", {{"name", *arguments.device},
+                                                        {"known", fmt::format("{}", fmt::join(device_names(), ", "))}}))
                 << '\n';
             return 2;
         }

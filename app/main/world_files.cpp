@@ -6,6 +6,7 @@
 #include "app/core/kept/made_doors.h"
 #include "app/core/kept/side_file.h"
 #include "app/core/kept/world_shelf.h"
+#include "app/import/toml_apart.h"
 #include "app/main/commands.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
@@ -86,6 +87,14 @@ Result<ImportedWorld> imported(const fs::path& world, const ReadOptions& options
     return import_world(world, options, how);
 }
 
+const TomlReader& toml_beside_worlds() {
+    static const TomlReader reader = [] {
+        const fs::path program = find_reader_program();
+        return program.empty() ? TomlReader(toml_of) : TomlReader(TomlApart(program));
+    }();
+    return reader;
+}
+
 WaysKeeper ways_in_cache() {
     const Cache cache(user_cache_folder());
     const fs::path program = find_reader_program();
@@ -99,8 +108,8 @@ WaysKeeper ways_in_cache() {
 }
 
 Scene mended(Scene scene, const fs::path& world, const CommonArguments& common) {
-    const std::vector<MadeDoor> doors =
-        kept_doors(kept_by(world), common.data_folder(), !common.data_in.empty() || is_shipped(world));
+    const std::vector<MadeDoor> doors = kept_doors(kept_by(world), common.data_folder(),
+                                                   !common.data_in.empty() || is_shipped(world), toml_beside_worlds());
     return doors.empty() ? std::move(scene) : with_made_doors(std::move(scene), doors);
 }
 
@@ -118,7 +127,8 @@ fs::path CommonArguments::data_folder() const { return data_in.empty() ? user_da
 ReadOptions CommonArguments::read_options(const fs::path& world) const {
     CommonArguments said = *this;
     if (!unit_m && !map_scale_m_per_unit)
-        said.unit_m = kept_unit(kept_by(world), data_folder(), !data_in.empty() || is_shipped(world));
+        said.unit_m =
+            kept_unit(kept_by(world), data_folder(), !data_in.empty() || is_shipped(world), toml_beside_worlds());
     return said.read_options();
 }
 

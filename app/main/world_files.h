@@ -9,6 +9,7 @@
 
 #include "app/core/kept/ways_keeper.h"
 #include "app/import/import_world.h"
+#include "settings/toml_value.h"
 
 namespace handrail {
 
@@ -31,6 +32,9 @@ std::vector<std::string> world_names();
 Result<std::filesystem::path> world_given(const std::filesystem::path& word);
 // As import_world, with the person's cache. Any thread but the app's.
 Result<ImportedWorld> imported(const std::filesystem::path& world, const ReadOptions& options);
+// Reads the TOML files that are next to a world, which somebody else may have written: by TomlApart, or in this process
+// without handrail-reader. Any thread.
+const TomlReader& toml_beside_worlds();
 // Keeps ways and rooms in the person's cache; nothing without one, or without handrail-reader, which unpacks them.
 WaysKeeper ways_in_cache();
 // With the doors that a person has said to be missing in it: of whoever keeps what they add in that folder. The same

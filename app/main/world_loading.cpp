@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "app/main/lesson_here.h"
 #include "app/main/world_files.h"
 
 namespace handrail {
@@ -16,6 +17,8 @@ WorldLoading::WorldLoading(const std::filesystem::path& path, const CommonArgume
           EnteringWorld entering = make_ready_to_touch(
               std::make_shared<const Scene>(mended(std::move(world->scene), path, common)), stop_.get_token());
           entering.ways = ways_in_cache();
+          std::error_code ec;
+          read_lessons_ahead(std::filesystem::absolute(path, ec), stop_.get_token());
           return entering;
       })) {}
 

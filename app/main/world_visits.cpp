@@ -109,15 +109,16 @@ void WorldVisits::enter(EnteringWorld world, const std::filesystem::path& path, 
 // What was added to the world: by a learner in the learner's own folder, which begins with what there is for everybody.
 SideFile WorldVisits::additions_to(const std::filesystem::path& path) const {
     const std::filesystem::path kept = kept_by(path);
-    if (arguments_.common.data_in.empty()) return SideFile::of_world(kept, user_data_folder(), is_shipped(path));
+    if (arguments_.common.data_in.empty())
+        return SideFile::of_world(kept, user_data_folder(), is_shipped(path), toml_beside_worlds());
     std::error_code ec;
-    const std::filesystem::path own = SideFile::of_world(kept, arguments_.common.data_in, true).path(),
-                                of_all = SideFile::of_world(kept, user_data_folder(), is_shipped(path)).path();
+    const std::filesystem::path own = SideFile::path_of(kept, arguments_.common.data_in, true),
+                                of_all = SideFile::path_of(kept, user_data_folder(), is_shipped(path));
     if (!std::filesystem::exists(own, ec) && std::filesystem::exists(of_all, ec)) {
         std::filesystem::create_directories(own.parent_path(), ec);
         std::filesystem::copy_file(of_all, own, ec);  // where that fails the learner begins with nothing
     }
-    return SideFile::of_world(kept, arguments_.common.data_in, true);
+    return SideFile::of_world(kept, arguments_.common.data_in, true, toml_beside_worlds());
 }
 
 void WorldVisits::begin_reading(const std::filesystem::path& path, const CommonArguments& common) {

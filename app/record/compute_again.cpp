@@ -265,7 +265,7 @@ Result<std::shared_ptr<const Scene>> read_recorded_scene(const RecordedWorld& wo
     options.unit_is_known = world.source.unit_is_known;
     auto scene = read_world(world.source.file, options);
     if (!scene) return tl::unexpected(scene.error());
-    if (!world.checksum.empty() && SideFile::of_world(world.source.file, {}).world_checksum() != world.checksum)
+    if (!world.checksum.empty() && SideFile::checksum_of_world(world.source.file) != world.checksum)
         return fail(phrase("replay.other_world"), name);
     return std::make_shared<const Scene>(with_made_doors(std::move(*scene), made_doors_in(world.additions)));
 }

@@ -61,6 +61,12 @@ std::string event_line(const SessionEvent& event, const Scene* scene, double beg
             [](const Led& e) {
                 return Json{{"is", "led"}, {"goal", e.goal}, {"by", word_of(e.by)}};
             },
+            [](const Leading& e) {
+                return Json{{"is", "leading"}, {"on", e.on}};
+            },
+            [](const ListShown& e) {
+                return Json{{"is", "list_shown"}, {"open", e.open}};
+            },
             [](const LeftRoute& e) {
                 return Json{{"is", "left_route"}, {"goal", e.goal}, {"by", word_of(e.by)}};
             },

@@ -221,7 +221,7 @@ const std::map<std::string, ReadFields, std::less<>>& readers() {
     static const std::map<std::string, ReadFields, std::less<>> kReaders = {
         {"command_down",
          [](const Json& j) -> SessionInput {
-             return CommandDown{command_of(j), j.value("times", 1)};
+             return CommandDown{command_of(j), j.contains("times") ? whole_of<int>(j.at("times")) : 1};
          }},
         {"command_up", [](const Json& j) -> SessionInput { return CommandUp{command_of(j)}; }},
         {"key", [](const Json& j) -> SessionInput { return KeyTapped{j.at("key").get<std::string>()}; }},
@@ -230,7 +230,7 @@ const std::map<std::string, ReadFields, std::less<>>& readers() {
         {"item_act",
          [](const Json& j) -> SessionInput {
              return ItemActed{{static_cast<ItemAct::Kind>(place_in(kActs, j.at("act"))),
-                               j.at("item").get<std::size_t>(), j.at("name").get<std::string>(),
+                               whole_of<std::size_t>(j.at("item")), j.at("name").get<std::string>(),
                                j.at("number").get<double>()}};
          }},
         {"steered",
@@ -239,7 +239,7 @@ const std::map<std::string, ReadFields, std::less<>>& readers() {
                  {j.at("ahead").get<double>(), j.at("right").get<double>(), j.at("turn_right").get<double>()}};
          }},
         {"focus", [](const Json& j) -> SessionInput { return FocusChanged{j.at("focused").get<bool>()}; }},
-        {"stops", [](const Json& j) -> SessionInput { return Stopped{j.at("count").get<std::uint32_t>()}; }},
+        {"stops", [](const Json& j) -> SessionInput { return Stopped{whole_of<std::uint32_t>(j.at("count"))}; }},
         {"hand_moved", [](const Json& j) -> SessionInput { return HandMoved{vec_of(j.at("by_m"))}; }},
         {"settings", [](const Json& j) -> SessionInput { return SettingsChanged{settings_of(j.at("settings"))}; }},
         {"hand",
@@ -316,7 +316,7 @@ Result<RecordedInput> read_input_line(const std::string& line) {
         const auto reader = readers().find(json.at("is").get<std::string>());
         if (reader == readers().end()) return fail(phrase("recording.no_line"));
         RecordedInput read{
-            json.at("frame").get<std::uint64_t>(), json.at("now_s").get<double>(), reader->second(json), {}};
+            whole_of<std::uint64_t>(json.at("frame")), json.at("now_s").get<double>(), reader->second(json), {}};
         if (std::holds_alternative<WorldEntered>(read.input)) read.world = world_of(json);
         return read;
     } catch (const Json::exception&) {

@@ -24,19 +24,43 @@ public:
             if (!recording.frames.empty())
                 events_.to_s = std::max(events_.to_s, recording.frames.back().now_s - recording.head.begun_s);
         }
+        if (list_since_s_) events_.busy.push_back({*list_since_s_, events_.to_s});
+        add_speaking(recording);
         return std::move(events_);
     }
 
 private:
+    // From the ears' own answers to whether somebody speaks. The last answer of a step holds until the next.
+    void add_speaking(const Recording& recording) {
+        std::optional<double> since_s;
+        for (const CueRow& row : recording.cues) {
+            if (row.speaking == 0) continue;
+            const double t_s = row.now_s - recording.head.begun_s;
+            const bool speaks = (row.speaking & 1U) != 0;
+            if (speaks && !since_s) since_s = t_s;
+            if (speaks || !since_s) continue;
+            events_.busy.push_back({*since_s, t_s});
+            since_s.reset();
+        }
+        if (since_s) events_.busy.push_back({*since_s, events_.to_s});
+    }
     void take(const RecordedLine& line, const Json& json) {
         if (line.is == "world_entered") return enter(line);
         if (!events_.world) return;
         if (line.is == "contact")
-            events_.contacts.push_back(
-                {line.t_s, json.at("feature").get<std::uint32_t>(), json.value("thing", ""), vec_of(json.at("at_m"))});
-        if (line.is == "thing_visited") events_.visits.push_back({line.t_s, json.at("feature").get<std::uint32_t>()});
+            events_.contacts.push_back({line.t_s, whole_of<std::uint32_t>(json.at("feature")), json.value("thing", ""),
+                                        vec_of(json.at("at_m"))});
+        if (line.is == "thing_visited")
+            events_.visits.push_back({line.t_s, whole_of<std::uint32_t>(json.at("feature"))});
         if (line.is == "help_asked") events_.help_s.push_back(line.t_s);
         if (line.is == "command_down" && json.value("command", "") == "home") events_.home_s.push_back(line.t_s);
+        if (line.is == "teleported") events_.leaps_s.push_back(line.t_s);
+        if (line.is == "list_shown") {
+            const bool open = json.at("open").get<bool>();
+            if (!open && list_since_s_) events_.busy.push_back({*list_since_s_, line.t_s});
+            if (!open) list_since_s_.reset();
+            else if (!list_since_s_) list_since_s_ = line.t_s;
+        }
         if (line.is == "teacher") teacher(line, json);
         if (line.is == "led") {
             const std::string goal = json.at("goal").get<std::string>();
@@ -51,6 +75,7 @@ private:
     void teacher(const RecordedLine& line, const Json& json) {
         const std::string act = json.value("act", "");
         if (act == "begin" && events_.lesson.empty()) events_.lesson = json.at("text").get<std::string>();
+        if (act == "note") events_.notes.push_back({line.t_s, json.at("text").get<std::string>()});
         if (act != "result") return;
         const Json& items = json.at("items");
         RecordedTask task{line.t_s, items.at(0).get<std::string>(), json.at("text").get<std::string>(), {}};
@@ -76,6 +101,7 @@ private:
     }
 
     RecordedEvents events_;
+    std::optional<double> list_since_s_;
 };
 
 }  // namespace

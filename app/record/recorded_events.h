@@ -38,6 +38,16 @@ struct RecordedTask {
     std::map<std::string, double> measures;
 };
 
+// What whoever taught did: a note, or an order and what came of it.
+struct RecordedNote {
+    double t_s = 0.0;
+    std::string text;
+};
+// From one time to another.
+struct RecordedSpan {
+    double from_s = 0.0, to_s = 0.0;
+};
+
 // Of the first world that was entered.
 struct RecordedEvents {
     std::string lesson;  // title; empty: none
@@ -48,7 +58,9 @@ struct RecordedEvents {
     std::vector<RecordedContact> contacts;
     std::vector<RecordedVisit> visits;
     std::vector<RecordedWay> ways;
-    std::vector<double> help_s, home_s;  // help asked; back to the base by its key
+    std::vector<double> help_s, home_s, leaps_s;  // help asked; back to the base by its key; put elsewhere
+    std::vector<RecordedNote> notes;
+    std::vector<RecordedSpan> busy;  // a list was open, or somebody spoke
 };
 RecordedEvents events_of(const Recording& recording);
 

@@ -22,6 +22,7 @@
 #include "app/record/input_text.h"
 #include "app/record/json_fields.h"
 #include "worlds/base/files.h"
+#include "worlds/base/folder_unless_kept.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
@@ -249,6 +250,7 @@ void Recorder::State::run() {
 Result<std::unique_ptr<Recorder>> Recorder::begin(const fs::path& recordings, RecordingHead head) {
     const std::time_t now = std::time(nullptr);
     head.begun_utc = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
+    if (recordings.empty()) return fail(phrase("files.no_home"));
     const fs::path folder = recordings / name_by_time_and_chance(now);
     const auto refuse = [&](int error) {
         return fail(phrase("recording.no_folder", {{"folder", recordings.string()}, {"reason", reason_of(error)}}));
@@ -258,10 +260,13 @@ Result<std::unique_ptr<Recorder>> Recorder::begin(const fs::path& recordings, Re
         fs::create_directories(recordings.parent_path().empty() ? fs::path(".") : recordings.parent_path(), ec);
         if (::mkdir(recordings.c_str(), 0700) != 0 && errno != EEXIST) return refuse(errno);
     }
-    if (::mkdir(folder.c_str(), 0700) != 0) return refuse(errno);
+    FolderUnlessKept begun(folder);
+    if (const int error = begun.make()) return refuse(error);
     auto state = std::make_unique<State>(folder, std::move(head));
     if (const int error = state->events.append(head_line(state->head) + "\n")) return refuse(error);
-    return std::unique_ptr<Recorder>(new Recorder(std::move(state)));
+    std::unique_ptr<Recorder> recorder(new Recorder(std::move(state)));
+    begun.keep();
+    return recorder;
 }
 
 Recorder::Recorder(std::unique_ptr<State> state) : state_(std::move(state)) {

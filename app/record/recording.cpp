@@ -21,7 +21,7 @@ Result<RecordingHead> read_head(const std::string& line) {
     if (!json.is_object() || json.value("is", Json()) != "recording") return fail(phrase("recording.no_head"));
     try {
         RecordingHead head;
-        head.form = json.at("form").get<int>();
+        head.form = whole_of<int>(json.at("form"));
         if (head.form > RecordingHead::kForm)
             return fail(phrase("recording.newer", {{"form", head.form}, {"known", RecordingHead::kForm}}));
         head.program = json.at("program").get<std::string>();

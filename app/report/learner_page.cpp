@@ -5,6 +5,7 @@
 #include "app/report/page_parts.h"
 #include "worlds/base/language.h"
 #include "worlds/base/markup.h"
+#include "worlds/base/spoken_time.h"
 
 namespace handrail {
 namespace {
@@ -68,11 +69,8 @@ void say_of_goal(const Goal& goal, std::vector<std::string>& said) {
     say("report.goal_help", first_and_last(goal, [](const ReportTask& task) { return measured(task, "help_asked"); }));
 }
 
-// "2026-11-22" of "2026-11-22T17:30:00Z".
-std::string day_of(const std::string& started_utc) { return started_utc.substr(0, started_utc.find('T')); }
-
 std::string session_words(const SessionReport& report, std::size_t number) {
-    return phrase("report.session_number", {{"number", number}, {"day", day_of(report.started_utc)}});
+    return phrase("report.session_number", {{"number", number}, {"day", day_words(report.started_utc)}});
 }
 
 std::string cell(const ReportTask& task, const std::string& key) {

@@ -6,6 +6,7 @@
 #include "app/report/page_parts.h"
 #include "worlds/base/language.h"
 #include "worlds/base/markup.h"
+#include "worlds/base/spoken_time.h"
 
 namespace handrail {
 namespace {
@@ -50,8 +51,9 @@ std::string plan_svg(const SessionReport& report) {
     for (const auto& sheet : storey.sheets_m) svg += fmt::format("<path d=\"{}\"/>\n", path(sheet));
     svg += "</g>\n";
     const double stroke = letter / 4.0;
-    if (report.way_m.size() >= 2)
-        svg += fmt::format("<path class=\"way\" stroke-width=\"{:.2f}\" d=\"{}\"/>\n", stroke, path(report.way_m));
+    for (const std::vector<Vec2>& way : report.ways_m)
+        if (way.size() >= 2)
+            svg += fmt::format("<path class=\"way\" stroke-width=\"{:.2f}\" d=\"{}\"/>\n", stroke, path(way));
     svg += fmt::format("<g aria-hidden=\"true\" text-anchor=\"middle\" font-size=\"{:.1f}\">\n", letter);
     for (const StoreyRoom& room : storey.rooms)
         svg += fmt::format("<text class=\"name\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x(room.middle_m),
@@ -80,6 +82,14 @@ std::string plan_html(const SessionReport& report) {
     return html + "</ol>\n";
 }
 
+std::string notes_html(const SessionReport& report) {
+    if (report.notes.empty()) return {};
+    std::string html = heading("notes", phrase("report.notes"));
+    html += table_head(phrase("report.notes_caption"), {phrase("report.column_time"), phrase("report.column_note")});
+    for (const ReportEvent& note : report.notes) html += row_of(clock_of(note.at_s), {note.text});
+    return html + "</tbody>\n</table>\n";
+}
+
 std::string course_html(const SessionReport& report) {
     if (report.course.empty()) return {};
     std::string html = heading("course", phrase("report.course"));
@@ -97,14 +107,15 @@ std::string report_page(const SessionReport& report) {
     std::string about;
     for (const auto& [key, value] :
          {std::pair{"report.about_learner", report.learner}, std::pair{"report.about_lesson", report.lesson},
-          std::pair{"report.about_started", report.started_utc}})
+          std::pair{"report.about_started", day_and_time_words(report.started_utc)}})
         if (!value.empty()) about += (about.empty() ? "" : " ") + phrase(key, {{"value", value}});
     if (!about.empty()) html += "<p>" + markup_text(about) + "</p>\n";
     html += heading("words", phrase("report.words"));
     html += "<ul>\n";
     for (const std::string& sentence : report_words(report)) html += "<li>" + markup_text(sentence) + "</li>\n";
     html += "</ul>\n";
-    html += measures_html(report) + strategies_html(report.strategies) + plan_html(report) + course_html(report);
+    html += measures_html(report) + strategies_html(report.strategies) + plan_html(report) + notes_html(report) +
+            course_html(report);
     return html + std::string(kPageEnd);
 }
 

@@ -64,8 +64,12 @@ struct SessionReport {
     std::vector<ReportStrategy> strategies;
     std::vector<ReportEvent> course;
     std::vector<ReportContact> contacts;  // the most frequent first
-    std::vector<Vec2> way_m;              // where the body was, from its start on
-    std::optional<Storey> storey;         // none: no plan is drawn
+    std::vector<ReportEvent> notes;       // what whoever taught noted and did
+    double walked_m = 0.0;
+    std::vector<std::string> rooms;  // walked through, in order
+    // Where the body walked on the storey of the plan. A new piece begins where it came back to it or was put.
+    std::vector<std::vector<Vec2>> ways_m;
+    std::optional<Storey> storey;  // none: no plan is drawn
 };
 
 // What went well and what did not, to the learner, in short sentences without a technical word.
@@ -92,7 +96,7 @@ struct ResultRow {
 // The learner is the number, never the name. A task is its kind, with its place in the session: "1 go Library".
 std::vector<ResultRow> result_rows(std::span<const SessionReport> reports);
 
-// RFC 4180 with a head, UTF-8, lines ending in LF; numbers as the shortest text that reads back the same.
+// RFC 4180 with a head, UTF-8; numbers as the shortest text that reads back the same.
 std::string results_csv(std::span<const ResultRow> rows);
 std::string results_json(std::span<const ResultRow> rows);
 // What the columns of results.csv mean, by CSV on the Web (W3C, Metadata Vocabulary for Tabular Data, 2015); `csv_name`

@@ -125,29 +125,17 @@ std::vector<std::string> plan_words(const SessionReport& report) {
     const Storey& storey = *report.storey;
     said.push_back(
         phrase("report.plan_shows", {{"world", storey.world}, {"storey", storey.number}, {"count", storey.count}}));
-    std::vector<std::string> rooms;  // one after the other
-    double length_m = 0.0;
-    for (std::size_t i = 0; i < report.way_m.size(); ++i) {
-        const Vec2 from = report.way_m[i == 0 ? 0 : i - 1], step = report.way_m[i] - from;
-        length_m += glm::length(step);
-        const int looks = std::clamp(static_cast<int>(glm::length(step) / 0.5), 1, 10000);
-        for (int k = 1; k <= looks; ++k) {
-            const std::uint32_t room = floor_at(storey, from + step * (static_cast<double>(k) / looks));
-            if (room == kNothing || room >= storey.rooms.size()) continue;
-            const std::string name = capitalised(storey.rooms[room].name);
-            if (rooms.empty() || rooms.back() != name) rooms.push_back(name);
-        }
+    if (report.walked_m < 0.5) {
+        said.push_back(phrase("report.no_way"));
+        return said;
     }
-    if (report.way_m.size() < 2) said.push_back(phrase("report.no_way"));
-    else if (rooms.empty()) said.push_back(phrase("report.way", {{"metres", std::lround(length_m)}}));
-    else {
-        constexpr std::size_t kMost = 12;
-        const std::size_t more = rooms.size() > kMost ? rooms.size() - kMost : 0;
-        if (more > 0) rooms.resize(kMost);
-        said.push_back(phrase("report.way", {{"metres", std::lround(length_m)}}));
-        said.push_back(
-            phrase("report.way_rooms", {{"rooms", fmt::format("{}", fmt::join(rooms, "; "))}, {"more", more}}));
-    }
+    said.push_back(phrase("report.way", {{"metres", std::lround(report.walked_m)}}));
+    if (report.rooms.empty()) return said;
+    constexpr std::size_t kMost = 12;
+    std::vector<std::string> rooms = report.rooms;
+    const std::size_t more = rooms.size() > kMost ? rooms.size() - kMost : 0;
+    if (more > 0) rooms.resize(kMost);
+    said.push_back(phrase("report.way_rooms", {{"rooms", fmt::format("{}", fmt::join(rooms, "; "))}, {"more", more}}));
     return said;
 }
 

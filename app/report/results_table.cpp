@@ -90,12 +90,12 @@ std::vector<ResultRow> result_rows(std::span<const SessionReport> reports) {
 }
 
 std::string results_csv(std::span<const ResultRow> rows) {
-    std::string csv = fmt::format("{}\n", fmt::join(kColumns, ","));
+    std::string csv = fmt::format("{}\r\n", fmt::join(kColumns, ","));
     for (const ResultRow& row : rows) {
         for (const std::string* text :
              {&row.learner, &row.lesson, &row.session, &row.started_utc, &row.task, &row.measure})
             csv += cell_of(*text) + ",";
-        csv += number_text(row.value) + "," + cell_of(row.unit) + "\n";
+        csv += number_text(row.value) + "," + cell_of(row.unit) + "\r\n";
     }
     return csv;
 }

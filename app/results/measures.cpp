@@ -66,6 +66,18 @@ std::optional<double> path_ratio(double walked_m, double shortest_m, bool reache
     return walked_m / shortest_m;
 }
 
+double free_s(const Span& span, std::span<const Span> busy) {
+    std::vector<Span> all(busy.begin(), busy.end());
+    std::sort(all.begin(), all.end(), [](const Span& a, const Span& b) { return a.from_s < b.from_s; });
+    double left_s = 0.0, at_s = span.from_s;
+    for (const Span& one : all) {
+        if (one.from_s >= span.to_s) break;
+        left_s += std::max(0.0, one.from_s - at_s);
+        at_s = std::max(at_s, one.to_s);
+    }
+    return left_s + std::max(0.0, span.to_s - at_s);
+}
+
 Hesitations hesitations(std::span<const WayPoint> walk, std::span<const Span> busy) {
     Hesitations found;
     for (std::size_t first = 0; first < walk.size();) {
@@ -73,16 +85,14 @@ Hesitations hesitations(std::span<const WayPoint> walk, std::span<const Span> bu
         while (last + 1 < walk.size() && !walk[last + 1].leap &&
                flat_distance(walk[first].place_m, walk[last + 1].place_m) <= kPause_m)
             ++last;
-        const double from_s = walk[first].t_s, to_s = walk[last].t_s;
-        const bool was_busy = std::any_of(busy.begin(), busy.end(),
-                                          [&](const Span& span) { return span.from_s < to_s && from_s < span.to_s; });
-        if (to_s - from_s <= kPause_s) {
+        const Span still{walk[first].t_s, walk[last].t_s};
+        if (still.to_s - still.from_s <= kPause_s) {
             ++first;
             continue;
         }
-        if (!was_busy) {
+        if (const double pause_s = free_s(still, busy); pause_s > kPause_s) {
             ++found.count;
-            found.sum_s += to_s - from_s;
+            found.sum_s += pause_s;
         }
         first = last + 1;
     }

@@ -27,10 +27,13 @@ double level_way_m(std::span<const Vec3> route_m);
 // Over the shortest way; none where that is under a metre or the goal was not reached.
 std::optional<double> path_ratio(double walked_m, double shortest_m, bool reached);
 
-// Pauses of over kPause_s within kPause_m, but for those that overlap a `busy` time (a list is open, an answer speaks).
 struct Span {
     double from_s = 0.0, to_s = 0.0;
 };
+// How long `span` is without the `busy` times in it, which may overlap.
+double free_s(const Span& span, std::span<const Span> busy);
+// Pauses within kPause_m of which more than kPause_s are left without the `busy` times: a list is open, somebody
+// speaks.
 inline constexpr double kPause_s = 2.0, kPause_m = 0.15;
 struct Hesitations {
     int count = 0;

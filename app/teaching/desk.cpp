@@ -7,12 +7,14 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <deque>
 #include <ostream>
+#include <utility>
 
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
@@ -52,6 +54,11 @@ bool same_person(int descriptor) {
     return ::getsockopt(descriptor, SOL_SOCKET, SO_PEERCRED, &peer, &size) == 0 && peer.uid == ::getuid();
 }
 
+bool same_person_owns(const fs::path& file) {
+    struct stat found {};
+    return ::lstat(file.c_str(), &found) == 0 && S_ISSOCK(found.st_mode) && found.st_uid == ::getuid();
+}
+
 // Whole lines out of what has come; what is longer than an order is dropped.
 void take_lines(std::string& come, std::vector<std::string>& lines) {
     for (std::size_t end = come.find('\n'); end != std::string::npos; end = come.find('\n')) {
@@ -67,28 +74,30 @@ void take_lines(std::string& come, std::vector<std::string>& lines) {
 std::string carry_out_order(TeachingRun& run, std::string_view order, double now_s) {
     const std::string word = lower_ascii(order);
     if (word == "summary") return run.summary();
-    if (word == "next") return run.next(now_s), phrase("desk_order.done");
-    if (word == "repeat") return run.repeat(), phrase("desk_order.done");
-    if (word == "end") return run.end(now_s), phrase("desk_order.done");
-    if (word == "more") return run.change_help(1), phrase("desk_order.done");
-    if (word == "less") return run.change_help(-1), phrase("desk_order.done");
-    std::optional<std::string> problem;
-    if (const auto name = rest_of(order, "lead")) problem = run.lead_to(*name);
-    else if (const auto door = rest_of(order, "block")) problem = run.block(*door, true);
-    else if (const auto shut = rest_of(order, "open")) problem = run.block(*shut, false);
-    else if (const auto text = rest_of(order, "note")) run.note(*text), problem = "";
-    if (!problem) return phrase("desk_order.which");
-    return problem->empty() ? phrase("desk_order.done") : *problem;
+    std::string happened;
+    if (word == "next") happened = run.next(now_s);
+    else if (word == "repeat") happened = run.repeat();
+    else if (word == "end") happened = run.end(now_s);
+    else if (word == "more") happened = run.change_help(1);
+    else if (word == "less") happened = run.change_help(-1);
+    else if (word == "leave") happened = run.leave_lead();
+    else if (const auto name = rest_of(order, "lead")) happened = run.lead_to(*name);
+    else if (const auto door = rest_of(order, "block")) happened = run.block(*door, true);
+    else if (const auto shut = rest_of(order, "open")) happened = run.block(*shut, false);
+    else if (const auto text = rest_of(order, "note")) return run.note(*text), phrase("desk_order.noted");
+    else return phrase("desk_order.which");
+    run.note(phrase("desk_order.ordered", {{"order", one_line(std::string(order))}, {"happened", happened}}));
+    return happened;
 }
 
-fs::path desk_socket_path() {
-    if (const char* run = std::getenv("XDG_RUNTIME_DIR"); run && *run) return fs::path(run) / "handrail-desk.sock";
-    const fs::path own = fs::temp_directory_path() / fmt::format("handrail-{}", ::getuid());
-    return own / "desk.sock";
+fs::path desk_folder() {
+    if (const char* run = std::getenv("XDG_RUNTIME_DIR"); run && run[0] == '/') return fs::path(run) / "handrail-desks";
+    return fs::temp_directory_path() / fmt::format("handrail-desks-{}", ::getuid());
 }
 
 struct DeskServer::State {
     fs::path path;
+    std::string title;
     int listening = -1;
     struct Watcher {
         int descriptor = -1;
@@ -115,6 +124,7 @@ struct DeskServer::State {
                 continue;
             }
             watchers.push_back({come, {}});
+            send(watchers.back(), title);
             for (const std::string& line : kept)
                 if (watchers.back().descriptor >= 0) send(watchers.back(), line);
         }
@@ -124,37 +134,33 @@ struct DeskServer::State {
 DeskServer::DeskServer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
 DeskServer::~DeskServer() {
+    tell(phrase("desk_order.ended"));
     for (State::Watcher& watcher : state_->watchers) State::drop(watcher);
     ::close(state_->listening);
     std::error_code ec;
     fs::remove(state_->path, ec);
 }
 
-Result<std::unique_ptr<DeskServer>> DeskServer::open(const fs::path& path) {
+Result<std::unique_ptr<DeskServer>> DeskServer::open(const fs::path& folder, const std::string& title) {
     const auto refused = [&] { return fail(phrase("desk_order.no_desk", {{"reason", std::strerror(errno)}})); };
+    auto state = std::make_unique<State>();
+    state->path = folder / fmt::format("{}.sock", ::getpid());
+    state->title = one_line(title);
     sockaddr_un address{};
     errno = ENAMETOOLONG;
-    if (!address_of(path, address)) return refused();
+    if (!address_of(state->path, address)) return refused();
     std::error_code ec;
-    if (fs::create_directories(path.parent_path(), ec))
-        fs::permissions(path.parent_path(), fs::perms::owner_all, fs::perm_options::replace, ec);
-    struct stat folder {};
-    if (::stat(path.parent_path().c_str(), &folder) != 0) return refused();
+    if (fs::create_directories(folder, ec))
+        fs::permissions(folder, fs::perms::owner_all, fs::perm_options::replace, ec);
+    struct stat found {};
+    if (::lstat(folder.c_str(), &found) != 0) return refused();
     errno = EACCES;
-    if (folder.st_uid != ::getuid() || (folder.st_mode & 0077U) != 0U) return refused();  // others could take it away
-    auto state = std::make_unique<State>();
-    state->path = path;
+    if (found.st_uid != ::getuid() || (found.st_mode & 0077U) != 0U) return refused();  // others could take it away
     state->listening = ::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     if (state->listening < 0) return refused();
-    // One that a session left behind answers no more; one that answers is another session's.
-    const int tried = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    const bool taken = tried >= 0 && connects(tried, address);
-    if (tried >= 0) ::close(tried);
-    if (!taken) fs::remove(path, ec);
-    errno = EADDRINUSE;
+    fs::remove(state->path, ec);  // of a process that had this number before
     const mode_t before = ::umask(0077);
-    const bool bound = !taken &&
-                       ::bind(state->listening, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 &&
+    const bool bound = ::bind(state->listening, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 &&
                        ::listen(state->listening, static_cast<int>(kMostWatchers)) == 0;
     ::umask(before);
     if (!bound) {
@@ -188,42 +194,144 @@ void DeskServer::tell(const std::string& line) {
         if (watcher.descriptor >= 0) state_->send(watcher, line);
 }
 
-int watch_desk(const fs::path& path, int in_descriptor, std::ostream& out, std::ostream& err) {
-    sockaddr_un address{};
-    const int desk = address_of(path, address) ? ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0) : -1;
-    if (desk < 0 || !connects(desk, address)) {
-        if (desk >= 0) ::close(desk);
+namespace {
+
+// The other end of a desk, for whoever watches.
+class WatchedDesk {
+public:
+    explicit WatchedDesk(int descriptor) : descriptor_(descriptor) {}
+    WatchedDesk(WatchedDesk&& other) noexcept
+        : descriptor_(std::exchange(other.descriptor_, -1)), come_(std::move(other.come_)) {}
+    WatchedDesk& operator=(WatchedDesk&&) = delete;
+    ~WatchedDesk() {
+        if (descriptor_ >= 0) ::close(descriptor_);
+    }
+
+    int descriptor() const { return descriptor_; }
+    // What has come and was not taken yet. False: the other end is closed.
+    bool receive() {
+        std::array<char, 1024> bytes{};
+        const ssize_t got = ::recv(descriptor_, bytes.data(), bytes.size(), 0);
+        if (got > 0) come_.append(bytes.data(), static_cast<std::size_t>(got));
+        return got > 0 || (got < 0 && errno == EINTR);
+    }
+    std::string take_come() { return std::exchange(come_, {}); }
+    // Its first line, once it has come; empty if the desk is closed before, or does not answer.
+    std::string title() {
+        constexpr timeval kWait{5, 0}, kForEver{0, 0};
+        ::setsockopt(descriptor_, SOL_SOCKET, SO_RCVTIMEO, &kWait, sizeof kWait);
+        while (come_.find('\n') == std::string::npos)
+            if (!receive()) return {};
+        ::setsockopt(descriptor_, SOL_SOCKET, SO_RCVTIMEO, &kForEver, sizeof kForEver);
+        return come_.substr(0, come_.find('\n'));
+    }
+    bool send(const std::string& order) const {
+        const std::string line = order + "\n";
+        return ::send(descriptor_, line.data(), line.size(), MSG_NOSIGNAL) >= 0;
+    }
+
+private:
+    int descriptor_;
+    std::string come_;
+};
+
+// All that answer, in the order of their files' names. What a program that crashed left behind goes.
+std::vector<WatchedDesk> desks_in(const fs::path& folder) {
+    std::error_code ec;
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(folder, ec))
+        if (entry.path().extension() == ".sock") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    std::vector<WatchedDesk> desks;
+    for (const fs::path& file : files) {
+        sockaddr_un address{};
+        if (!address_of(file, address)) continue;
+        WatchedDesk desk(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+        if (desk.descriptor() < 0 || !same_person_owns(file)) continue;
+        if (connects(desk.descriptor(), address)) {
+            if (!desk.title().empty()) desks.push_back(std::move(desk));
+        } else if (errno == ECONNREFUSED) {
+            fs::remove(file, ec);
+        }
+    }
+    return desks;
+}
+
+// Lines of standard input, one after the other.
+class TypedLines {
+public:
+    explicit TypedLines(int descriptor) : descriptor_(descriptor) {}
+    int descriptor() const { return descriptor_; }  // -1: it has ended
+    // Waits for more, unless it has ended.
+    void read() {
+        std::array<char, 1024> bytes{};
+        const ssize_t got = ::read(descriptor_, bytes.data(), bytes.size());
+        if (got <= 0) {
+            descriptor_ = -1;
+            return;
+        }
+        typed_.append(bytes.data(), static_cast<std::size_t>(got));
+        take_lines(typed_, lines_);
+    }
+    // The next line that has come.
+    std::optional<std::string> take() {
+        if (lines_.empty()) return std::nullopt;
+        std::string line = std::move(lines_.front());
+        lines_.erase(lines_.begin());
+        return line;
+    }
+
+private:
+    int descriptor_;
+    std::string typed_;
+    std::vector<std::string> lines_;
+};
+
+// The one that is asked for by its number; nothing if the input ends before.
+std::optional<std::size_t> chosen_of(std::vector<WatchedDesk>& desks, TypedLines& input, std::ostream& out) {
+    while (input.descriptor() >= 0) {
+        out << phrase("desk_order.several", {{"count", desks.size()}}) << "\n";
+        for (std::size_t i = 0; i < desks.size(); ++i) out << fmt::format("{}. {}\n", i + 1, desks[i].title());
+        out << std::flush;
+        std::optional<std::string> line = input.take();
+        for (; !line && input.descriptor() >= 0; line = input.take()) input.read();
+        double number = 0.0;
+        if (line && parse_finite(*line, number) && number >= 1.0 && number <= static_cast<double>(desks.size()))
+            return static_cast<std::size_t>(number) - 1;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+int watch_desk(const fs::path& folder, int in_descriptor, std::ostream& out, std::ostream& err) {
+    std::vector<WatchedDesk> desks = desks_in(folder);
+    if (desks.empty()) {
         err << phrase("desk_order.none") << "\n";
         return 1;
     }
-    out << phrase("desk_order.watching") << "\n" << std::flush;
-    std::string typed;
-    bool input = true, there = true;
-    while (there) {
-        std::array<pollfd, 2> waits{pollfd{desk, POLLIN, 0}, pollfd{input ? in_descriptor : -1, POLLIN, 0}};
+    TypedLines input(in_descriptor);
+    std::optional<std::size_t> chosen = 0;
+    if (desks.size() > 1) chosen = chosen_of(desks, input, out);
+    if (!chosen) {
+        err << phrase("desk_order.none_chosen") << "\n";
+        return 1;
+    }
+    WatchedDesk desk = std::move(desks[*chosen]);
+    desks.clear();
+    out << desk.take_come() << phrase("desk_order.watching") << "\n" << std::flush;
+    for (bool there = true; there;) {
+        while (const auto order = input.take()) there = desk.send(*order) && there;
+        std::array<pollfd, 2> waits{pollfd{desk.descriptor(), POLLIN, 0}, pollfd{input.descriptor(), POLLIN, 0}};
         if (::poll(waits.data(), waits.size(), -1) < 0 && errno != EINTR) break;
-        std::array<char, 1024> bytes{};
         if (waits[0].revents != 0) {
-            const ssize_t got = ::recv(desk, bytes.data(), bytes.size(), 0);
-            there = got > 0;
-            if (got > 0) out << std::string_view(bytes.data(), static_cast<std::size_t>(got)) << std::flush;
+            there = desk.receive();
+            out << desk.take_come() << std::flush;
         }
         if (waits[1].revents == 0) continue;
-        const ssize_t got = ::read(in_descriptor, bytes.data(), bytes.size());
-        if (got <= 0) {
-            input = false;
-            ::shutdown(desk, SHUT_WR);
-            continue;
-        }
-        typed.append(bytes.data(), static_cast<std::size_t>(got));
-        std::vector<std::string> orders;
-        take_lines(typed, orders);
-        for (const std::string& order : orders) {
-            const std::string line = order + "\n";
-            if (::send(desk, line.data(), line.size(), MSG_NOSIGNAL) < 0) there = false;
-        }
+        input.read();
+        if (input.descriptor() < 0) ::shutdown(desk.descriptor(), SHUT_WR);
     }
-    ::close(desk);
     return 0;
 }
 

@@ -15,18 +15,21 @@
 
 namespace handrail {
 
-// What the words of an order do to a lesson: "next", "repeat", "more", "less", "lead NAME", "block NAME",
-// "open NAME", "note TEXT", "summary", "end". The reply in one line; of an order that is none, which there are.
+// What the words of an order do to a lesson: "next", "repeat", "more", "less", "lead NAME", "leave", "block NAME",
+// "open NAME", "note TEXT", "summary", "end". The reply says in one line what happened; of an order that is none, which
+// there are. What was done is noted in the lesson.
 std::string carry_out_order(TeachingRun& run, std::string_view order, double now_s);
 
-// $XDG_RUNTIME_DIR/handrail-desk.sock, else in a folder of the person's own below the one for temporary files.
-std::filesystem::path desk_socket_path();
+// The folder of all desks of the person: $XDG_RUNTIME_DIR/handrail-desks, else below the folder for temporary files.
+std::filesystem::path desk_folder();
 
 // For the session. App thread; never waits: who does not read is left behind.
 class DeskServer {
 public:
-    // Fails with a sentence where there can be none, or another session has one.
-    static Result<std::unique_ptr<DeskServer>> open(const std::filesystem::path& path);
+    // A desk of this process's own in that folder. title: which lesson it is and who learns, in one line, which whoever
+    // watches reads first. Fails with a sentence if there can be none.
+    static Result<std::unique_ptr<DeskServer>> open(const std::filesystem::path& folder, const std::string& title);
+    // Tells whoever watches that the lesson has ended.
     ~DeskServer();
     DeskServer(const DeskServer&) = delete;
     DeskServer& operator=(const DeskServer&) = delete;
@@ -43,7 +46,8 @@ private:
 };
 
 // `handrail lesson watch`: prints what is told, sends the lines of standard input (`in_descriptor`) as orders, until
-// either ends. 0: the session ended, or the input; 1: there is none to watch.
-int watch_desk(const std::filesystem::path& path, int in_descriptor, std::ostream& out, std::ostream& err);
+// the lesson ends. If several lessons have desks in that folder, it lists them and asks for a number. 0: the lesson
+// ended; 1: there is none to watch, or none was chosen.
+int watch_desk(const std::filesystem::path& folder, int in_descriptor, std::ostream& out, std::ostream& err);
 
 }  // namespace handrail

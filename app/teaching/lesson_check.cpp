@@ -40,9 +40,9 @@ std::string measured_failure(const PupilExpectation& expected, const TeachingRun
 
 }  // namespace
 
-void teach_on(TeachingRun& run, Session& app, std::span<const SessionEvent> events, double now_s) {
+void teach_on(TeachingRun& run, Session& app, std::span<const SessionEvent> events, double now_s, bool speaking) {
     for (const SessionEvent& event : events) run.see(event);
-    run.tick(now_s, app.lesson_view());
+    run.tick(now_s, app.lesson_view(), speaking);
     for (SessionInput& input : run.take_acts()) app.apply(std::move(input), now_s);
 }
 

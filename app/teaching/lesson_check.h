@@ -13,8 +13,9 @@ namespace handrail {
 class Session;
 
 // What one turn of a lesson is: what has happened since the last one is seen, and what the lesson wishes reaches the
-// session. Between two ticks of it; ten times a second is enough.
-void teach_on(TeachingRun& run, Session& app, std::span<const SessionEvent> events, double now_s);
+// session. Between two ticks of it; ten times a second is enough. speaking: somebody speaks.
+void teach_on(TeachingRun& run, Session& app, std::span<const SessionEvent> events, double now_s,
+              bool speaking = false);
 
 // A run begun for a session with these settings and keys.
 TeachingRun begin_lesson(const std::shared_ptr<TaughtWorld>& world, std::size_t session, const LearnerName& learner,

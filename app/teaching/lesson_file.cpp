@@ -16,12 +16,10 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLongestText = 2000;  // of a sentence to be spoken
 constexpr int kMostLaps = 20;
 
-[[noreturn]] void bad(const toml::node& node, std::string message) {
-    throw BadField{line_of(node), std::move(message)};
-}
+[[noreturn]] void bad(const TomlValue& node, std::string message) { throw BadField{node.line, std::move(message)}; }
 
 // One line, for ears.
-std::string line_of_text(const toml::node& node, const std::string& text) {
+std::string line_of_text(const TomlValue& node, const std::string& text) {
     if (text.size() > kLongestText || !is_utf8(text)) bad(node, phrase("teaching.long_text", {{"most", kLongestText}}));
     std::string line = one_line(text);
     if (line.empty()) bad(node, phrase("teaching.empty_text"));
@@ -31,11 +29,11 @@ std::string line_of_text(const toml::node& node, const std::string& text) {
 std::string name_in(TomlFields& fields, const char* key) { return line_of_text(fields.node(key), fields.text(key)); }
 
 // key, and key_de for each language.
-LessonText text_in(const toml::table& table, TomlFields& fields, const char* key) {
+LessonText text_in(const TomlValue& table, TomlFields& fields, const char* key) {
     LessonText text;
     if (fields.has(key)) text.text = name_in(fields, key);
-    for (const auto& [word, node] : table) {
-        const std::string name(word.str()), head = std::string(key) + "_";
+    for (const auto& [name, node] : *table.table()) {
+        const std::string head = std::string(key) + "_";
         if (name.size() != head.size() + 2 || !name.starts_with(head)) continue;
         text.others.push_back({name.substr(head.size()), name_in(fields, name.c_str())});
     }
@@ -52,34 +50,32 @@ int whole(TomlFields& fields, const char* key, int low, int high) {
 template <class Visit>
 void each_table(TomlFields& fields, const char* key, std::size_t most, Visit visit) {
     if (!fields.has(key)) return;
-    const toml::array* list = fields.node(key).as_array();
+    const TomlValue::Array* list = fields.node(key).array();
     if (!list) bad(fields.node(key), phrase("scenario.tables", {{"key", key}}));
-    if (list->size() > most) bad(*list, phrase("teaching.too_many", {{"key", key}, {"most", most}}));
-    for (const toml::node& node : *list) {
-        const toml::table* item = node.as_table();
-        if (!item) bad(node, phrase("scenario.tables", {{"key", key}}));
-        visit(*item);
+    if (list->size() > most) bad(fields.node(key), phrase("teaching.too_many", {{"key", key}, {"most", most}}));
+    for (const TomlValue& item : *list) {
+        if (!item.table()) bad(item, phrase("scenario.tables", {{"key", key}}));
+        visit(item);
     }
 }
 
 std::vector<std::string> names_in(TomlFields& fields, const char* key) {
-    const toml::node& node = fields.node(key);
-    const toml::array* list = node.as_array();
+    const TomlValue& node = fields.node(key);
+    const TomlValue::Array* list = node.array();
     if (!list || list->empty() || list->size() > LessonFile::kMostPlaces)
         bad(node, phrase("teaching.names", {{"key", key}}));
     std::vector<std::string> names;
-    for (const toml::node& one : *list) {
-        if (!one.is_string()) bad(one, phrase("teaching.names", {{"key", key}}));
-        names.push_back(line_of_text(one, *one.value<std::string>()));
+    for (const TomlValue& one : *list) {
+        if (!one.text()) bad(one, phrase("teaching.names", {{"key", key}}));
+        names.push_back(line_of_text(one, *one.text()));
     }
     return names;
 }
 
-const toml::table& table_in(TomlFields& fields, const char* key) {
-    const toml::node& node = fields.node(key);
-    const toml::table* table = node.as_table();
-    if (!table) bad(node, phrase("teaching.table", {{"key", key}}));
-    return *table;
+const TomlValue& table_in(TomlFields& fields, const char* key) {
+    const TomlValue& node = fields.node(key);
+    if (!node.table()) bad(node, phrase("teaching.table", {{"key", key}}));
+    return node;
 }
 
 // Never what touches a person: how strong forces are, what is heard and how fast.
@@ -93,13 +89,12 @@ std::map<std::string, std::string> settings_in(TomlFields& fields) {
     std::map<std::string, std::string> settings;
     if (!fields.has("settings")) return settings;
     SettingsStore tried;
-    for (const auto& [word, node] : table_in(fields, "settings")) {
-        const std::string key(word.str());
+    for (const auto& [key, node] : *table_in(fields, "settings").table()) {
         std::string value;
-        if (node.is_string()) value = *node.value<std::string>();
-        else if (node.is_boolean()) value = *node.value<bool>() ? "true" : "false";
-        else if (node.is_integer()) value = fmt::format("{}", *node.value<std::int64_t>());
-        else if (node.is_floating_point()) value = fmt::format("{}", *node.value<double>());
+        if (node.text()) value = *node.text();
+        else if (node.flag()) value = *node.flag() ? "true" : "false";
+        else if (node.whole()) value = fmt::format("{}", *node.whole());
+        else if (node.fraction()) value = fmt::format("{}", *node.fraction());
         else bad(node, phrase("scenario.setting"));
         if (!may_be_set(key)) bad(node, phrase("teaching.not_set_here", {{"key", key}}));
         if (const auto set = tried.set(key, value, SettingSource::CommandLine); !set) bad(node, set.error().message);
@@ -108,7 +103,7 @@ std::map<std::string, std::string> settings_in(TomlFields& fields) {
     return settings;
 }
 
-LessonPlace place_in(const toml::table& table, const char* what) {
+LessonPlace place_in(const TomlValue& table, const char* what) {
     TomlFields fields(table, what);
     LessonPlace place;
     place.line = fields.line();
@@ -117,23 +112,23 @@ LessonPlace place_in(const toml::table& table, const char* what) {
     if (fields.has("thing")) ++kinds, place.thing = name_in(fields, "thing");
     if (fields.has("room")) ++kinds, place.room = name_in(fields, "room");
     if (fields.has("place_m")) {
-        ++kinds, place.place_m = fields.vector("place_m");
+        place.place_m = fields.vector("place_m");
         for (int i = 0; i < 3; ++i)
             if (std::abs((*place.place_m)[i]) > 1e5) bad(fields.node("place_m"), phrase("teaching.far_place"));
     }
     fields.done();
-    if (kinds != 1 || (place.place_m && place.name.empty())) bad(table, phrase("teaching.one_place"));
+    if (kinds > 1 || (kinds == 0 && (!place.place_m || place.name.empty()))) bad(table, phrase("teaching.one_place"));
     if (place.name.empty()) place.name = place.thing + place.room;
     return place;
 }
 
-LessonRoute route_in(const toml::table& table) {
+LessonRoute route_in(const TomlValue& table) {
     TomlFields fields(table, "route");
     LessonRoute route;
     route.line = fields.line();
     route.name = name_in(fields, "name");
     each_table(fields, "stops", LessonFile::kMostPlaces,
-               [&](const toml::table& item) { route.stops.push_back(place_in(item, "stop")); });
+               [&](const TomlValue& item) { route.stops.push_back(place_in(item, "stop")); });
     if (route.stops.empty()) fields.node("stops"), bad(table, phrase("teaching.no_stop"));
     fields.done();
     return route;
@@ -153,13 +148,13 @@ StepKind kind_in(TomlFields& fields) {
 std::vector<int> laps_in(TomlFields& fields) {
     std::vector<int> help{0};
     if (fields.has("help_percent")) {
-        const toml::array* list = fields.node("help_percent").as_array();
+        const TomlValue::Array* list = fields.node("help_percent").array();
         if (!list || list->empty() || list->size() > kMostLaps)
             bad(fields.node("help_percent"), phrase("teaching.percents"));
         help.clear();
-        for (const toml::node& node : *list) {
-            const auto percent = node.value<std::int64_t>();
-            if (!node.is_integer() || *percent < 0 || *percent > 100) bad(node, phrase("teaching.percents"));
+        for (const TomlValue& node : *list) {
+            const std::int64_t* percent = node.whole();
+            if (!percent || *percent < 0 || *percent > 100) bad(node, phrase("teaching.percents"));
             help.push_back(static_cast<int>(*percent));
         }
     }
@@ -168,7 +163,7 @@ std::vector<int> laps_in(TomlFields& fields) {
     return help;
 }
 
-TaughtStep step_in(const toml::table& table, const LessonFile& lesson) {
+TaughtStep step_in(const TomlValue& table, const LessonFile& lesson) {
     TomlFields fields(table, "step");
     TaughtStep step;
     step.line = fields.line();
@@ -230,7 +225,7 @@ TaughtStep step_in(const toml::table& table, const LessonFile& lesson) {
     return step;
 }
 
-TaughtSession session_in(const toml::table& table, const LessonFile& lesson, std::size_t& steps) {
+TaughtSession session_in(const TomlValue& table, const LessonFile& lesson, std::size_t& steps) {
     TomlFields fields(table, "session");
     TaughtSession session;
     session.line = fields.line();
@@ -242,7 +237,7 @@ TaughtSession session_in(const toml::table& table, const LessonFile& lesson, std
         session.shuffle = order == "shuffle";
     }
     session.settings = settings_in(fields);
-    each_table(fields, "step", LessonFile::kMostSteps, [&](const toml::table& item) {
+    each_table(fields, "step", LessonFile::kMostSteps, [&](const TomlValue& item) {
         session.steps.push_back(step_in(item, lesson));
         if (++steps > LessonFile::kMostSteps)
             bad(item, phrase("teaching.too_many", {{"key", "step"}, {"most", LessonFile::kMostSteps}}));
@@ -252,7 +247,7 @@ TaughtSession session_in(const toml::table& table, const LessonFile& lesson, std
     return session;
 }
 
-PupilExpectation measured_in(const toml::table& table) {
+PupilExpectation measured_in(const TomlValue& table) {
     TomlFields fields(table, "expectation");
     PupilExpectation expected;
     expected.line = fields.line();
@@ -276,7 +271,7 @@ PupilExpectation measured_in(const toml::table& table) {
     return expected;
 }
 
-LessonPupil pupil_in(const toml::table& table, const LessonFile& lesson, const ScenarioFolders& folders) {
+LessonPupil pupil_in(const TomlValue& table, const LessonFile& lesson, const ScenarioFolders& folders) {
     TomlFields fields(table, "pupil");
     LessonPupil pupil;
     pupil.line = fields.line();
@@ -288,11 +283,11 @@ LessonPupil pupil_in(const toml::table& table, const LessonFile& lesson, const S
         bad(fields.node("session"),
             phrase("teaching.no_session", {{"name", pupil.session}, {"nearest", nearest_name(pupil.session, known)}}));
     std::set<std::string> names;
-    each_table(fields, "do", 1000, [&](const toml::table& item) {
+    each_table(fields, "do", 1000, [&](const TomlValue& item) {
         for (ScenarioAction& action : read_actions(item, folders, names)) pupil.actions.push_back(std::move(action));
     });
-    each_table(fields, "expect", 1000, [&](const toml::table& item) {
-        if (item.contains("strategy") || item.contains("measure")) pupil.measured.push_back(measured_in(item));
+    each_table(fields, "expect", 1000, [&](const TomlValue& item) {
+        if (item.find("strategy") || item.find("measure")) pupil.measured.push_back(measured_in(item));
         else pupil.expectations.push_back(read_expectation(item, names));
     });
     fields.done();
@@ -307,7 +302,7 @@ void no_name_twice(const List& list) {
         if (!names.insert(one.name).second) throw BadField{one.line, phrase("teaching.twice", {{"name", one.name}})};
 }
 
-LessonFile lesson_in(const toml::table& table, const fs::path& file, const ScenarioFolders& folders) {
+LessonFile lesson_in(const TomlValue& table, const fs::path& file, const ScenarioFolders& folders) {
     TomlFields fields(table, "lesson");
     LessonFile lesson;
     lesson.file = file;
@@ -319,7 +314,7 @@ LessonFile lesson_in(const toml::table& table, const fs::path& file, const Scena
     if (lesson.world_name.find('\0') != std::string::npos || !is_utf8(lesson.world_name) ||
         one_line(lesson.world_name) != lesson.world_name)
         bad(fields.node("world"), phrase("teaching.empty_text"));
-    lesson.world = find_named_world(lesson.world_name, folders, line_of(fields.node("world")));
+    lesson.world = find_named_world(lesson.world_name, folders, fields.node("world").line);
     if (fields.has("world_checksum")) lesson.world_checksum = name_in(fields, "world_checksum");
     if (fields.has("base")) {
         TomlFields base(table_in(fields, "base"), "base");
@@ -330,19 +325,19 @@ LessonFile lesson_in(const toml::table& table, const fs::path& file, const Scena
     }
     lesson.settings = settings_in(fields);
     each_table(fields, "landmark", LessonFile::kMostPlaces,
-               [&](const toml::table& item) { lesson.landmarks.push_back(place_in(item, "landmark")); });
+               [&](const TomlValue& item) { lesson.landmarks.push_back(place_in(item, "landmark")); });
     each_table(fields, "route", LessonFile::kMostPlaces,
-               [&](const toml::table& item) { lesson.routes.push_back(route_in(item)); });
+               [&](const TomlValue& item) { lesson.routes.push_back(route_in(item)); });
     if (lesson.landmarks.empty()) throw BadField{1, phrase("teaching.no_landmark")};
     no_name_twice(lesson.landmarks);
     no_name_twice(lesson.routes);
     std::size_t steps = 0;
     each_table(fields, "session", LessonFile::kMostSessions,
-               [&](const toml::table& item) { lesson.sessions.push_back(session_in(item, lesson, steps)); });
+               [&](const TomlValue& item) { lesson.sessions.push_back(session_in(item, lesson, steps)); });
     if (lesson.sessions.empty()) throw BadField{1, phrase("teaching.no_sessions")};
     no_name_twice(lesson.sessions);
     each_table(fields, "as", LessonFile::kMostPlaces,
-               [&](const toml::table& item) { lesson.pupils.push_back(pupil_in(item, lesson, folders)); });
+               [&](const TomlValue& item) { lesson.pupils.push_back(pupil_in(item, lesson, folders)); });
     fields.done();
     return lesson;
 }
@@ -355,23 +350,23 @@ const LessonRoute* LessonFile::route(std::string_view name) const {
     return nullptr;
 }
 
-Result<LessonFile> read_lesson_text(std::string_view text, const fs::path& file,
-                                    const std::vector<fs::path>& world_folders) {
+Result<LessonFile> read_lesson_text(const std::string& text, const fs::path& file,
+                                    const std::vector<fs::path>& world_folders, const TomlReader& toml) {
     const std::string name = file.filename().string();
+    const Result<TomlValue> table = toml(text);
+    if (!table) return tl::unexpected(no_toml(table.error(), name));
     try {
-        return lesson_in(toml::parse(text, name), file, {file.parent_path(), world_folders});
-    } catch (const toml::parse_error& error) {
-        return fail(phrase("scenario.not_toml", {{"reason", one_line(error.description())}}), name,
-                    static_cast<int>(error.source().begin.line), static_cast<int>(error.source().begin.column));
+        return lesson_in(*table, file, {file.parent_path(), world_folders});
     } catch (const BadField& mistake) {
         return fail(mistake.message, name, mistake.line);
     }
 }
 
-Result<LessonFile> read_lesson(const fs::path& file, const std::vector<fs::path>& world_folders) {
+Result<LessonFile> read_lesson(const fs::path& file, const std::vector<fs::path>& world_folders,
+                               const TomlReader& toml) {
     const auto text = read_whole_file(file, std::size_t{1} << 24);
     if (!text) return tl::unexpected(text.error());
-    return read_lesson_text(*text, file, world_folders);
+    return read_lesson_text(*text, file, world_folders, toml);
 }
 
 std::vector<std::size_t> step_order(const TaughtSession& session, std::size_t session_index, std::uint64_t learner) {

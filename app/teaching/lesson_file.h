@@ -13,6 +13,7 @@
 
 #include "app/core/context/lesson_draft.h"
 #include "app/core/scenario/scenario.h"
+#include "settings/toml_value.h"
 #include "worlds/base/language.h"
 #include "worlds/base/result.h"
 #include "worlds/base/vec.h"
@@ -110,10 +111,12 @@ struct LessonFile {
 // The sentence of any mistake has file and line; nothing is half read. Worlds are looked for as scenarios look for
 // them.
 Result<LessonFile> read_lesson(const std::filesystem::path& file,
-                               const std::vector<std::filesystem::path>& world_folders);
+                               const std::vector<std::filesystem::path>& world_folders,
+                               const TomlReader& toml = toml_of);
 // From its text; `file` need not be there.
-Result<LessonFile> read_lesson_text(std::string_view text, const std::filesystem::path& file,
-                                    const std::vector<std::filesystem::path>& world_folders);
+Result<LessonFile> read_lesson_text(const std::string& text, const std::filesystem::path& file,
+                                    const std::vector<std::filesystem::path>& world_folders,
+                                    const TomlReader& toml = toml_of);
 
 // A lesson without pupils as text that reads back the same.
 std::string lesson_text(const LessonFile& lesson);

@@ -11,7 +11,7 @@ LessonPlace place_of(const LessonDraft::Place& from) {
     place.name = from.name;
     place.thing = from.thing;
     if (from.thing.empty()) place.room = from.room;
-    if (place.thing.empty() && place.room.empty()) place.place_m = from.place_m;
+    place.place_m = from.place_m;  // of several things or rooms of one name it says which
     return place;
 }
 

@@ -103,32 +103,52 @@ Result<TaughtPlace> TaughtWorld::look_up(const LessonPlace& place) const {
         found.stand_m = *near;
         return found;
     };
-    if (place.place_m) {
+    if (place.thing.empty() && place.room.empty()) {
         found.middle_m = *place.place_m;
         return stand(*place.place_m);
     }
     std::vector<std::string> known;
+    std::vector<TaughtPlace> candidates;
     if (!place.room.empty()) {
         for (const Room& room : rooms_->graph().rooms) {
-            if (same_name(room.map_name, place.room) || same_name(own_name(room), place.room)) {
-                found.middle_m = found.stand_m = room.middle_m;
-                return found;
-            }
+            if (same_name(room.map_name, place.room) || same_name(own_name(room), place.room))
+                candidates.push_back({place.name, room.middle_m, room.middle_m});
             known.push_back(own_name(room));
         }
-        return bad(place.line, "teaching.no_room", place.room, known);
+        if (candidates.empty()) return bad(place.line, "teaching.no_room", place.room, known);
+        return one_of(place, candidates);
     }
     for (const NamedThing& thing : named_things(*scene_)) {
         if (same_name(thing.name, place.thing) ||
             same_name(spoken_name(scene_->features[thing.feature.value]), place.thing)) {
-            found.middle_m = thing.bounds_m.centre_m();
-            Vec3 foot = found.middle_m;
+            Vec3 foot = thing.bounds_m.centre_m();
             foot.z = thing.bounds_m.min_m.z;
-            return stand(foot);
+            candidates.push_back({place.name, foot, thing.bounds_m.centre_m()});
         }
         known.push_back(thing.name);
     }
-    return bad(place.line, "teaching.no_thing", place.thing, known);
+    if (candidates.empty()) return bad(place.line, "teaching.no_thing", place.thing, known);
+    const auto one = one_of(place, candidates);
+    if (!one) return one;
+    found.middle_m = one->middle_m;
+    return stand(one->stand_m);
+}
+
+Result<TaughtPlace> TaughtWorld::one_of(const LessonPlace& place, const std::vector<TaughtPlace>& candidates) const {
+    constexpr std::size_t kMostTold = 5;
+    if (place.place_m)
+        return *std::min_element(candidates.begin(), candidates.end(), [&](const TaughtPlace& a, const TaughtPlace& b) {
+            return glm::length(a.middle_m - *place.place_m) < glm::length(b.middle_m - *place.place_m);
+        });
+    if (candidates.size() == 1) return candidates.front();
+    std::string places;
+    for (std::size_t i = 0; i < std::min(candidates.size(), kMostTold); ++i) {
+        const Vec3& at = candidates[i].middle_m;
+        places += fmt::format("{}[{:.1f}, {:.1f}, {:.1f}]", i == 0 ? "" : ", ", at.x, at.y, at.z);
+    }
+    return fail(phrase("teaching.which_of_them",
+                       {{"name", place.thing + place.room}, {"count", candidates.size()}, {"places", places}}),
+                lesson_.file.filename().string(), place.line);
 }
 
 Result<void> TaughtWorld::know(const LessonPlace& place) {

@@ -47,6 +47,8 @@ public:
 
 private:
     TaughtWorld() = default;
+    // The place that is meant of those that `place` may name; fails if there are several and nothing says which.
+    Result<TaughtPlace> one_of(const LessonPlace& place, const std::vector<TaughtPlace>& candidates) const;
     Result<TaughtPlace> look_up(const LessonPlace& place) const;
     Result<void> know(const LessonPlace& place);
     Result<void> check_step(const TaughtStep& step);

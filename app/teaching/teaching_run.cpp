@@ -102,10 +102,16 @@ void TeachingRun::see(const SessionEvent& event) {
                        ++task_.help;
                        whole_.helped_s = event.time_s;
                    },
-                   [&](const Led&) { task_.led_since_s = event.time_s; },
-                   [&](const Arrived&) {
-                       if (task_.led_since_s) task_.led_s += event.time_s - *task_.led_since_s;
-                       task_.led_since_s.reset();
+                   [&](const Leading& e) {
+                       if (led_since_s_) task_.led_s += event.time_s - std::max(*led_since_s_, task_.begun_s);
+                       led_since_s_ = e.on ? std::optional(event.time_s) : std::nullopt;
+                   },
+                   [&](const Arrived& e) {
+                       if (e.goal == led_to_) end_teachers_lead();
+                   },
+                   [&](const ListShown& e) {
+                       if (!e.open) end_busy(list_since_s_);
+                       else if (!list_since_s_) list_since_s_ = event.time_s;
                    },
                    [&](const DoorUsed& e) {
                        const bool blocked =
@@ -140,6 +146,11 @@ void TeachingRun::see(const SessionEvent& event) {
                event.what);
 }
 
+void TeachingRun::end_busy(std::optional<double>& since_s) {
+    if (since_s) task_.busy.push_back({*since_s, now_s_});
+    since_s.reset();
+}
+
 void TeachingRun::follow_walk() {
     if (now_s_ - sampled_s_ < kSample_s - 1e-6) return;
     sampled_s_ = now_s_;
@@ -155,13 +166,15 @@ void TeachingRun::follow_walk() {
 // What is known of the room that is to be learnt counts as it was when one was in it last.
 void TeachingRun::follow_room() {
     if (step().kind != StepKind::Learn || lower_ascii(view_.room) != lower_ascii(step().room)) return;
-    task_.walls_percent = 100.0 * view_.walls_share;
+    if (view_.perimeter_m > 0.0) task_.walls_percent = 100.0 * view_.walls_share;
     if (view_.exits > 0) task_.exits_percent = 100.0 * view_.exits_found / view_.exits;
 }
 
-void TeachingRun::tick(double now_s, const LessonView& view) {
+void TeachingRun::tick(double now_s, const LessonView& view, bool speaking) {
     now_s_ = now_s;
     view_ = view;
+    if (!speaking) end_busy(speaks_since_s_);
+    else if (!speaks_since_s_) speaks_since_s_ = now_s;
     if (over_ || !view.rooms_known) return;
     if (!begun_) {
         begun_ = true;
@@ -184,9 +197,9 @@ void TeachingRun::tick(double now_s, const LessonView& view) {
     }
     const TaughtStep& now = step();
     if (now.kind == StepKind::Learn && (now.walls_percent > 0 || now.exits > 0) &&
-        lower_ascii(view.room) == lower_ascii(now.room) && 100.0 * view.walls_share >= now.walls_percent &&
-        view.exits_found >= now.exits)
-        return next(now_s);
+        lower_ascii(view.room) == lower_ascii(now.room) && (now.walls_percent <= 0 || view.perimeter_m > 0.0) &&
+        100.0 * view.walls_share >= now.walls_percent && view.exits_found >= now.exits)
+        return void(next(now_s));
     if (now.kind != StepKind::Go) return;
     for (const FeatureId door : laps_.blocked) {
         const Aabb& box = world_->scene()->features[door.value].bounds_m;
@@ -202,6 +215,7 @@ void TeachingRun::tick(double now_s, const LessonView& view) {
 // ---- steps ----
 
 void TeachingRun::begin_step() {
+    end_teachers_lead();
     asked_.text.clear();
     asked_.at = 0;
     asked_.errors_rad.clear();
@@ -287,12 +301,15 @@ TaskResult TeachingRun::measured(std::string name) const {
     TaskResult result{step().kind, order_[at_], laps_.lap, std::move(name), {}, 0.0};
     if (step().kind != StepKind::Go) result.lap = 0;
     result.measures["time"] = now_s_ - task_.begun_s;
-    const Hesitations pauses = hesitations(task_.walk);
+    std::vector<Span> busy = task_.busy;
+    for (const std::optional<double>& since_s : {list_since_s_, speaks_since_s_})
+        if (since_s) busy.push_back({*since_s, now_s_});
+    const Hesitations pauses = hesitations(task_.walk, busy);
     result.measures["pauses"] = pauses.count;
     result.measures["pause_time"] = pauses.sum_s;
     result.measures["contacts_hand"] = contact_episodes(task_.touches);
     result.measures["help_asked"] = task_.help;
-    result.measures["led_time"] = task_.led_s + (task_.led_since_s ? now_s_ - *task_.led_since_s : 0.0);
+    result.measures["led_time"] = task_.led_s + (led_since_s_ ? now_s_ - std::max(*led_since_s_, task_.begun_s) : 0.0);
     return result;
 }
 
@@ -355,16 +372,23 @@ void TeachingRun::finish(bool all) {
 
 // ---- whoever teaches ----
 
-void TeachingRun::next(double now_s) {
+std::string TeachingRun::next(double now_s) {
     now_s_ = now_s;
-    if (!begun_ || over_) return;
+    if (!begun_) return phrase("desk_order.not_begun");
+    if (over_) return phrase("desk_order.ended");
     asked_.text.clear();
+    end_task();
+    if (over_) return phrase("desk_order.ended");
+    return phrase("desk_order.now", {{"task", asked_.text.empty() ? asked_.told : asked_.text}});
+}
+
+void TeachingRun::end_task() {
     const TaughtStep& now = step();
     if (now.kind == StepKind::Go) return end_lap(false);
     if (now.kind == StepKind::Learn || now.kind == StepKind::Free) {
         TaskResult result = measured(now.room);
         if (now.kind == StepKind::Learn) {
-            result.measures["walls_percent"] = task_.walls_percent;
+            if (task_.walls_percent) result.measures["walls_percent"] = *task_.walls_percent;
             if (task_.exits_percent) result.measures["exits_percent"] = *task_.exits_percent;
         }
         keep(std::move(result));
@@ -372,26 +396,46 @@ void TeachingRun::next(double now_s) {
     end_step();
 }
 
-void TeachingRun::repeat() {
-    if (begun_ && !over_)
-        acts_.emplace_back(Told{asked_.text.empty() ? asked_.told : asked_.text, SpeechClass::Answer});
+std::string TeachingRun::repeat() {
+    if (!begun_) return phrase("desk_order.not_begun");
+    if (over_) return phrase("desk_order.ended");
+    acts_.emplace_back(Told{asked_.text.empty() ? asked_.told : asked_.text, SpeechClass::Answer});
+    return phrase("desk_order.told_again");
 }
 
-void TeachingRun::change_help(int by) {
-    if (!begun_ || over_ || step().kind != StepKind::Go) return;
+std::string TeachingRun::change_help(int by) {
+    if (!begun_ || over_ || step().kind != StepKind::Go) return phrase("desk_order.no_help_here");
     const std::size_t last = step().help_percent.size() - 1;
     if (by > 0 && laps_.level > 0) --laps_.level;
     else if (by < 0 && laps_.level < last) ++laps_.level;
-    acts_.emplace_back(Told{phrase("teaching.help_is", {{"percent", static_cast<int>(std::lround(100.0 * level()))}}),
-                            SpeechClass::Answer});
+    std::string words = phrase("teaching.help_is", {{"percent", static_cast<int>(std::lround(100.0 * level()))}});
+    acts_.emplace_back(Told{words, SpeechClass::Answer});
     lead();
+    return words;
 }
 
 std::string TeachingRun::lead_to(const std::string& name) {
     const TaughtPlace* to = world_->place(name);
     if (!to) return phrase("teaching.no_name", {{"name", name}, {"nearest", world_->nearest(name)}});
+    if (!begun_) return phrase("desk_order.not_begun");
+    if (over_) return phrase("desk_order.ended");
+    const StepKind kind = step().kind;
+    if (kind == StepKind::Point || kind == StepKind::Distance || kind == StepKind::Order)
+        return phrase("desk_order.would_answer");
     acts_.emplace_back(TeacherActed{TeacherActed::Kind::Lead, {}, {to->name}, {to->stand_m}, 1.0});
-    return {};
+    led_to_ = to->name;
+    return phrase("desk_order.leads", {{"name", to->name}});
+}
+
+std::string TeachingRun::leave_lead() {
+    if (led_to_.empty()) return phrase("desk_order.leads_nowhere");
+    end_teachers_lead();
+    if (begun_ && !over_ && step().kind == StepKind::Go) lead();
+    return phrase("desk_order.leads_no_more");
+}
+
+void TeachingRun::end_teachers_lead() {
+    if (!std::exchange(led_to_, {}).empty()) act(TeacherActed::Kind::Leave);
 }
 
 std::string TeachingRun::block(const std::string& name, bool blocked) {
@@ -406,18 +450,20 @@ std::string TeachingRun::block(const std::string& name, bool blocked) {
     std::erase(shut_, *door);
     if (blocked) shut_.push_back(*door);
     act(blocked ? TeacherActed::Kind::Block : TeacherActed::Kind::Open, name, static_cast<double>(door->value));
-    if (!on_way) return {};
+    std::string happened = phrase(blocked ? "desk_order.blocked" : "desk_order.opened", {{"door", name}});
+    if (!on_way) return happened;
     laps_.blocked = std::move(doors);
     plan_lap();
     lead();
-    return {};
+    return happened;
 }
 
 void TeachingRun::note(const std::string& text) { act(TeacherActed::Kind::Note, one_line(text)); }
 
-void TeachingRun::end(double now_s) {
+std::string TeachingRun::end(double now_s) {
     now_s_ = now_s;
     if (begun_ && !over_) finish(false);
+    return phrase(begun_ ? "desk_order.ended" : "desk_order.not_begun");
 }
 
 // ---- how it stands ----

@@ -44,23 +44,27 @@ public:
     TeachingRun(std::shared_ptr<TaughtWorld> world, Start start);
 
     void see(const SessionEvent& event);
-    // After the session's tick; about ten times a second is enough. It begins once rooms are known.
-    void tick(double now_s, const LessonView& view);
+    // After the session's tick; about ten times a second is enough. It begins once rooms are known. speaking: somebody
+    // speaks, which the ears know.
+    void tick(double now_s, const LessonView& view, bool speaking = false);
     // What is to reach the session now, in order.
     std::vector<SessionInput> take_acts() { return std::exchange(acts_, {}); }
     bool over() const { return over_; }
     // Over, with all of its steps behind one: nobody left it before.
     bool finished() const { return finished_; }
 
-    // By whoever teaches. Where it cannot be, says why. On a way that is being learnt, a door that is blocked counts as
-    // one that the lesson itself blocks: the way round is what the lap is measured against.
-    void next(double now_s);
-    void repeat();
-    void change_help(int by);  // 1 more, -1 less
+    // By whoever teaches. Each says what happened, or why it cannot be. On a way that is being learnt, a door that is
+    // blocked counts as one that the lesson itself blocks: the way round is what the lap is measured against.
+    std::string next(double now_s);
+    std::string repeat();
+    std::string change_help(int by);  // 1 more, -1 less
+    // To a place, until one is there, the next task begins, or leave_lead(). Never while a question about places waits,
+    // which it would answer.
     std::string lead_to(const std::string& name);
+    std::string leave_lead();
     std::string block(const std::string& door, bool blocked);
     void note(const std::string& text);
-    void end(double now_s);
+    std::string end(double now_s);
 
     // One line on how it stands: where, walls, contacts, help, strategy.
     std::string summary() const;
@@ -77,12 +81,16 @@ private:
     void ask();
     void answered(const std::string& text);
     bool take_number(const std::string& text, double& number) const;
+    void end_task();
     void end_lap(bool reached);
     void end_step();
     void finish(bool all);
+    // What lasts from one time to another ends, or goes on into the next task.
+    void end_busy(std::optional<double>& since_s);
     void follow_walk();
     void follow_room();
     void lead();
+    void end_teachers_lead();
     std::vector<TaughtPlace> led_stops() const;
     void plan_lap();
     double level() const;
@@ -99,10 +107,13 @@ private:
     std::size_t at_ = 0;
     bool begun_ = false, over_ = false, finished_ = false;
     std::vector<FeatureId> shut_;  // doors, by whoever teaches
+    std::string led_to_;           // by whoever teaches; empty: nowhere
     std::vector<SessionInput> acts_;
     std::vector<TaskResult> results_;
     LessonView view_;
     double now_s_ = 0.0, sampled_s_ = -1e9, summed_s_ = -1e9;
+    // Since when; none: not now.
+    std::optional<double> led_since_s_, list_since_s_, speaks_since_s_;
 
     // Of the task that goes on.
     struct Task {
@@ -111,11 +122,10 @@ private:
         std::vector<Touch> touches;
         int help = 0;
         double led_s = 0.0;
-        std::optional<double> led_since_s;
+        std::vector<Span> busy;  // a list was open, or somebody spoke
         bool leap = false;
         // Of a room to be learnt, while one was in it.
-        double walls_percent = 0.0;
-        std::optional<double> exits_percent;
+        std::optional<double> walls_percent, exits_percent;  // none: it has no walls, or no exits
     } task_;
     struct Questions {
         std::string told, text;          // of the task, and of what is asked; empty: nothing is

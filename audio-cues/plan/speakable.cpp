@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "worlds/base/language.h"
+#include "worlds/base/text.h"
 
 namespace handrail {
 namespace {
@@ -42,7 +43,9 @@ std::string speakable(std::string_view text) {
         // C1 controls stand in UTF-8 as c2 80 to c2 9f, in Latin-1 as 80 to 9f.
         const bool c1 = (length == 2 && first == 0xc2 && static_cast<unsigned char>(text[1]) < 0xa0) ||
                         (length == 0 && first < 0xa0);
-        if (first <= 0x20 || first == 0x7f || c1) {
+        const bool separator = text.starts_with("\u2028") || text.starts_with("\u2029");
+        if (begins_with_direction_control(text)) {
+        } else if (first <= 0x20 || first == 0x7f || c1 || separator) {
             gap = !out.empty();
         } else {
             if (gap) out += ' ';

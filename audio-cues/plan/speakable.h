@@ -6,9 +6,9 @@
 
 namespace handrail {
 
-// One line of valid UTF-8: control characters and line ends become single spaces, outer spaces go, and bytes that are
-// no UTF-8 are read as Latin-1, which is what old maps were written in. Text that is already clean comes back
-// unchanged.
+// One line of valid UTF-8: control characters and line ends become single spaces, outer spaces and direction controls
+// go, and bytes that are no UTF-8 are read as Latin-1, which is what old maps were written in. Text that is already
+// clean comes back unchanged.
 std::string speakable(std::string_view text);
 
 // The same with an upper-case first letter, as a label is spoken and printed.

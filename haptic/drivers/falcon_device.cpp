@@ -48,9 +48,12 @@ Result<std::string> read_firmware(const fs::path& file) {
 }  // namespace
 
 fs::path falcon_firmware_folder() {
-    if (const char* data = std::getenv("XDG_DATA_HOME"); data && *data) return fs::path(data) / "handrail" / "falcon";
+    // Only absolute paths count, so that firmware never comes from the folder the program was started in.
+    const char* data = std::getenv("XDG_DATA_HOME");
+    if (data && data[0] == '/') return fs::path(data) / "handrail" / "falcon";
     const char* home = std::getenv("HOME");
-    return fs::path(home && *home ? home : ".") / ".local" / "share" / "handrail" / "falcon";
+    if (home && home[0] == '/') return fs::path(home) / ".local" / "share" / "handrail" / "falcon";
+    return "/usr/local/share/handrail/falcon";
 }
 
 std::vector<fs::path> falcon_firmware_files() {

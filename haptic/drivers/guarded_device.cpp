@@ -2,6 +2,8 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <pthread.h>
+#include <sched.h>
 #include <signal.h>
 #include <spawn.h>
 #include <sys/eventfd.h>
@@ -18,14 +20,15 @@ extern "C" {  // glibc 2.36 forgot to say so itself
 #include <new>
 #include <optional>
 
+#include "haptic/drivers/guard_permissions.h"
 #include "haptic/drivers/guard_process.h"
 #include "haptic/drivers/hand_guard.h"
+#include "haptic/drivers/relief_guard.h"
 #include "worlds/base/clock.h"
 #include "worlds/base/descriptor.h"
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
-
-extern "C" char** environ;
+#include "worlds/confine/confine.h"
 
 namespace handrail {
 namespace fs = std::filesystem;
@@ -35,7 +38,12 @@ namespace {
 constexpr int kFirstFd = 3;
 constexpr std::string_view kGuardProgram = "handrail-guard";
 constexpr std::size_t kLongestSentence = 4096;
-constexpr int kGivenUpMs = 50;  // whether the opening was given up
+constexpr int kGivenUpMs = 50;      // whether the opening was given up
+constexpr int kWatchPriority = 71;  // as the first guard, above the servo
+// A second guard beats at every look. It stands still after 50 ms, so that another one is there within 100 ms; until
+// its first beat it has 2 s to be loaded.
+constexpr int kReliefStillLooks = 5;
+constexpr int kReliefLoadLooks = 200;
 
 struct Message {
     GuardMessage kind;
@@ -90,7 +98,8 @@ Result<void> GuardedDevice::start(const char* role, int third_fd, int& life_fd, 
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
-    const int status = ::posix_spawn(&process, guard_program_.c_str(), &actions, nullptr, argv.data(), environ);
+    const int status = ::posix_spawn(&process, guard_program_.c_str(), &actions, nullptr, argv.data(),
+                                     environment_with(kGuardVariables).data());
     posix_spawn_file_actions_destroy(&actions);
     if (status != 0) {
         process = -1;
@@ -160,7 +169,13 @@ Result<void> GuardedDevice::open() {
     last_ = {};
     last_.fresh = false;
     last_.homed = false;
+    watch_ = std::jthread([this](const std::stop_token& end) { watch_guards(end); });
     return {};
+}
+
+pid_t GuardedDevice::relief_process() const {
+    const std::lock_guard lock(mutex_);
+    return relief_;
 }
 
 bool GuardedDevice::guard_lives() const noexcept {
@@ -237,19 +252,21 @@ void GuardedDevice::await_zero() noexcept {
         clock.sleep_until_s(clock.now_s() + 0.002);
     may_push_ = relief() != ReliefState::Zero;
     if (!may_push_) return;
+    const std::lock_guard lock(mutex_);
     while (const auto message = receive(relief_life_fd_))
         if (message->kind == GuardMessage::Failed) why_not_zero_ = message->sentence;
 }
 
 void GuardedDevice::close() noexcept {
-    if (mailbox_ && guard_fd_ >= 0 && !relief_lives() &&
-        mailbox_->relief.load(std::memory_order_acquire) == ReliefState::Watching)
+    if (const std::lock_guard lock(mutex_); mailbox_ && guard_fd_ >= 0 && !relief_lives() &&
+                                            mailbox_->relief.load(std::memory_order_acquire) == ReliefState::Watching)
         (void)start_relief();
     if (life_fd_ >= 0) ::close(std::exchange(life_fd_, -1));
     // The guard may still be waking a device; it looks at us only between two steps of that, and zeroes the force when
     // it does. With a device open it has 100 ms for each round, or the second guard ends it.
     end_process(guard_, kEndS);
-    if (mailbox_ && relief_ > 0 && mailbox_->holds.load(std::memory_order_acquire)) await_zero();
+    if (mailbox_ && relief_process() > 0 && mailbox_->holds.load(std::memory_order_acquire)) await_zero();
+    watch_ = {};
     if (relief_life_fd_ >= 0) ::close(std::exchange(relief_life_fd_, -1));
     end_process(relief_, kEndS);
     for (int* fd : {&guard_fd_, &wake_fd_, &memory_fd_})
@@ -259,6 +276,7 @@ void GuardedDevice::close() noexcept {
 }
 
 std::vector<std::string> GuardedDevice::take_news() {
+    const std::lock_guard lock(mutex_);
     while (life_fd_ >= 0) {
         const auto message = receive(life_fd_);
         if (!message) break;
@@ -276,22 +294,50 @@ std::vector<std::string> GuardedDevice::take_news() {
         news_.push_back(phrase("guard.may_still_push",
                                {{"device", spec_.spoken_name()},
                                 {"reason", why_not_zero_.empty() ? phrase("guard.no_answer") : why_not_zero_}}));
-    replace_relief();
     return std::exchange(news_, {});
 }
 
-// A second guard that hangs in a driver, or one that died as often as it is replaced, never says that it failed.
+// A second guard that hangs in a driver, or one that failed as often as it is replaced, never says that it failed.
 void GuardedDevice::notice_long_zeroing() {
     const double now_s = SteadyClock().now_s();
-    if (!mailbox_ || mailbox_->relief.load(std::memory_order_acquire) != ReliefState::Zeroing) zeroing_since_s_ = now_s;
+    const auto zero_is_due = [this] {
+        const ReliefState relief = mailbox_->relief.load(std::memory_order_acquire);
+        return relief == ReliefState::Zeroing ||
+               (relief == ReliefState::Watching && mailbox_->holds.load(std::memory_order_acquire) && !guard_lives());
+    };
+    if (!mailbox_ || !zero_is_due()) zeroing_since_s_ = now_s;
     else if (now_s - zeroing_since_s_ > kZeroS) may_push_ = true;
 }
 
-// One that died before its work was done; the machine may have ended it for want of memory.
+void GuardedDevice::watch_guards(const std::stop_token& end) {
+    sched_param wish{};
+    wish.sched_priority = kWatchPriority;
+    ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &wish);  // ordinary scheduling does too, less evenly
+    StillCount guard(mailbox_->beats.load(std::memory_order_acquire));
+    StillCount relief(mailbox_->relief_beats.load(std::memory_order_acquire));
+    bool relief_beats = true;  // it has, since it was started
+    int looks = 0;
+    for (SteadyClock clock; !end.stop_requested(); clock.sleep_until_s(clock.now_s() + kLookMs * 1e-3)) {
+        const bool guard_holds = mailbox_->holds.load(std::memory_order_acquire) && guard_lives();
+        if (guard.look(mailbox_->beats.load(std::memory_order_acquire), !guard_holds) >= kStillLooks)
+            ::pidfd_send_signal(guard_fd_, SIGKILL, nullptr, 0);
+        const ReliefState state = mailbox_->relief.load(std::memory_order_acquire);
+        if (state == ReliefState::Zero || state == ReliefState::Failed) continue;
+        const int still = relief.look(mailbox_->relief_beats.load(std::memory_order_acquire), false);
+        relief_beats = relief_beats || still == 0;
+        const std::lock_guard lock(mutex_);
+        if (++looks >= kProvenLooks) reliefs_left_ = kMostReliefs;
+        if (relief_lives() && still < (relief_beats ? kReliefStillLooks : kReliefLoadLooks)) continue;
+        replace_relief();
+        relief = StillCount(mailbox_->relief_beats.load(std::memory_order_acquire));
+        relief_beats = false;
+        looks = 0;
+    }
+}
+
+// Ends the one there is, should it still be there: two must never hold the device.
 void GuardedDevice::replace_relief() {
-    if (!mailbox_ || relief_lives() || reliefs_left_ == 0) return;
-    const ReliefState relief = mailbox_->relief.load(std::memory_order_acquire);
-    if (relief == ReliefState::Zero || relief == ReliefState::Failed) return;
+    if (reliefs_left_ == 0) return;
     --reliefs_left_;
     if (const auto started = start_relief(); !started) news_.push_back(started.error().sentence());
 }

@@ -1,7 +1,8 @@
 // A real device as the servo sees it: the guard process holds it, this holds the guard. read() and write() are a copy
 // in shared memory and at most one system call that does not wait, so the servo rule holds whatever a driver does:
 // about 1 us each. The force is felt one exchange after write(), as DeviceSpec::delay_s says. App thread: construction,
-// open(), take_news(), destruction.
+// open(), take_news(), destruction. While it is open, a thread of its own looks at both guards every 10 ms, whatever
+// the app does: it replaces a second guard that died or stands still, and ends a first one that stands still.
 #pragma once
 
 #include <sys/types.h>
@@ -9,7 +10,9 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "haptic/device/haptic_device.h"
@@ -44,7 +47,7 @@ public:
     // What the guard told since the last call, in sentences: waking, plugged in again.
     std::vector<std::string> take_news();
     pid_t guard_process() const { return guard_; }
-    pid_t relief_process() const { return relief_; }
+    pid_t relief_process() const;
     // App thread, while it is open: the guard is gone, by a driver that hung or by somebody's hand, and will not look
     // for its device again; the second guard has let go of the device too, so another one may open it.
     bool guard_ended() const noexcept;
@@ -57,7 +60,10 @@ public:
     static constexpr double kOpenS = 30.0;
     static constexpr double kEndS = 1.0;
     static constexpr double kZeroS = 3.0;
+    // Of second guards that are started for one that failed, one after the other. One that lives for kProvenLooks looks
+    // starts the count anew.
     static constexpr int kMostReliefs = 3;
+    static constexpr int kProvenLooks = 1000;
 
 private:
     bool guard_lives() const noexcept;
@@ -69,6 +75,7 @@ private:
     Result<void> wait_for_ready(int life_fd, double deadline_s);
     void end_process(pid_t& process, double seconds) noexcept;
     void await_zero() noexcept;
+    void watch_guards(const std::stop_token& end);
     void replace_relief();
     void notice_long_zeroing();
 
@@ -80,12 +87,14 @@ private:
     int life_fd_ = -1, relief_life_fd_ = -1;  // sockets to the guard and to the second one
     int guard_fd_ = -1;                       // of the guard's process; readable when it has ended
     pid_t guard_ = -1, relief_ = -1;
-    int reliefs_left_ = 0;  // to be started in the place of one that died
+    mutable std::mutex mutex_;  // of relief_, relief_life_fd_ and news_ while watch_ runs
+    std::jthread watch_;
+    int reliefs_left_ = 0;  // to be started in the place of one that failed
     bool may_push_ = false, told_may_push_ = false;
     double zeroing_since_s_ = 0.0;  // app thread
     std::string why_not_zero_;
     std::atomic<bool> given_up_{false};
-    std::vector<std::string> news_;  // app thread
+    std::vector<std::string> news_;
     std::function<void(const std::string&)> tell_;
     // Servo thread.
     DeviceSample last_;

@@ -29,7 +29,8 @@ struct HandMailbox {
     LatestValue<ForceCommand> command;    // program -> guard; device frame
     LatestValue<DeviceSample> answer;     // guard -> program; one for each exchange
     std::atomic<std::uint32_t> beats{0};  // the guard counts its rounds, at least one in 5 ms while it holds the device
-    std::atomic<bool> holds{false};       // the guard's: a device is open, so it may push
+    std::atomic<std::uint32_t> relief_beats{0};              // the second guard counts its looks, one in 10 ms
+    std::atomic<bool> holds{false};                          // the guard's: a device is open, so it may push
     std::atomic<ReliefState> relief{ReliefState::Watching};  // the second guard's
     std::atomic<bool> memory_locked{true},
         spared{true};  // either guard sets false: its memory may be swapped out; it may be ended for want of memory

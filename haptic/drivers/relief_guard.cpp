@@ -4,6 +4,7 @@
 
 #include <array>
 #include <chrono>
+#include <system_error>
 #include <thread>
 
 #include "worlds/base/clock.h"
@@ -18,13 +19,14 @@ constexpr double kOrphanS =
     35.0;  // more than a device takes to open: a first guard without a program that has not ended by then hangs
 
 // True when the first guard has ended; false when it holds a device and stands still, or hangs without a program.
-bool watch(const HandMailbox& mailbox, int guard_fd, int life_fd) {
+bool watch(HandMailbox& mailbox, int guard_fd, int life_fd) {
     const SteadyClock clock;
     std::array<pollfd, 2> watched{pollfd{guard_fd, POLLIN, 0}, pollfd{life_fd, POLLRDHUP, 0}};
-    std::uint32_t beats = mailbox.beats.load(std::memory_order_acquire);
+    StillCount guard(mailbox.beats.load(std::memory_order_acquire));
     double orphaned_s = -1.0;
     for (int still = 0; still < kStillLooks;) {
         const int events = ::poll(watched.data(), watched.size(), kLookMs);
+        mailbox.relief_beats.fetch_add(1, std::memory_order_release);
         if (watched[0].revents != 0) return true;
         if (events > 0 &&
             watched[1].revents !=
@@ -35,11 +37,22 @@ bool watch(const HandMailbox& mailbox, int guard_fd, int life_fd) {
         }
         if (events != 0) continue;  // a signal: no look
         if (orphaned_s >= 0.0 && clock.now_s() - orphaned_s > kOrphanS) return false;
-        const std::uint32_t newest = mailbox.beats.load(std::memory_order_acquire);
-        still = mailbox.holds.load(std::memory_order_acquire) && newest == beats ? still + 1 : 0;
-        beats = newest;
+        still =
+            guard.look(mailbox.beats.load(std::memory_order_acquire), !mailbox.holds.load(std::memory_order_acquire));
     }
     return false;
+}
+
+// Beats on a thread of its own while a driver opens, zeroes and closes the device, which may take seconds.
+std::jthread beat_meanwhile(HandMailbox& mailbox) noexcept {
+    try {
+        return std::jthread([&mailbox](const std::stop_token& end) {
+            for (; !end.stop_requested(); std::this_thread::sleep_for(std::chrono::milliseconds(kLookMs)))
+                mailbox.relief_beats.fetch_add(1, std::memory_order_release);
+        });
+    } catch (const std::system_error&) {
+        return {};  // then the program replaces us if the driver takes longer than it waits
+    }
 }
 
 }  // namespace
@@ -54,6 +67,7 @@ int relieve_guard(HandMailbox& mailbox, int guard_fd, int life_fd, const ZeroDev
         return 0;
     }
     mailbox.relief = ReliefState::Zeroing;
+    const std::jthread beating = beat_meanwhile(mailbox);
     if (!ended) {
         end_guard();
         pollfd dying{guard_fd, POLLIN, 0};

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <mutex>
+#include <utility>
 
 #include "haptic/dynamics/bullet_shapes.h"
 #include "haptic/dynamics/seams.h"
@@ -134,10 +135,13 @@ struct Body {
     Stick stick;
     double inertial_kg = 0.0;  // as it is now: two hands may ask for more than its mass
     bool waiting = false;      // held still until fewer move
+    bool forced = false;       // there are forces of the step below
+    bool told = false;         // its place was told since it moved last
     Vec3 kept_m_per_s{0.0}, kept_rad_per_s{0.0};
     // Forces of the step.
     std::array<Vec3, 2> hand_n{Vec3(0.0), Vec3(0.0)}, hand_nm{Vec3(0.0), Vec3(0.0)};
     std::array<double, 2> pushed_s{-1e9, -1e9};  // last time each hand pushed
+    double near_s = -1e9;                        // last time a hand was near
     std::array<double, 2> least_kg{0.0, 0.0};
     Vec3 lead_n{0.0}, lead_nm{0.0}, shove_n{0.0};
     // What is heard of it.
@@ -171,6 +175,15 @@ struct Shove {
     double most_n = 0.0, left_s = 0.0;
 };
 
+// What a body touches hardest in one step.
+struct Touched {
+    double impulse = 0.0;
+    FeatureId feature = kNoFeature;
+    std::uint32_t body = kNoBody;
+    btVector3 at{0, 0, 0}, own{0, 0, 0};
+    bool any = false;
+};
+
 // Small turn that leads from one rotation to another, as a vector.
 Vec3 turn_between(const Rotation& from, const Rotation& to) {
     const Rotation d = to * Rotation{from.w, -from.x, -from.y, -from.z};
@@ -199,6 +212,9 @@ struct World {
     std::array<std::vector<HandPush>, 2> pushes;
     std::vector<Lead> leads;
     std::vector<Shove> shoves;
+    // Kept only for their memory.
+    std::vector<Touched> touched;
+    std::vector<std::pair<double, std::uint32_t>> order;
 
     explicit World(const DynamicsScene& scene);
     ~World();
@@ -279,7 +295,12 @@ World::World(const DynamicsScene& scene) {
         rigid.setCcdMotionThreshold(0.1 * body.half_width_m);
         rigid.setCcdSweptSphereRadius(0.1 * body.half_width_m);
         world.addRigidBody(&rigid, kFreeGroup, kStillGroup | kFreeGroup);
+        if (i < Dynamics::kMostAwake) continue;
+        made.waiting = true;
+        rigid.forceActivationState(DISABLE_SIMULATION);
     }
+    touched.resize(bodies.size());
+    order.resize(bodies.size());
 }
 
 World::~World() {
@@ -298,6 +319,7 @@ struct Dynamics::Impl {
     double begin_s = 0.0;
     std::uint64_t steps = 0;
     std::uint32_t game = 1;
+    std::vector<Placement> things;  // as told last
 
     double now_s() const { return begin_s + static_cast<double>(steps) * kH; }
     Vec3 local(const Vec3& world_m) const { return world_m - scene->origin_m; }
@@ -317,6 +339,11 @@ struct Dynamics::Impl {
     void limit_awake(DynamicsFrame& out);
     void put_back(std::size_t body, std::vector<BodyEvent>& events);
     double gap_to_m(std::size_t body, const Vec3& local_m) const;
+    // It lies or is held still, and that was told.
+    bool is_silent(std::size_t i) const {
+        const Body& body = world->bodies[i];
+        return !body.rigid->isActive() && (body.rested || body.waiting);
+    }
     void hear(std::vector<BodyEvent>& events);
     void tell(DynamicsFrame& out);
     void tell_near(DynamicsFrame& out, unsigned hand);
@@ -336,6 +363,7 @@ void Dynamics::Impl::take_pushes(unsigned hand) {
                : part > 1.0 - kWhole ? 1.0
                                      : part;  // what rounding left over of a tick that ends with the step is none
         if (part > 0.0) {
+            body.forced = true;
             body.hand_n[hand] += push.force_n * (part * push.dt_s / kH);
             body.hand_nm[hand] += push.moment_nm * (part * push.dt_s / kH);
             body.pushed_s[hand] = end_s;
@@ -361,6 +389,7 @@ void Dynamics::Impl::apply_lead(const Lead& lead) {
     Body& body = world->bodies[lead.body];
     const DynamicsBody& is = scene->bodies[lead.body];
     const btRigidBody& r = *body.rigid;
+    body.forced = true;
     const Vec3 away = at_most(lead.to_m - ours(r.getWorldTransform().getOrigin()), 0.5);
     const Vec3 wish = (away * (kRate * kRate) - ours(r.getLinearVelocity()) * (2.0 * kRate)) * is.nature.mass_kg -
                       scene->gravity_m_per_s2 * is.nature.mass_kg;
@@ -383,6 +412,7 @@ void Dynamics::Impl::apply_shove(Shove& shove) {
     const Vec3 along = shove.speed_m_per_s / speed;
     const double missing = speed - glm::dot(ours(body.rigid->getLinearVelocity()), along);
     const double rub_n = nature.friction_static * nature.mass_kg * glm::length(scene->gravity_m_per_s2);
+    body.forced = true;
     if (missing > 0.0) body.shove_n += along * std::min(shove.most_n, nature.mass_kg * missing / kWithin_s + rub_n);
     wake(shove.body);
     shove.left_s -= kH;
@@ -413,7 +443,8 @@ void Dynamics::Impl::rub(std::size_t i) {
 
 void Dynamics::Impl::apply_forces() {
     for (Body& body : world->bodies)
-        body.hand_n = body.hand_nm = {Vec3(0.0), Vec3(0.0)}, body.lead_n = body.lead_nm = body.shove_n = Vec3(0.0);
+        if (std::exchange(body.forced, false))
+            body.hand_n = body.hand_nm = {Vec3(0.0), Vec3(0.0)}, body.lead_n = body.lead_nm = body.shove_n = Vec3(0.0);
     take_pushes(0);
     take_pushes(1);
     for (const Lead& lead : world->leads) apply_lead(lead);
@@ -437,9 +468,10 @@ void Dynamics::Impl::apply_forces() {
 
 double Dynamics::Impl::gap_to_m(std::size_t body, const Vec3& local_m) const {
     const DynamicsBody& is = scene->bodies[body];
-    const Vec3 own = PlacedFrame(ours(world->bodies[body].rigid->getWorldTransform())).to_own(local_m);
-    const double far = glm::length(own) - is.reach_m;
+    const btTransform& at = world->bodies[body].rigid->getWorldTransform();
+    const double far = glm::length(local_m - ours(at.getOrigin())) - is.reach_m;
     if (far > 1.0) return far;
+    const Vec3 own = PlacedFrame(ours(at)).to_own(local_m);
     double least = 1e9;
     for (const DynamicsPiece& piece : is.pieces) least = std::min(least, gap_m(piece, own));
     return std::max(least, far);
@@ -448,8 +480,11 @@ double Dynamics::Impl::gap_to_m(std::size_t body, const Vec3& local_m) const {
 void Dynamics::Impl::wake_near_hands() {
     for (const HandPlace& hand : hands) {
         if (!hand.present()) continue;
-        for (std::size_t i = 0; i < world->bodies.size(); ++i)
-            if (!rigid(i).isActive() && gap_to_m(i, local(hand.at_m)) < 3.0 * hand.radius_m) wake(i);
+        for (std::size_t i = 0; i < world->bodies.size(); ++i) {
+            if (rigid(i).isActive() || !(gap_to_m(i, local(hand.at_m)) < 3.0 * hand.radius_m)) continue;
+            world->bodies[i].near_s = now_s();
+            wake(i);
+        }
     }
 }
 
@@ -488,16 +523,42 @@ void Dynamics::Impl::drive_things() {
     }
 }
 
-// Those near hands and led ones first, then in the order of the scene.
+// Holds still what is too many, and lets it go on when there is room: first what somebody is about to touch or moves,
+// then in the order of the scene.
 void Dynamics::Impl::limit_awake(DynamicsFrame& out) {
     std::size_t active = 0;
     for (const Body& body : world->bodies) active += body.rigid->isActive();
+    const auto wanted = [this](std::size_t i) {
+        const Body& body = world->bodies[i];
+        return now_s() - std::max({body.pushed_s[0], body.pushed_s[1], body.near_s}) < 0.5 ||
+               std::any_of(world->leads.begin(), world->leads.end(),
+                           [&](const Lead& lead) { return lead.body == i; }) ||
+               std::any_of(world->shoves.begin(), world->shoves.end(),
+                           [&](const Shove& shove) { return shove.body == i; });
+    };
+    const auto go_on = [&](Body& body) {
+        body.waiting = false;
+        body.rigid->forceActivationState(ACTIVE_TAG);
+        body.rigid->setDeactivationTime(0.0);
+        body.rigid->setLinearVelocity(bullet(body.kept_m_per_s));
+        body.rigid->setAngularVelocity(bullet(body.kept_rad_per_s));
+        ++active;
+    };
+    for (std::size_t i = 0; i < world->bodies.size(); ++i)
+        if (world->bodies[i].waiting && wanted(i)) go_on(world->bodies[i]);
+    // Bullet wakes whatever is near a body that moves. Those that lie still sleep on: if newcomers had to wait for them
+    // instead, they would wake them again each time that it is their turn, and no one of all would ever sleep.
+    for (std::size_t i = world->bodies.size(); i-- > 0 && active > kMostAwake;) {
+        btRigidBody& r = rigid(i);
+        if (r.getActivationState() != WANTS_DEACTIVATION || wanted(i)) continue;
+        r.setLinearVelocity({0, 0, 0});
+        r.setAngularVelocity({0, 0, 0});
+        r.forceActivationState(ISLAND_SLEEPING);
+        --active;
+    }
     for (std::size_t i = world->bodies.size(); i-- > 0 && active > kMostAwake;) {
         Body& body = world->bodies[i];
-        const bool wanted =
-            now_s() - std::max(body.pushed_s[0], body.pushed_s[1]) < 0.5 ||
-            std::any_of(world->leads.begin(), world->leads.end(), [&](const Lead& lead) { return lead.body == i; });
-        if (!body.rigid->isActive() || wanted) continue;
+        if (!body.rigid->isActive() || wanted(i)) continue;
         body.kept_m_per_s = ours(body.rigid->getLinearVelocity());
         body.kept_rad_per_s = ours(body.rigid->getAngularVelocity());
         body.rigid->setLinearVelocity({0, 0, 0});
@@ -506,16 +567,8 @@ void Dynamics::Impl::limit_awake(DynamicsFrame& out) {
         body.waiting = true;
         --active;
     }
-    for (std::size_t i = 0; i < world->bodies.size() && active < kMostAwake; ++i) {
-        Body& body = world->bodies[i];
-        if (!body.waiting) continue;
-        body.waiting = false;
-        body.rigid->forceActivationState(ACTIVE_TAG);
-        body.rigid->setDeactivationTime(0.0);
-        body.rigid->setLinearVelocity(bullet(body.kept_m_per_s));
-        body.rigid->setAngularVelocity(bullet(body.kept_rad_per_s));
-        ++active;
-    }
+    for (std::size_t i = 0; i < world->bodies.size() && active < kMostAwake; ++i)
+        if (world->bodies[i].waiting) go_on(world->bodies[i]);
     out.awake = static_cast<std::uint32_t>(active);
     out.waiting = static_cast<std::uint32_t>(
         std::count_if(world->bodies.begin(), world->bodies.end(), [](const Body& body) { return body.waiting; }));
@@ -524,6 +577,7 @@ void Dynamics::Impl::limit_awake(DynamicsFrame& out) {
 void Dynamics::Impl::put_back(std::size_t i, std::vector<BodyEvent>& events) {
     Body& body = world->bodies[i];
     btRigidBody& r = *body.rigid;
+    if (!r.isActive()) return;  // it did not move
     const Vec3 at = ours(r.getWorldTransform().getOrigin());
     const Vec3 v = ours(r.getLinearVelocity()), w = ours(r.getAngularVelocity());
     const bool finite = is_finite(at) && is_finite(v) && is_finite(w);
@@ -559,16 +613,15 @@ void Dynamics::Impl::jam(const btCollisionObject& thing, const btVector3& to_bod
 
 // Impacts by the change of speed that no force explains; rolling, sliding, falling and resting by what is touched.
 void Dynamics::Impl::hear(std::vector<BodyEvent>& events) {
-    struct Touched {
-        double impulse = 0.0;
-        FeatureId feature = kNoFeature;
-        std::uint32_t body = kNoBody;
-        btVector3 at{0, 0, 0}, own{0, 0, 0};
-        bool any = false;
+    std::vector<Touched>& touched = world->touched;
+    const auto silent = [this](const btCollisionObject& object) {
+        return kind_of(object) == kBody && is_silent(static_cast<std::size_t>(object.getUserIndex()));
     };
-    std::array<Touched, DynamicsScene::kMostBodies> touched;
+    const auto still = [&](const btCollisionObject& object) { return !object.isActive() && kind_of(object) != kBody; };
     for (int m = 0; m < world->dispatcher.getNumManifolds(); ++m) {
         const btPersistentManifold& manifold = *world->dispatcher.getManifoldByIndexInternal(m);
+        const btCollisionObject &one = *manifold.getBody0(), &two = *manifold.getBody1();
+        if ((silent(one) || still(one)) && (silent(two) || still(two))) continue;
         for (int k = 0; k < manifold.getNumContacts(); ++k) {
             const btManifoldPoint& p = manifold.getContactPoint(k);
             if (!(p.getDistance() < 1e-3) && !(p.getAppliedImpulse() > 0.0)) continue;
@@ -577,7 +630,7 @@ void Dynamics::Impl::hear(std::vector<BodyEvent>& events) {
                                         &other = side ? *manifold.getBody0() : *manifold.getBody1();
                 if (kind_of(other) == kDriven && kind_of(mine) == kBody)
                     jam(other, side ? -p.m_normalWorldOnB : p.m_normalWorldOnB, p);
-                if (kind_of(mine) != kBody) continue;
+                if (kind_of(mine) != kBody || silent(mine)) continue;
                 Touched& t = touched[static_cast<std::size_t>(mine.getUserIndex())];
                 t.any = true;
                 if (p.getAppliedImpulse() < t.impulse) continue;
@@ -602,8 +655,9 @@ void Dynamics::Impl::hear(std::vector<BodyEvent>& events) {
     }
     const double now = now_s();
     for (std::size_t i = 0; i < world->bodies.size(); ++i) {
+        if (is_silent(i)) continue;
         Body& body = world->bodies[i];
-        const Touched& t = touched[i];
+        const Touched t = std::exchange(touched[i], {});
         const Vec3 v = ours(body.rigid->getLinearVelocity()), w = ours(body.rigid->getAngularVelocity());
         BodyEvent event;
         event.body = static_cast<std::uint32_t>(i);
@@ -646,7 +700,7 @@ void Dynamics::Impl::hear(std::vector<BodyEvent>& events) {
 void Dynamics::Impl::tell_near(DynamicsFrame& out, unsigned hand) {
     out.near_count[hand] = 0;
     if (!hands[hand].present()) return;
-    std::array<std::pair<double, std::uint32_t>, DynamicsScene::kMostBodies> order;
+    auto& order = world->order;
     for (std::size_t i = 0; i < world->bodies.size(); ++i) {
         const bool mine = now_s() - world->bodies[i].pushed_s[hand] < 0.5;  // what it pushes or holds comes first
         order[i] = {gap_to_m(i, local(hands[hand].at_m)) - (mine ? 1e6 : 0.0), static_cast<std::uint32_t>(i)};
@@ -735,11 +789,19 @@ void Dynamics::Impl::tell(DynamicsFrame& out) {
     out.number = steps;
     out.game = game;
     out.time_s = now_s();
+    things.resize(world->bodies.size());
+    out.moved.clear();
     for (std::size_t i = 0; i < world->bodies.size(); ++i) {
-        Placement thing = thing_of(scene->bodies[i], ours(rigid(i).getWorldTransform()));
+        Body& body = world->bodies[i];
+        const bool active = body.rigid->isActive();
+        if (body.told && !active) continue;
+        body.told = !active;
+        Placement thing = thing_of(scene->bodies[i], ours(body.rigid->getWorldTransform()));
         thing.position_m += scene->origin_m;
-        out.things[i] = thing;
+        if (std::exchange(things[i], thing) == thing) continue;
+        out.moved.push_back(static_cast<std::uint32_t>(i));
     }
+    out.things = things;
     tell_near(out, 0);
     tell_near(out, 1);
     add_planes(out);

@@ -1,9 +1,11 @@
-// What the engine of movable bodies and the hand's side tell each other: plain values of fixed size, world metres and
-// newtons. Copied between threads by LatestValue and SpscRing.
+// What the engine of movable bodies and the hand's side tell each other: plain values, world metres and newtons. Copied
+// between threads by LatestValue and SpscRing. All but DynamicsFrame have a fixed size; a frame has room for the bodies
+// of its world, which only the engine allocates, with the first frames.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "haptic/render/dynamics_scene.h"
 #include "haptic/render/haptic_scene.h"
@@ -47,11 +49,12 @@ struct BodyWord {
 struct DynamicsFrame {
     static constexpr std::size_t kNear = 4;
 
-    std::uint64_t number = 0;  // of the step; 0: none yet
-    std::uint32_t game = 0;    // rises with every restart: nothing of the one before holds
-    double time_s = 0.0;       // end of the step
-    std::array<Placement, DynamicsScene::kMostBodies> things{};  // as HapticScene::bodies have them
-    std::array<std::array<BodyWord, kNear>, 2> near{};           // per hand, the nearest first
+    std::uint64_t number = 0;          // of the step; 0: none yet
+    std::uint32_t game = 0;            // rises with every restart: nothing of the one before holds
+    double time_s = 0.0;               // end of the step
+    std::vector<Placement> things;     // of each body, as HapticScene::bodies have them
+    std::vector<std::uint32_t> moved;  // those that are elsewhere than in the frame before (number - 1), rising
+    std::array<std::array<BodyWord, kNear>, 2> near{};  // per hand, the nearest first
     std::array<std::uint8_t, 2> near_count{};
     std::uint32_t awake = 0, waiting = 0;  // bodies that move, and those held still until fewer move
     std::uint32_t blocked = kNoBody;       // the first driven thing that cannot go on, since a body is jammed before it

@@ -89,7 +89,7 @@ struct DrivenThing {
 };
 
 struct DynamicsScene {
-    static constexpr std::size_t kMostBodies = 128;
+    static constexpr std::size_t kMostBodies = 2048;
     static constexpr double kLip_m = 1e-3;  // steps lower than this between neighbours are none
 
     Vec3 origin_m{0.0};

@@ -77,16 +77,16 @@ void ProxySolver::place(const HapticScene& scene, const Request& request, const 
     for (const std::uint16_t b : tracked_ids()) place_in(scene, b, radius_m);
 }
 
-void ProxySolver::release_ghosts(const HapticScene& scene, const Vec3& goal_local_m, double radius_m,
-                                 double exit_m) noexcept {
+// A ghost is solid again as soon as all of the ball is out of it, wherever the goal is: a ball that has been outside
+// must never come in. Nothing knocks, since the new cut holds the ball where it is: a ball that rests nearest to its
+// goal stays so.
+void ProxySolver::release_ghosts(const HapticScene& scene) noexcept {
     for (int i = ghost_count_ - 1; i >= 0; --i) {
         const Ghost ghost = ghosts_[static_cast<std::size_t>(i)];
-        const auto distance = [&](const Vec3& at) {
-            return (ghost.body == kStill ? scene.closest(ghost.obstacle, at)
-                                         : closest_of_body(scene, ghost.obstacle, ghost.body, at))
-                .distance_m;
-        };
-        if (distance(goal_local_m) <= radius_m + exit_m || distance(local_m()) < radius_m) continue;
+        const ClosestPoint nearest = ghost.body == kStill
+                                         ? scene.closest(ghost.obstacle, local_m())
+                                         : closest_of_body(scene, ghost.obstacle, ghost.body, local_m());
+        if (nearest.distance_m < radius_m_) continue;
         ghosts_[static_cast<std::size_t>(i)] = ghosts_[static_cast<std::size_t>(--ghost_count_)];
         known_m_ = -1.0;
         gathers_on_ = bodies_unknown_ = false;
@@ -272,7 +272,7 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
     }
     ++moves_;
     radius_m_ = std::min(radius_m_, radius);
-    if (ghost_count_ > 0) release_ghosts(scene, goal_local, radius, request.ghost_exit_m);
+    if (ghost_count_ > 0) release_ghosts(scene);
     if (Has::kBodies && body_count_ > 0) {
         all_far_in_ = nullptr;
         watch_bodies(scene, request, radius);

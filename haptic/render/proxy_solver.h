@@ -48,10 +48,9 @@ public:
     struct Request {
         Vec3 goal_m{0.0};  // world
         double radius_m = 0.005;
-        double path_cap_m = 0.0;    // longest way the ball may run in this move
-        double margin_m = 0.02;     // wish: how far the ball may go before candidates are gathered again
-        double growth_m = 0.0;      // how much a shrunken ball grows in this move
-        double ghost_exit_m = 0.0;  // beyond the radius: how far the goal must be out before a ghost is solid again
+        double path_cap_m = 0.0;  // longest way the ball may run in this move
+        double margin_m = 0.02;   // wish: how far the ball may go before candidates are gathered again
+        double growth_m = 0.0;    // how much a shrunken ball grows in this move
         // At most this many rounds, up to kMaxIterations. Fewer never let the ball through anything, it only lags
         // (tests: I17). 0: the cuts as they are, none renewed and none gathered, what a move with no time to look at
         // the scene would do (tests: I18).
@@ -250,7 +249,7 @@ private:
                    std::size_t room) noexcept;
     double gather_nearest(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m, double needed_m,
                           std::size_t most) noexcept;
-    void release_ghosts(const HapticScene& scene, const Vec3& goal_local_m, double radius_m, double exit_m) noexcept;
+    void release_ghosts(const HapticScene& scene) noexcept;
     bool is_ghost(std::uint32_t obstacle, std::uint16_t body) const noexcept;
     ClosestPoint closest_of_body(const HapticScene& scene, std::uint32_t obstacle, std::uint16_t body,
                                  const Vec3& local_m) const noexcept;

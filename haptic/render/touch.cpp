@@ -20,7 +20,6 @@ namespace {
 // Hand lengths and times of the touch law; every length is multiplied by the scale before the solver sees it.
 constexpr double kCandidateMargin_hand_m = 0.02;
 constexpr double kGrowth_hand_m_per_s = 0.02;
-constexpr double kGhostExit_hand_m = 1e-3;
 constexpr double kSlip_hand_m = 2e-3;      // slide over which static friction weakens by 1/e
 constexpr double kHealing_s = 0.3;         // rest in which it comes back by 1 - 1/e
 constexpr double kSpeedPole_hz = 50.0;     // of the hand speed that damping uses
@@ -233,7 +232,6 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
     request.path_cap_m = path_cap_m;
     request.margin_m = kCandidateMargin_hand_m * scale;
     request.growth_m = kGrowth_hand_m_per_s * scale * dt_s;
-    request.ghost_exit_m = kGhostExit_hand_m * scale;
     request.most_rounds = tuning.most_rounds;
     request.bodies = &bodies;
     const ProxySolver::Step& step = solver.move<Has>(scene, request);

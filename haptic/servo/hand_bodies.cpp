@@ -15,31 +15,61 @@ constexpr double kLeastFelt_kg = 0.2;  // what two hands can lead
 
 }  // namespace
 
-void HandBodies::enter(const DynamicsScene* scene) noexcept {
+void HandBodies::enter(const DynamicsScene* scene) {
     scene_ = scene;
+    const std::size_t count = scene ? scene->bodies.size() : 0;
+    if (shown_.size() < count) {
+        for (Played& played : frames_) played.things.resize(count);
+        shown_.resize(count);
+        moved_at_.resize(count);
+    }
+    lively_.reserve(count);
+    forget();
+}
+
+void HandBodies::forget() noexcept {
     game_ = 0;
     newest_ = known_ = word_count_ = 0;
     for (Slot& slot : slots_) slot = {};
-    shown_any_ = holding_ = letting_go_ = has_hand_ = false;
+    shown_all_ = holding_ = letting_go_ = has_hand_ = false;
     carried_m_ = grip_force_n_ = hand_m_per_s_ = Vec3(0.0);
     heavy_ = kNoBody;
 }
 
+// The body is not where the frame before had it. Never more than there are bodies, for which there is room.
+void HandBodies::moved(std::uint32_t body) noexcept {
+    if (moved_at_[body] == 0) lively_.push_back(body);
+    moved_at_[body] = heard_;
+}
+
 void HandBodies::hear(const DynamicsFrame& frame) noexcept {
-    if (!scene_ || frame.number == 0) return;
+    if (!scene_ || frame.number == 0 || frame.things.size() < scene_->bodies.size()) return;
     if (frame.game != game_) {
-        const DynamicsScene* const scene = scene_;
         const std::uint32_t heavy = heavy_;
-        enter(scene);
+        forget();
         heavy_ = heavy;
         game_ = frame.game;
     }
     if (known_ > 0 && !(frame.time_s > frames_[newest_].time_s)) return;
+    const std::size_t count = scene_->bodies.size(), before = newest_;
+    const bool first = known_ == 0, follows = !first && frame.number == number_ + 1;
+    number_ = frame.number;
+    ++heard_;
     newest_ = (newest_ + 1) % frames_.size();
     known_ = std::min(known_ + 1, frames_.size());
-    Played& played = frames_[newest_];
-    played.time_s = frame.time_s;
-    std::copy_n(frame.things.begin(), scene_->bodies.size(), played.things.begin());
+    frames_[newest_].time_s = frame.time_s;
+    if (first) {
+        for (Played& played : frames_) std::copy_n(frame.things.begin(), count, played.things.begin());
+        lively_.clear();
+        std::fill(moved_at_.begin(), moved_at_.end(), 0);
+    } else if (follows) {
+        for (const std::uint32_t body : frame.moved)
+            if (body < count) moved(body);
+    } else {  // some were not heard
+        for (std::uint32_t body = 0; body < count; ++body)
+            if (!(frame.things[body] == frames_[before].things[body])) moved(body);
+    }
+    for (const std::uint32_t body : lively_) frames_[newest_].things[body] = frame.things[body];
     word_count_ = std::min<std::size_t>(frame.near_count[hand_], kMost);
     for (std::size_t i = 0; i < word_count_; ++i) {
         words_[i] = frame.near[hand_][i];
@@ -96,55 +126,79 @@ void HandBodies::open(const BodyWord& word, double now_s) noexcept {
 bool HandBodies::place(double now_s, const Vec3& hand_m, const BodyFeel& feel, std::span<BodyPose> bodies) noexcept {
     carried_m_ = Vec3(0.0);
     if (!scene_ || known_ == 0) return false;
-    const double play_s = now_s - kPlayedLate_s, same_m = kSame_hand_m * feel.world_m_per_hand_m;
     for (std::size_t i = 0; i < word_count_; ++i)
         if (words_[i].gap_m < 2.0 * feel.ball_m + glm::length(words_[i].speed_m_per_s) * kPlayedLate_s &&
             now_s - words_[i].time_s < kSilent_s) {
             if (Slot* slot = slot_of(words_[i].body)) slot->touched_s = std::max(slot->touched_s, now_s);
             else open(words_[i], now_s);
         }
-    bool moved = !shown_any_;
-    for (std::size_t b = 0; b < scene_->bodies.size(); ++b) {
-        const DynamicsBody& is = scene_->bodies[b];
-        Slot* slot = slot_of(static_cast<std::uint32_t>(b));
-        Placement middle;
-        if (!slot) {
-            middle = played(b, play_s).at;
-        } else {
-            middle = slot->model.state().at;
-            const bool mine = holding_ && &slots_[held_] == slot;
-            if (!mine && now_s - slot->touched_s > kLeaves_s) {
-                const HeldBody::State other = played(b, play_s);
-                if (glm::length(other.at.position_m - middle.position_m) < same_m &&
-                    glm::length(turn_between(other.at.rotation, middle.rotation)) * is.reach_m < same_m) {
-                    *slot = {};
-                    slot = nullptr;
-                    middle = other.at;
-                }
-            }
-        }
-        const bool gripped = slot && holding_ && &slots_[held_] == slot;
-        if (slot) {
-            if (slot->contact) {
-                const PlacedFrame before(slot->shown), after(middle);
-                carried_m_ += after.to_world(before.to_own(slot->contact_m)) - slot->contact_m;
-            }
-            slot->contact = false;
-            slot->shown = middle;
-        }
-        const Placement thing = thing_of(is, middle);
-        if (is.haptic < bodies.size()) {
-            const BodyPose pose{thing, !gripped};
-            moved = moved || !(bodies[is.haptic] == pose);
-            bodies[is.haptic] = pose;
-        }
-        moved = moved || !(shown_[b] == thing);
-        shown_[b] = thing;
+    // In the order of the scene, in which carried_m_ adds up.
+    std::array<Slot*, kMost> used{};
+    std::size_t used_count = 0;
+    for (Slot& slot : slots_)
+        if (slot.used) used[used_count++] = &slot;
+    std::sort(used.begin(), used.begin() + used_count,
+              [](const Slot* a, const Slot* b) { return a->model.body() < b->model.body(); });
+    const bool all = !std::exchange(shown_all_, true);
+    bool any = all;
+    if (all) {
+        for (std::uint32_t body = 0; body < scene_->bodies.size(); ++body)
+            if (!slot_of(body)) any = show(body, nullptr, now_s, feel, bodies) || any;
+    } else {
+        for (const std::uint32_t body : lively_)
+            if (!slot_of(body)) any = show(body, nullptr, now_s, feel, bodies) || any;
     }
-    shown_any_ = true;
+    for (std::size_t i = 0; i < used_count; ++i) any = show(used[i]->model.body(), used[i], now_s, feel, bodies) || any;
+    // Whoever stands in all frames of the ring where it was shown now needs no look until it moves.
+    std::erase_if(lively_, [this](std::uint32_t body) {
+        if (heard_ - moved_at_[body] < frames_.size() || slot_of(body)) return false;
+        moved_at_[body] = 0;
+        return true;
+    });
     if (!has_hand_) last_hand_m_ = hand_m;
     has_hand_ = true;
-    return moved;
+    return any;
+}
+
+// True when it is elsewhere than on the last tick. `slot`: null, or of this body; one that is left is free afterwards.
+bool HandBodies::show(std::uint32_t body, Slot* slot, double now_s, const BodyFeel& feel,
+                      std::span<BodyPose> bodies) noexcept {
+    const double play_s = now_s - kPlayedLate_s, same_m = kSame_hand_m * feel.world_m_per_hand_m;
+    const DynamicsBody& is = scene_->bodies[body];
+    Placement middle;
+    if (!slot) {
+        middle = played(body, play_s).at;
+    } else {
+        middle = slot->model.state().at;
+        const bool mine = holding_ && &slots_[held_] == slot;
+        if (!mine && now_s - slot->touched_s > kLeaves_s) {
+            const HeldBody::State other = played(body, play_s);
+            if (glm::length(other.at.position_m - middle.position_m) < same_m &&
+                glm::length(turn_between(other.at.rotation, middle.rotation)) * is.reach_m < same_m) {
+                *slot = {};
+                slot = nullptr;
+                middle = other.at;
+            }
+        }
+    }
+    const bool gripped = slot && holding_ && &slots_[held_] == slot;
+    if (slot) {
+        if (slot->contact) {
+            const PlacedFrame before(slot->shown), after(middle);
+            carried_m_ += after.to_world(before.to_own(slot->contact_m)) - slot->contact_m;
+        }
+        slot->contact = false;
+        slot->shown = middle;
+    }
+    const Placement thing = thing_of(is, middle);
+    bool elsewhere = !(shown_[body] == thing);
+    if (is.haptic < bodies.size()) {
+        const BodyPose pose{thing, !gripped};
+        elsewhere = elsewhere || !(bodies[is.haptic] == pose);
+        bodies[is.haptic] = pose;
+    }
+    shown_[body] = thing;
+    return elsewhere;
 }
 
 std::uint32_t HandBodies::take(double now_s, const Vec3& hand_m, const BodyFeel& feel) noexcept {

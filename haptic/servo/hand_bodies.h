@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "haptic/render/hand_channel.h"
 #include "haptic/render/touch.h"
@@ -41,11 +42,18 @@ public:
 
     explicit HandBodies(unsigned hand) noexcept : hand_(hand) {}
 
-    // Null: no free bodies. Whoever owns the scene keeps it for as long as it is set here.
-    void enter(const DynamicsScene* scene) noexcept;
+    // Null: no free bodies. Whoever owns the scene keeps it for as long as it is set here. Allocates room for its
+    // bodies, so it is called before the servo's first tick in that world.
+    void enter(const DynamicsScene* scene);
+    // Lets go of everything and knows nothing until the next frame, in the same scene.
+    void forget() noexcept;
     void hear(const DynamicsFrame& frame) noexcept;
-    // Where the free bodies are on this tick, written to their places among `bodies` (HapticScene::bodies); what is
-    // held is not there for this hand's ball. True when any of them is elsewhere than on the last tick.
+    // The next place() writes the places of all bodies: what they are written to has been made anew.
+    void show_all() noexcept { shown_all_ = false; }
+    // Where the free bodies are on this tick, written to their places among `bodies` (HapticScene::bodies), which keep
+    // what was written; what is held is not there for this hand's ball. True when any of them is elsewhere than on the
+    // last tick. Looks only at what moved in the last frames and at what this hand has a model of: a body that rests
+    // costs nothing.
     bool place(double now_s, const Vec3& hand_m, const BodyFeel& feel, std::span<BodyPose> bodies) noexcept;
     // How far the touched body carried its contact since the last tick: damping is of the hand against the body.
     Vec3 carried_m() const noexcept { return carried_m_; }
@@ -79,6 +87,8 @@ public:
         return i < kMost && slots_[i].used ? &slots_[i].model : nullptr;
     }
     const HeldBody* model_of(std::uint32_t body) const noexcept;
+    // Bodies that the next place() looks at, without those that have a model; for measuring.
+    std::size_t lively() const noexcept { return shown_all_ ? lively_.size() : shown_.size(); }
     // Nothing is touched, held or about to be.
     bool idle() const noexcept {
         for (const Slot& slot : slots_)
@@ -102,11 +112,13 @@ private:
     };
     struct Played {
         double time_s = -1e300;
-        std::array<Placement, DynamicsScene::kMostBodies> things{};
+        std::vector<Placement> things;
     };
 
     HeldBody::State played(std::size_t body, double play_s) const noexcept;
     Slot* slot_of(std::uint32_t body) noexcept;
+    void moved(std::uint32_t body) noexcept;
+    bool show(std::uint32_t body, Slot* slot, double now_s, const BodyFeel& feel, std::span<BodyPose> bodies) noexcept;
     void open(const BodyWord& word, double now_s) noexcept;
     void strain(Slot& slot, double force_n, double dt_s, const BodyFeel& feel) noexcept;
     void send(Slot& slot, HandPush push, HandPushRing& pushes) noexcept;
@@ -119,11 +131,16 @@ private:
     std::uint32_t game_ = 0;
     std::array<Played, 4> frames_{};  // ring, newest_ the last
     std::size_t newest_ = 0, known_ = 0;
+    std::uint64_t number_ = 0;  // DynamicsFrame::number of the newest
+    std::uint64_t heard_ = 0;   // frames so far
+    // Bodies that moved within the ring: all frames of the ring agree about any other, and it was shown there.
+    std::vector<std::uint32_t> lively_;
+    std::vector<std::uint64_t> moved_at_;  // of each body: heard_ when it moved last; 0: it is not among lively_
     std::array<BodyWord, kMost> words_{};
     std::size_t word_count_ = 0;
     std::array<Slot, kMost> slots_{};
-    std::array<Placement, DynamicsScene::kMostBodies> shown_{};
-    bool shown_any_ = false;
+    std::vector<Placement> shown_;
+    bool shown_all_ = false;
     Vec3 carried_m_{0.0};
 
     bool holding_ = false, letting_go_ = false;

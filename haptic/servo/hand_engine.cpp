@@ -68,6 +68,7 @@ BodyPoses HandEngine::place(const BodyPoses& told, const HapticScene& scene, dou
             take(b);
             if (free_[b]) poses_[b] = {scene.bodies[b].start, scene.bodies[b].present};
         }
+        bodies_.show_all();
         moved = true;
     } else if (told_ != told.number) {
         moved = true;
@@ -90,7 +91,7 @@ BodyPoses HandEngine::place(const BodyPoses& told, const HapticScene& scene, dou
 void HandEngine::leave() noexcept {
     if (!here_) return;
     here_ = held_by_key_ = held_by_button_ = false;
-    bodies_.enter(scene_.get());
+    bodies_.forget();
     channel_->place.publish({});
 }
 

@@ -34,7 +34,13 @@ SessionReport session_in(const std::string& map) {
     report.storey = ground_floor(map);
     if (!report.storey) return report;
     report.world = report.storey->world;
-    for (const StoreyRoom& room : report.storey->rooms) report.way_m.push_back(room.middle_m);
+    std::vector<Vec2>& way = report.ways_m.emplace_back();
+    for (const StoreyRoom& room : report.storey->rooms) {
+        way.push_back(room.middle_m);
+        report.rooms.push_back(room.name);
+    }
+    report.walked_m = 20.0;
+    report.notes = {{61.0, "Held the rail."}};
     ReportTask go{ReportTaskKind::Go, report.storey->rooms.front().name, true, {}};
     ReportTask learn{ReportTaskKind::Learn, report.storey->rooms.back().name, std::nullopt, {}};
     double value = 1.3;
@@ -43,8 +49,8 @@ SessionReport session_in(const std::string& map) {
     report.tasks = {go, learn};
     report.strategies = {{"perimeter", 300.0}, {"grid", 40.0}, {"object", 60.0}, {"base", 20.0}, {"mixed", 30.0}};
     report.course = {{0.0, "House. You are in Hall."}, {65.4, "Door."}};
-    for (std::size_t i = 0; i < std::min<std::size_t>(9, report.way_m.size()); ++i)
-        report.contacts.push_back({report.way_m[i], "door frame", static_cast<int>(9 - i)});
+    for (std::size_t i = 0; i < std::min<std::size_t>(9, way.size()); ++i)
+        report.contacts.push_back({way[i], "door frame", static_cast<int>(9 - i)});
     return report;
 }
 

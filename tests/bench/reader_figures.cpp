@@ -14,6 +14,7 @@
 #include <cstring>
 
 #include "app/import/reader_process.h"
+#include "app/import/toml_apart.h"
 #include "tests/support/block_mesh.h"
 #include "tests/support/office_ifc.h"
 #include "tests/support/office_world.h"
@@ -292,6 +293,26 @@ int size_for(const Format& format, double bytes) {
     return std::max(1, static_cast<int>(std::lround(format.first * bytes / sample)));
 }
 
+// A side file of so many marks: the median of several, read for the first time and again.
+void print_toml_figures(int marks) {
+    std::string text;
+    for (int i = 0; i < marks; ++i)
+        text += fmt::format("[[mark]]\nname = \"Mark {}\"\nplace_m = [{}.5, 2.25, 0.0]\nnear_m = 1.5\n\n", i, i);
+    const SteadyClock clock;
+    std::vector<double> first_ms, again_ms;
+    for (int i = 0; i < 21; ++i) {
+        const TomlApart toml(find_reader_program());
+        for (std::vector<double>* ms : {&first_ms, &again_ms}) {
+            const double before_s = clock.now_s();
+            if (!toml(text)) std::abort();
+            ms->push_back(1e3 * (clock.now_s() - before_s));
+        }
+    }
+    for (std::vector<double>* ms : {&first_ms, &again_ms}) std::sort(ms->begin(), ms->end());
+    std::printf("| %d marks, %.1f KB | %.1f ms | %.2f ms |\n", marks, 1e-3 * static_cast<double>(text.size()),
+                first_ms[first_ms.size() / 2], again_ms[again_ms.size() / 2]);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -326,5 +347,7 @@ int main(int argc, char** argv) {
             std::fflush(stdout);
             std::filesystem::remove(path);
         }
+    std::printf("\n| Side file | read the first time | again |\n|---|---|---|\n");
+    for (const int marks : {10, 1000, 10'000}) print_toml_figures(marks);
     return 0;
 }

@@ -23,6 +23,7 @@ constexpr Harness kHarnesses[] = {
     {"recording", recording_fault, 2000},
     {"scenario", scenario_fault, 2000},
     {"lesson", lesson_fault, 2000},
+    {"toml_answer", toml_answer_fault, 8000},
     {"language", language_fault, 600},
     {"path", path_fault, 8000},
     {"falcon", falcon_fault, 8000},

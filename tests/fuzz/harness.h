@@ -38,6 +38,7 @@ std::string learner_fault(std::string_view bytes);
 std::string recording_fault(std::string_view bytes);
 std::string scenario_fault(std::string_view bytes);
 std::string lesson_fault(std::string_view bytes);
+std::string toml_answer_fault(std::string_view bytes);
 std::string language_fault(std::string_view bytes);
 std::string path_fault(std::string_view bytes);
 std::string falcon_fault(std::string_view bytes);

@@ -1,10 +1,13 @@
 // What persons and the program write as text: settings, what is kept beside a world, scenarios, languages, paths of a
 // hand. All but the path come as files.
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
 #include "app/core/kept/side_file.h"
+#include "app/core/kept/side_merge.h"
 #include "app/core/scenario/scenario.h"
+#include "app/import/toml_apart.h"
 #include "app/learners/learner.h"
 #include "app/main/path_csv.h"
 #include "app/record/recording.h"
@@ -86,7 +89,10 @@ std::string side_file_fault(std::string_view bytes) {
         entries.push_back(added);
         file.set_entries(list, entries);
         if (const Result<void> saved = file.save(); !saved) return words_fault(saved.error().sentence());
-        if (SideFile::of_world(world, {}).entries(list) != entries)
+        const std::vector<SideEntry> again = SideFile::of_world(world, {}).entries(list);
+        // Numbers that are none are alike, as for the merge.
+        if (!std::equal(again.begin(), again.end(), entries.begin(), entries.end(),
+                        [](const SideEntry& a, const SideEntry& b) { return same(a, b); }))
             return std::string("entries changed by saving and reading: ") + list;
     }
     return {};
@@ -154,11 +160,21 @@ std::string scenario_fault(std::string_view bytes) {
     return std::isfinite(scenario->tail_s) && scenario->tail_s >= 0.0 ? std::string() : "a tail that is none";
 }
 
+// What a reader process hands over is refused, or can be written and read again.
+std::string toml_answer_fault(std::string_view bytes) {
+    const Result<TomlValue> values = toml_in_answer(bytes);
+    if (!values) return values.error().message.size() > 300 ? "a long fault" : std::string();
+    const std::string text = written_toml(*values);
+    const Result<TomlValue> again = toml_of(text);
+    if (!again) return "its own text is refused: " + again.error().message + text;
+    return *again == *values ? std::string() : "it changed by writing and reading: " + text;
+}
+
 // What was read reads back the same from its own text, pupils left out.
 std::string lesson_fault(std::string_view bytes) {
     folder().write("box.map", "{\n\"classname\" \"worldspawn\"\n}\n");
     const std::filesystem::path file = folder().path() / "fuzz.lesson.toml";
-    Result<LessonFile> lesson = read_lesson_text(bytes, file, {folder().path()});
+    Result<LessonFile> lesson = read_lesson_text(std::string(bytes), file, {folder().path()});
     if (!lesson) return words_fault(lesson.error().sentence());
     if (lesson->sessions.empty() || lesson->landmarks.empty()) return "a lesson with nothing in it";
     lesson->pupils.clear();

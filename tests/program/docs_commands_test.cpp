@@ -229,7 +229,7 @@ std::string fault_of_program(const Reader& reader, Words words) {
     static const std::set<std::string> kCommands{"info",  "touch", "scenario", "settings", "calibrate", "devices",
                                                  "bench", "check", "export",   "replay",   "report",    "lesson"};
     const std::string script = content_of(kRoot / "run");
-    if (!words.empty() && (words[0] == "tests" || words[0] == "package" || words[0] == "fuzz" ||
+    if (!words.empty() && (words[0] == "tests" || words[0] == "package" || words[0] == "fuzz" || words[0] == "monkey" ||
                            words[0] == "kernel-tests" || words[0] == "test")) {
         if (script.find("\n" + words[0] + ")\n") == std::string::npos) return "./run knows no " + words[0];
         return words[0] == "test" && words.size() > 1

@@ -15,6 +15,7 @@
 #include <fstream>
 
 #include "tests/program/endless_world.h"
+#include "tests/support/deadly_toml.h"
 #include "tests/support/environment.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
@@ -104,6 +105,26 @@ TEST(HostileFiles, closed_descriptors_are_open_before_anything_else) {
     int status = -1;
     ::waitpid(child, &status, 0);
     EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+}
+
+// Whoever prepared the folder of a world may have put them there. Their parser dies of each.
+TEST(HostileFiles, toml_beside_a_world_ends_its_reader_and_not_the_program) {
+    const TemporaryFolder folder;
+    const fs::path world = folder.path() / "room.map";
+    fs::copy_file(test::bundled_world("first_room.map"), world);
+    const std::vector<std::string> names{"room.map.handrail.toml", "room.settings.toml", "a.lesson.toml"};
+    for (const std::string& name : names) folder.write(name, test::deadly_toml());
+    ProgramCall call;
+    call.input = "where-am-i\n";
+    const ProgramRun left = run({"--no-window", "--device", "none", world.string()}, call);
+    EXPECT_EQ(left.exit_status, 0) << left.err;
+    EXPECT_THAT(left.out, HasSubstr("It stays as room.map.handrail.toml"));
+    EXPECT_THAT(left.out + left.err,
+                HasSubstr("room.settings.toml: error: The process that was to read this file failed."));
+    const ProgramRun lesson = run({"lesson", "--check", (folder.path() / "a.lesson.toml").string()});
+    EXPECT_EQ(lesson.exit_status, 2) << lesson.out;
+    EXPECT_THAT(lesson.err, HasSubstr("a.lesson.toml: The process that was to read this file failed."));
+    for (const std::string& name : names) EXPECT_EQ(content_of(folder.path() / name), deadly_toml()) << name;
 }
 
 TEST(HostileFiles, loading_is_left_as_soon_as_a_signal_asks_for_it) {

@@ -90,7 +90,7 @@ TEST_F(TaughtByTheProgram, keeps_marks_and_recordings_of_its_learner_is_watched_
     Pupil desk(*this, "desk", {"lesson", "watch"});
     ASSERT_TRUE(desk.hears("Watching the lesson.")) << desk.all();
     desk.type("note holds the rail");
-    ASSERT_TRUE(desk.hears("Done.")) << desk.all();
+    ASSERT_TRUE(desk.hears("Noted.")) << desk.all();
     desk.type("repeat");
     ASSERT_TRUE(first.hears("Get to know Entrance hall")) << first.all();
     first.type("mark");

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <filesystem>
 
+#include "tests/program/endless_world.h"
 #include "tests/support/child_process.h"
 #include "tests/support/project_root.h"
 #include "tests/support/pty_job.h"
@@ -97,6 +98,18 @@ TEST(Terminal, by_lines_where_it_knows_no_keys) {
     at.job->type("quit\n");
     EXPECT_EQ(at.job->ends(), 0);
     EXPECT_TRUE(at.job->as_before());
+}
+
+TEST(Terminal, takes_words_while_the_first_world_is_read) {
+    const TemporaryFolder folder;
+    const std::string world = folder.write("endless.obj", endless_obj()).string();
+    for (const auto& [terminal, word] : {std::pair("dumb", "quit\n"), std::pair("xterm-256color", ":quit\r")}) {
+        const AtTerminal at({world}, {{"TERM", terminal}});
+        ASSERT_TRUE(at.job && at.job->says("Handrail.")) << terminal;
+        at.job->type(word);
+        EXPECT_EQ(at.job->ends(), 0) << terminal;
+        EXPECT_TRUE(at.job->as_before()) << terminal;
+    }
 }
 
 TEST(Terminal, is_as_it_was_however_the_program_ends) {

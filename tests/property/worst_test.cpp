@@ -145,7 +145,6 @@ TEST(TrackedBodies, give_the_same_bits_as_following_all_of_them) {
             request.goal_m = goal;
             request.path_cap_m = std::max(5e-4, 2.0 * glm::length(goal - before));
             request.growth_m = 2e-5;
-            request.ghost_exit_m = 1e-3;
             request.bodies = &at;
             const ProxySolver::Step& a = near.move(*scene, request);
             const ProxySolver::Step& b = all.move(*scene, request);

@@ -11,6 +11,7 @@
 
 #include "haptic/drivers/found_device.h"
 #include "haptic/drivers/guarded_device.h"
+#include "tests/support/login_manager.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
@@ -420,6 +421,26 @@ TEST_F(FailingGuard, frozen_when_the_program_is_left_leaves_zero_behind) {
     EXPECT_EQ(program_.wait_for_end(), 0) << program_.said();
 }
 
+// Frozen first, so that nobody but the program is there when the first guard dies.
+TEST_F(FailingGuard, killed_beside_a_frozen_second_one_is_followed_by_zero_all_the_same) {
+    expect_zero_within(250.0, "second guard frozen, first killed", [this] {
+        const auto both = guards();
+        ::kill(both.back(), SIGSTOP);
+        ::kill(both.front(), SIGKILL);
+    });
+    if (IsSkipped() || HasFatalFailure()) return;
+    EXPECT_TRUE(program_.says("The device no longer pushes.")) << program_.said();
+}
+
+TEST_F(FailingGuard, frozen_beside_a_frozen_second_one_is_followed_by_zero_also_when_the_program_is_left) {
+    expect_zero_within(500.0, "both guards frozen, then left", [this] {
+        for (const pid_t guard : guards()) ::kill(guard, SIGSTOP);
+        program_.type("quit\n");
+    });
+    if (IsSkipped() || HasFatalFailure()) return;
+    EXPECT_EQ(program_.wait_for_end(), 0) << program_.said();
+}
+
 TEST_F(FailingGuard, keeps_no_privileges_and_is_replaced_when_the_second_one_dies) {
     press_on_the_floor();
     if (IsSkipped() || HasFatalFailure()) return;
@@ -449,6 +470,44 @@ TEST_F(FailingGuard, keeps_no_privileges_and_is_replaced_when_the_second_one_die
     std::this_thread::sleep_for(200ms);
     ::kill(now.front(), SIGKILL);
     EXPECT_TRUE(wait([this] { return no_force_now(); })) << "the new second guard does its work";
+}
+
+// A system bus with logind on it, before the program starts and looks for them.
+struct SystemBus {
+    test::TemporaryFolder folder;
+    std::optional<test::LoginManager> logind;
+    SystemBus() {
+        if (!test::LoginManager::why_not().empty()) return;
+        logind.emplace(folder.path());
+        if (logind->ready()) ::setenv("DBUS_SYSTEM_BUS_ADDRESS", logind->address().c_str(), 1);
+    }
+    ~SystemBus() { ::unsetenv("DBUS_SYSTEM_BUS_ADDRESS"); }
+    bool is_delayed() const { return logind->inhibitors() == "sleep Handrail delay\n"; }
+};
+
+class SleepingComputer : protected SystemBus, public FailingGuard {};
+
+TEST_F(SleepingComputer, takes_2_newtons_away_before_it_sleeps_and_gives_them_back_only_when_told) {
+    if (!logind) GTEST_SKIP() << test::LoginManager::why_not();
+    press_on_the_floor();
+    if (IsSkipped() || HasFatalFailure()) return;
+    EXPECT_TRUE(test::eventually([this] { return is_delayed(); }));
+    logind->announce_sleep(true);
+    ASSERT_TRUE(test::eventually([this] { return !is_delayed(); }));
+    {
+        const std::lock_guard guard(bus_.lock);
+        EXPECT_TRUE(no_force_now()) << "the computer may sleep from here on";
+    }
+    logind->announce_sleep(false);
+    EXPECT_TRUE(program_.says("The computer is awake again. The word forces brings the force back."))
+        << program_.said();
+    EXPECT_TRUE(test::eventually([this] { return is_delayed(); })) << "for the next sleep";
+    {
+        const std::lock_guard guard(bus_.lock);
+        EXPECT_TRUE(no_force_now()) << "no force comes back by itself";
+    }
+    program_.type("forces\n");
+    EXPECT_TRUE(wait([this] { return !no_force_now(); })) << program_.said();
 }
 
 // Nothing is there at the start; a Falcon that is plugged in later is told of, taken with the force key, woken, and

@@ -4,13 +4,21 @@
 #include <string>
 #include <string_view>
 
+#include "worlds/base/text.h"
+
 namespace handrail {
 
-// As the text of an element or an attribute in double quotes; control characters that XML 1.0 has no place for are left
-// out.
+// As the text of an element or an attribute in double quotes. Control characters that XML 1.0 has no place for are left
+// out, and direction controls, which would turn round what follows the text on the page.
 inline std::string markup_text(std::string_view text) {
     std::string out;
-    for (const char c : text) {
+    while (!text.empty()) {
+        if (begins_with_direction_control(text)) {
+            text.remove_prefix(static_cast<unsigned char>(text.front()) == 0xd8 ? 2 : 3);
+            continue;
+        }
+        const char c = text.front();
+        text.remove_prefix(1);
         const auto byte = static_cast<unsigned char>(c);
         if (c == '&') out += "&amp;";
         else if (c == '<') out += "&lt;";

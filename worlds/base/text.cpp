@@ -83,6 +83,14 @@ bool is_utf8(std::string_view text) {
     return true;
 }
 
+bool begins_with_direction_control(std::string_view text) {
+    const auto byte = [&](std::size_t at) { return at < text.size() ? static_cast<unsigned char>(text[at]) : 0; };
+    if (byte(0) == 0xd8) return byte(1) == 0x9c;  // U+061C
+    if (byte(0) != 0xe2) return false;
+    if (byte(1) == 0x80) return byte(2) == 0x8e || byte(2) == 0x8f || (byte(2) >= 0xaa && byte(2) <= 0xae);
+    return byte(1) == 0x81 && byte(2) >= 0xa6 && byte(2) <= 0xa9;  // U+2066 to U+2069
+}
+
 std::string one_line(std::string_view text) {
     std::string line;
     line.reserve(text.size());
@@ -91,7 +99,10 @@ std::string one_line(std::string_view text) {
         const std::string_view character = text.substr(0, bytes);
         const auto first = static_cast<unsigned char>(character[0]),
                    second = static_cast<unsigned char>(bytes > 1 ? character[1] : 0);
-        if (first < 0x20 || first == 0x7f || (first == 0xc2 && second < 0xa0 && bytes == 2)) line += ' ';
+        const bool separator = character == "\u2028" || character == "\u2029";
+        if (begins_with_direction_control(character)) {
+        } else if (first < 0x20 || first == 0x7f || (first == 0xc2 && second < 0xa0 && bytes == 2) || separator)
+            line += ' ';
         else if (bytes == 1 && first >= 0x80) line += "\xEF\xBF\xBD";
         else line += character;
         text.remove_prefix(bytes);

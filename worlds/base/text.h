@@ -20,8 +20,12 @@ std::string lower_ascii(std::string_view text);
 // Well-formed UTF-8: no stray bytes, overlong forms, surrogates or values above U+10FFFF.
 bool is_utf8(std::string_view text);
 
-// As one line that can be spoken and printed, whatever a file put into it: control characters are spaces, bytes that
-// are no UTF-8 the replacement character.
+// True if the text begins with a character that only says in which direction others are to be shown (Unicode's
+// Bidi_Control, all of three bytes or U+061C of two). Inside a name it could turn round the words that follow.
+bool begins_with_direction_control(std::string_view text);
+
+// As one line that can be spoken and printed, whatever a file put into it: control characters and line separators are
+// spaces, direction controls go, bytes that are no UTF-8 the replacement character.
 std::string one_line(std::string_view text);
 
 // The characters of well-formed UTF-8, one string each; of other text its bytes where they make none.

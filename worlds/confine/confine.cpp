@@ -1,9 +1,14 @@
 #include "worlds/confine/confine.h"
 
 #include <sys/prctl.h>
+#include <unistd.h>
+
+#include <algorithm>
 
 #include "worlds/base/language.h"
 #include "worlds/confine/parts.h"
+
+extern "C" char** environ;
 
 namespace handrail {
 
@@ -16,6 +21,23 @@ Confinement confine(const Permissions& permissions) {
     active.landlock = bound_files(permissions);
     active.seccomp = bound_system_calls(permissions);
     return active;
+}
+
+std::vector<char*> environment_with(std::span<const std::string_view> names) {
+    const auto is_named = [&](std::string_view variable) {
+        const std::string_view own = variable.substr(0, variable.find('='));
+#if defined(HANDRAIL_SANITIZED)
+        if (own.ends_with("SAN_OPTIONS")) return true;
+#endif
+        return std::any_of(names.begin(), names.end(), [&](std::string_view name) {
+            return name.ends_with('*') ? own.starts_with(name.substr(0, name.size() - 1)) : own == name;
+        });
+    };
+    std::vector<char*> variables;
+    for (char** variable = environ; *variable; ++variable)
+        if (is_named(*variable)) variables.push_back(*variable);
+    variables.push_back(nullptr);
+    return variables;
 }
 
 std::string confinement_sentence(const Confinement& offered) {

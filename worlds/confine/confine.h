@@ -5,7 +5,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace handrail {
@@ -36,6 +38,11 @@ Confinement confinement_offered();
 
 // Applies what the kernel offers, and returns what took effect. The process can gain no privileges afterwards.
 Confinement confine(const Permissions& permissions);
+
+// The environment for a process that will be confined: of this process's variables the named ones ("PREFIX_*": all that
+// begin so), since in the others there are keys and addresses of other programs; in a build with a sanitizer that one's
+// options too. As posix_spawn takes it, with pointers into environ: valid until somebody changes that.
+std::vector<char*> environment_with(std::span<const std::string_view> names);
 
 // One sentence for the person: what confines the reader of files and the guards of devices, and what is missing.
 std::string confinement_sentence(const Confinement& offered);

@@ -120,7 +120,8 @@ private:
         }
         if (entity.value("cs_name") == "PHANTOM" || entity.value("name") == "PHANTOM") {
             left_out_cursor_ = true;
-            for (const MapBrush& brush : entity.brushes) brushes_.counted_solid_of(brush);
+            for (const MapBrush& brush : entity.brushes)
+                if (!stopped()) brushes_.counted_solid_of(brush);
             return;
         }
         if (class_name == "haptic_effect") {
@@ -275,6 +276,7 @@ private:
         Aabb box;
         const MapBrush* first = nullptr;
         for (const MapBrush& brush : entity.brushes) {
+            if (stopped()) break;
             const BuiltSolid built = brushes_.counted_solid_of(brush);
             if (built.fault != SolidFault::None) continue;
             if (brushes_.sense_of(brush) == TextureSense::LeftOut) {
@@ -349,6 +351,7 @@ private:
         bool moves = false;
         std::optional<Vec3> origin_units;
         for (const MapBrush& brush : entity.brushes) {
+            if (stopped()) break;
             if (stopped()) return;
             BuiltSolid built = brushes_.counted_solid_of(brush);
             if (built.fault != SolidFault::None) continue;

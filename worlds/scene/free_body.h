@@ -12,7 +12,7 @@ namespace handrail {
 
 // All solids of that feature together are one rigid body.
 struct FreeBody {
-    static constexpr std::size_t kMost = 128;  // in one world; what comes later in the file stays where it is
+    static constexpr std::size_t kMost = 2048;  // in one world; what comes later in the file stays where it is
     static constexpr double kLeast_kg = 0.01, kMost_kg = 10000.0;
 
     FeatureId feature = kNoFeature;

@@ -64,7 +64,7 @@ private:
 class Unpacker {
 public:
     static constexpr bool kReads = true;
-    static constexpr int kDeepest = 4;  // scenes within scenes
+    static constexpr int kDeepest = 4;  // scenes within scenes, unless said otherwise
 
     explicit Unpacker(std::string_view bytes) : bytes_(bytes) {}
     template <class... T>
@@ -78,8 +78,8 @@ public:
     bool good() const { return good_; }
     std::string_view rest() const { return bytes_; }
 
-    bool descend() {
-        good_ = good_ && ++depth_ <= kDeepest;
+    bool descend(int deepest = kDeepest) {
+        good_ = good_ && ++depth_ <= deepest;
         return good_;
     }
     void ascend() { --depth_; }

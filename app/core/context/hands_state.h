@@ -27,9 +27,12 @@ struct HandsState {
     WorkspacePose pose;
     std::optional<NamedScale> named_scale;  // none: the scale of the settings
     bool keys_alone = false;                // the simulated hand is there for want of a real one
+    bool left_behind = false;  // the body has gone on, and something solid is between it and the only or right hand
 
     // The place of the only or right hand is known.
     bool known() const { return right.present && tool.ticks > 0; }
+    // That hand is where the body is: what it touches and where it is answer questions, and not what is at the feet.
+    bool answers() const { return known() && !left_behind; }
     bool two() const { return right.present && left.present; }
     bool at_desk() const { return tool.desk.open; }
 };

@@ -18,14 +18,15 @@
 #include "app/core/kept/side_file.h"
 #include "app/core/world/body_state.h"
 #include "app/core/world/world_state.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 
 // What takes more than one feature, so that the session alone can do it; it sets them all.
 struct SessionAsks {
     // Saves what the person added to the world; where another session has changed the same file, everybody reads it
-    // again. Says what went wrong.
-    std::function<void(double now_s)> save_additions;
+    // again. False if the file could not be written: that is said, and it is tried again later.
+    std::function<bool(double now_s)> save_additions;
     // Puts the body somewhere else in this world; the workspace jumps with it.
     std::function<void(const Vec3& feet_m, double heading_rad, double now_s)> place;
     // As if its key had been pressed and let go of.
@@ -57,6 +58,10 @@ struct SessionContext {
     }
     void warn(std::string text, double now_s) const { cues.warn(std::move(text), now_s); }
     void answer(std::string text, double now_s) const { cues.answer(std::move(text), now_s); }
+    // Saves what the person has just added, and answers with the words, which say so if it is not on the disk.
+    void keep_and_answer(const std::string& words, double now_s) const {
+        answer(asks.save_additions(now_s) ? words : phrase("guide.not_saved", {{"words", words}}), now_s);
+    }
     void play(SoundKind kind, double now_s) const { cues.play(kind, now_s); }
     void play_at(SoundKind kind, const Vec3& place_m, double now_s) const { cues.play_at(kind, place_m, now_s); }
     void open_list(ListSpec list, double now_s) const { lists.open(std::move(list), now_s); }

@@ -79,6 +79,14 @@ struct Arrived {
     LedBy by = LedBy::Ear;
     bool to_nearest = false;
 };
+// From now on the person is led by anything at all, or by nothing any more.
+struct Leading {
+    bool on = false;
+};
+// A list or a question is open from now on, or none is any more.
+struct ListShown {
+    bool open = false;
+};
 
 // What somebody in a lesson asks of whoever teaches.
 enum class LessonWish : std::uint8_t { Done, MoreHelp, LessHelp, Leave };
@@ -87,7 +95,7 @@ struct LessonWished {
 };
 
 using Happening = std::variant<Touched, RoomEntered, ThingVisited, Answered, WallDone, HelpAsked, DoorUsed, Teleported,
-                               Led, LeftRoute, StopPassed, Arrived, LessonWished>;
+                               Led, LeftRoute, StopPassed, Arrived, Leading, ListShown, LessonWished>;
 
 struct SessionEvent {
     double time_s = 0.0;

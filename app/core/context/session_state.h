@@ -2,6 +2,8 @@
 // one, and so does a test of features without a session. App thread only.
 #pragma once
 
+#include <optional>
+
 #include "app/core/context/owner_requests.h"
 #include "app/core/context/session_context.h"
 
@@ -21,6 +23,7 @@ struct SessionState {
     Cues cues{body};
     Lists lists{cues};
     SideFile additions;
+    std::optional<double> additions_due_s;  // what could not be saved is tried again then
     Events events;
     OwnerRequests requests;
     SessionContext context{person.settings, person.keys, world, body, hands, cues, lists, additions, events, requests};

@@ -96,7 +96,7 @@ std::string name_of(const SessionContext& context, FeatureId feature) {
 }
 
 Vec3 finding_place_m(const SessionContext& context) {
-    return context.hands.known() ? context.hands.tool.proxy_m : context.body.feet_m() + Vec3(0.0, 0.0, kWaist_m);
+    return context.hands.answers() ? context.hands.tool.proxy_m : context.body.feet_m() + Vec3(0.0, 0.0, kWaist_m);
 }
 
 std::string lock_words(const SessionContext& context, FeatureId door) {

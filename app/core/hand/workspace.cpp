@@ -5,6 +5,7 @@
 
 #include "app/core/context/telling.h"
 #include "app/core/context/workspace_commands.h"
+#include "app/core/world/questions.h"
 #include "haptic/render/free_place.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
@@ -17,6 +18,11 @@ constexpr double kHandKeySpeed_m_per_s = 0.06;
 constexpr double kHandTap_m = 0.005;              // one tap of a hand key
 constexpr double kPushSpeed_hand_m_per_s = 0.03;  // by keys
 constexpr double kPushTap_s = 0.2;
+constexpr double kLowestLook_m = 0.2;
+
+// A hand out of sight is left behind once the body has walked on by this, and is brought to it if it stays so.
+constexpr double kWalkedOn_m = 0.05;
+constexpr double kLeftBehind_s = 0.5;
 
 // Which way these keys go, device frame; sign: of two keys against each other.
 template <class Sign>
@@ -108,7 +114,8 @@ Vec3 Workspace::origin_m() const {
     if (hands_.named_scale == NamedScale::Building && !bounds_m.empty()) {
         const Vec3 centre = bounds_m.centre_m();
         origin = Vec3(centre.x, centre.y, origin.z);
-    } else {
+    } else if (!hands_.keys_alone) {
+        // A hand for want of a device is where one stands: ahead it would reach through the wall that one walks along.
         origin += forward_of_heading(workspace_heading_rad(context_)) * (workspace.offset_ahead_m * scale(context_));
     }
     return origin + Vec3(0.0, 0.0, workspace.hand_height_m + workspace.offset_up_m * scale(context_));
@@ -117,8 +124,9 @@ Vec3 Workspace::origin_m() const {
 void Workspace::publish(double now_s, PoseChange change) {
     if (change == PoseChange::Moved) shift_m_ += shift_by_hand_m();
     if (change == PoseChange::Placed) {
-        shift_m_ = Vec3(0.0);
-        anchor_feet_m_ = context_.body.feet_m();
+        anchor_feet_m_ = seen_from_m_ = context_.body.feet_m();
+        hands_.left_behind = false;
+        shift_m_ = way_to_body_m();
     }
     hands_.pose.heading_rad = workspace_heading_rad(context_);
     hands_.pose.origin_m = origin_m() + shift_m_;
@@ -280,6 +288,63 @@ void Workspace::bring_hands_out(double now_s) {
     publish(now_s, PoseChange::Moved);
 }
 
+bool Workspace::goes_with_body() const {
+    return hands_.known() && context_.settings.workspace.follows_walk && hands_.named_scale != NamedScale::Building &&
+           !hands_.at_desk();
+}
+
+// From the height of the place, and from above most furniture. A ball that is partly in something, as in a doorway that
+// is felt wider than it is, is seen there.
+bool Workspace::body_sees(const Vec3& place_m) const {
+    const Vec3 feet = context_.body.feet_m();
+    const BodySize& body = context_.body.walker->size();
+    for (const double height_m : {std::clamp(place_m.z - feet.z, kLowestLook_m, body.height_m), kLookHeight_m}) {
+        const Vec3 eye = feet + Vec3(0.0, 0.0, height_m);
+        const TraceHit hit = context_.world.solids->trace(eye, place_m, BodyShape{}, true);
+        if (!hit.hit || glm::length(place_m - hit.end_m) <= hands_.tuning.touch.radius_m) return true;
+    }
+    return in_room_of_body && in_room_of_body(place_m);
+}
+
+Vec3 Workspace::hand_in_m(const Vec3& origin_m) const {
+    return frame_of(origin_m, workspace_heading_rad(context_)).to_world(hands_.tool.hand_m, scale(context_));
+}
+
+// From where the hand would be, with nothing moved, to the body; zero where the body sees it there.
+Vec3 Workspace::way_to_body_m() const {
+    if (!goes_with_body()) return Vec3(0.0);
+    const Vec3 hand = hand_in_m(origin_m()), feet = context_.body.feet_m();
+    if (body_sees(hand)) return Vec3(0.0);
+    const double most_m = context_.body.walker->size().height_m - hands_.tuning.touch.radius_m;
+    return Vec3(feet.x, feet.y, feet.z + std::clamp(hand.z - feet.z, kLowestLook_m, most_m)) - hand;
+}
+
+std::string Workspace::bring_to_body(double now_s) {
+    publish(now_s, PoseChange::Placed);
+    context_.play(SoundKind::FrameSwitch, now_s);
+    return phrase("session.hand_with_you");
+}
+
+void Workspace::stay_with_body(double now_s) {
+    if (!goes_with_body()) {
+        hands_.left_behind = false;
+        return;
+    }
+    if (hands_.tool.workspace_jump != hands_.pose.jump) return;  // on its way
+    const Vec3 feet = context_.body.feet_m();
+    if (body_sees(hands_.tool.proxy_m)) {
+        seen_from_m_ = feet;
+        hands_.left_behind = false;
+        return;
+    }
+    if (!hands_.left_behind) {
+        if (glm::length(feet - seen_from_m_) < kWalkedOn_m) return;
+        hands_.left_behind = true;
+        left_behind_s_ = now_s;
+    }
+    if (now_s - left_behind_s_ >= kLeftBehind_s) context_.say(bring_to_body(now_s), SpeechClass::Contact, now_s);
+}
+
 // How far they have to go in a workspace with this middle.
 Vec3 Workspace::hands_out_of_solids_m(const Vec3& origin_m) const {
     const WorkspaceFrame frame = frame_of(origin_m, workspace_heading_rad(context_));
@@ -289,6 +354,7 @@ Vec3 Workspace::hands_out_of_solids_m(const Vec3& origin_m) const {
 
 std::string Workspace::bring_out(const Vec3& middle_was_m, bool with_body, double now_s) {
     if (!hands_.right.present) return {};
+    if (hands_.left_behind) return bring_to_body(now_s);
     const double clearance_m = 1.2 * hands_.tuning.touch.radius_m;
     const auto poses = context_.world.things.frame().poses();
     const Vec3 hand = hands_.tool.hip_m + (middle_m() - middle_was_m);

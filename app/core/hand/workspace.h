@@ -48,6 +48,10 @@ public:
     void push(const Vec3& carried_hand_m_per_s, double now_s);
     // No tap of a key that pushes it is still at work.
     bool idle() const { return context_.tick_s >= push_until_s_; }
+    // Once a tick, after the body has walked: a hand that something solid keeps from going with the body is brought to
+    // it, with a word and force that ramps in from zero. Until then HandsState::left_behind says so. Not where the
+    // workspace is meant to be elsewhere: round the whole building, or staying where it is.
+    void stay_with_body(double now_s);
     // Tells when it has come to rest, and when it can go no farther.
     void tell_motion(double now_s);
     // The hand feels what was made or found out since, and is brought out of what has come to be where it is.
@@ -66,6 +70,8 @@ public:
     // Set by the session: it has come to rest where the hand was led, so nothing is told of it; asked once for each
     // rest.
     std::function<bool()> rests_untold;
+    // Set by the session: that place is in the room that the body is in, as far as rooms are known.
+    std::function<bool(const Vec3& place_m)> in_room_of_body;
 
 private:
     Vec3 shift_of(const ToolState& tool) const {
@@ -75,6 +81,11 @@ private:
     Vec3 shift_by_hand_m() const { return shift_of(hands_.tool) + shift_of(hands_.left_tool); }
     WorkspacePose pose_beside(const Vec3& others_shift_m) const;
     Vec3 origin_m() const;
+    bool goes_with_body() const;
+    bool body_sees(const Vec3& place_m) const;
+    Vec3 hand_in_m(const Vec3& origin_m) const;
+    Vec3 way_to_body_m() const;
+    std::string bring_to_body(double now_s);
     // Changes scale or heading so that the place under the hand stays there, where `change` says that it shall; out of
     // whatever the hand would be inside.
     void change_under_hand(const std::function<bool()>& change, double now_s);
@@ -98,6 +109,8 @@ private:
     double push_until_s_ = -1.0;
     WorkspaceMotion motion_told_ = WorkspaceMotion::Still;
     bool limit_told_ = false;
+    Vec3 seen_from_m_{0.0};  // the feet, when the body was in sight of the hand last
+    double left_behind_s_ = 0.0;
     Vec3 hand_target_m_{0.0};
 };
 

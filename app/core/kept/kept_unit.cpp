@@ -9,8 +9,8 @@ constexpr const char* kMetres = "metres";
 }  // namespace
 
 std::optional<double> kept_unit(const std::filesystem::path& world, const std::filesystem::path& data_folder,
-                                bool shipped) {
-    const double metres = number_of(SideFile::peek(world, data_folder, shipped, kTable), kMetres, 0.0);
+                                bool shipped, const TomlReader& toml) {
+    const double metres = number_of(SideFile::peek(world, data_folder, shipped, kTable, toml), kMetres, 0.0);
     if (!(metres > 0.0)) return std::nullopt;
     return metres;
 }

@@ -11,7 +11,7 @@ namespace handrail {
 // Metres; nothing where none was said, or nonsense stands there. Reads the file and changes nothing; any thread. See
 // SideFile::of_world.
 std::optional<double> kept_unit(const std::filesystem::path& world, const std::filesystem::path& data_folder,
-                                bool shipped);
+                                bool shipped, const TomlReader& toml = toml_of);
 // In memory until it is saved. Whatever else stands in the table stays.
 void keep_unit(SideFile& file, double metres);
 

@@ -50,11 +50,11 @@ void write_doors(SideFile& file, std::vector<SideTable> doors) {
 std::vector<MadeDoor> read_made_doors(const SideFile& file) { return doors_of_table(file.table(kMendedTable)); }
 
 std::vector<MadeDoor> kept_doors(const std::filesystem::path& world, const std::filesystem::path& data_folder,
-                                 bool shipped) {
-    return doors_of_table(SideFile::peek(world, data_folder, shipped, kMendedTable));
+                                 bool shipped, const TomlReader& toml) {
+    return doors_of_table(SideFile::peek(world, data_folder, shipped, kMendedTable, toml));
 }
 
-std::vector<MadeDoor> made_doors_in(std::string_view side_file) {
+std::vector<MadeDoor> made_doors_in(const std::string& side_file) {
     return doors_of_table(SideFile::table_of_text(side_file, kMendedTable));
 }
 

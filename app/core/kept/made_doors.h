@@ -4,7 +4,7 @@
 #pragma once
 
 #include <filesystem>
-#include <string_view>
+#include <string>
 #include <vector>
 
 #include "app/core/kept/side_file.h"
@@ -17,9 +17,9 @@ namespace handrail {
 std::vector<MadeDoor> read_made_doors(const SideFile& file);
 // Reads the file and changes nothing. See SideFile::peek.
 std::vector<MadeDoor> kept_doors(const std::filesystem::path& world, const std::filesystem::path& data_folder,
-                                 bool shipped);
+                                 bool shipped, const TomlReader& toml = toml_of);
 // Of the text of a side file.
-std::vector<MadeDoor> made_doors_in(std::string_view side_file);
+std::vector<MadeDoor> made_doors_in(const std::string& side_file);
 // One more, and one that is taken away again, by its place; in memory until the file is saved.
 void keep_made_door(SideFile& file, const MadeDoor& door);
 void drop_made_door(SideFile& file, const Vec3& place_m);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <toml++/toml.h>
 #include <unistd.h>
 #include <zlib.h>
 
@@ -10,11 +9,9 @@
 #include <cstdlib>
 #include <optional>
 #include <set>
-#include <sstream>
 
 #include "app/core/kept/folder_lock.h"
 #include "app/core/kept/side_merge.h"
-#include "settings/parse_toml.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
@@ -29,6 +26,7 @@ constexpr std::size_t kLongestFile_bytes = std::size_t{16} << 20;
 constexpr std::size_t kLongestFileName_bytes = 220;  // of 255, less our ending and that of a file being written
 constexpr std::string_view kEnding = ".handrail.toml";
 constexpr std::size_t kMostTold = 5;
+constexpr std::string_view kMarks = "mark";  // the list of which each entry is a thing of its own
 
 std::string checksum_of(std::string_view bytes) {
     auto crc = ::crc32(0, Z_NULL, 0);
@@ -70,94 +68,82 @@ bool lies_beside(const fs::path& near, const fs::path& far, bool shipped) {
                            ::access(folder.c_str(), W_OK | X_OK) == 0);
 }
 
-SideEntry entry_from(const toml::table& table);
-toml::table table_from(const SideEntry& entry);
+SideEntry entry_from(const TomlValue& table);
+TomlValue table_from(const SideEntry& entry);
 
-SideValue from_toml(const toml::node& node) {
-    if (const auto* v = node.as_boolean()) return v->get();
-    if (const auto* v = node.as_integer()) return v->get();
-    if (const auto* v = node.as_floating_point()) return v->get();
-    if (const auto* v = node.as_string()) return v->get();
-    if (const toml::array* list = node.as_array()) {
+SideValue from_toml(const TomlValue& value) {
+    if (const auto* v = value.flag()) return *v;
+    if (const auto* v = value.whole()) return *v;
+    if (const auto* v = value.fraction()) return *v;
+    if (const auto* v = value.text()) return *v;
+    if (const TomlValue::Array* list = value.array()) {
         std::vector<double> numbers;
-        for (const toml::node& one : *list)
-            if (one.is_floating_point()) numbers.push_back(*one.value<double>());
+        for (const TomlValue& one : *list)
+            if (const double* number = one.fraction()) numbers.push_back(*number);
         if (!list->empty() && numbers.size() == list->size()) return numbers;
-        if (list->is_array_of_tables()) {
+        if (value.is_tables()) {
             std::vector<SideTable> tables;
-            for (const toml::node& one : *list) tables.push_back({entry_from(*one.as_table())});
+            for (const TomlValue& one : *list) tables.push_back({entry_from(one)});
             return tables;
         }
     }
-    std::ostringstream out;
-    out.exceptions(std::ios::badbit);  // or a want of memory would cut the text short
-    if (const toml::table* table = node.as_table()) {
-        toml::table inline_one = *table;
-        inline_one.is_inline(true);
-        out << toml::toml_formatter{inline_one, toml::format_flags::none};
-    } else {
-        out << toml::toml_formatter{node, toml::format_flags::none};
-    }
-    return SideText{out.str()};
+    TomlValue as_it_is = value;
+    as_it_is.in_line = value.table() != nullptr;
+    return as_it_is;
 }
 
-void put(toml::table& table, const std::string& key, const SideValue& value) {
-    std::visit(Overloaded{[&](const std::vector<double>& numbers) {
-                              toml::array list;
-                              for (const double number : numbers) list.push_back(number);
-                              table.insert_or_assign(key, std::move(list));
-                          },
-                          [&](const std::vector<SideTable>& tables) {
-                              toml::array list;
-                              for (const SideTable& one : tables) list.push_back(table_from(one.entry));
-                              table.insert_or_assign(key, std::move(list));
-                          },
-                          [&](const SideText& text) {
-                              try {
-                                  toml::table parsed = toml::parse("v = " + text.toml);
-                                  table.insert_or_assign(key, *parsed.get("v"));
-                              } catch (const toml::parse_error&) {  // not from a file of ours; there is nothing to keep
-                              }
-                          },
-                          [&](const auto& plain) { table.insert_or_assign(key, plain); }},
-               value);
+TomlValue toml_from(const SideValue& value) {
+    TomlValue made;
+    std::visit(
+        Overloaded{[&](const std::vector<double>& numbers) {
+                       TomlValue::Array list(numbers.size());
+                       for (std::size_t i = 0; i < numbers.size(); ++i) list[i].value = numbers[i];
+                       made.value = std::move(list);
+                   },
+                   [&](const std::vector<SideTable>& tables) {
+                       TomlValue::Array list;
+                       for (const SideTable& one : tables) list.push_back(table_from(one.entry));
+                       made.value = std::move(list);
+                   },
+                   [&](const TomlValue& as_it_is) { made = as_it_is; }, [&](const auto& plain) { made.value = plain; }},
+        value);
+    return made;
 }
 
-SideEntry entry_from(const toml::table& table) {
+SideEntry entry_from(const TomlValue& table) {
     SideEntry entry;
-    for (const auto& [key, node] : table) entry.emplace(std::string(key.str()), from_toml(node));
+    for (const auto& [key, value] : *table.table()) entry.emplace(key, from_toml(value));
     return entry;
 }
 
-toml::table table_from(const SideEntry& entry) {
-    toml::table table;
-    for (const auto& [key, value] : entry) put(table, key, value);
+TomlValue table_from(const SideEntry& entry) {
+    TomlValue table = TomlValue::empty_table();
+    for (const auto& [key, value] : entry) table.set(key, toml_from(value));
     return table;
 }
 
-bool missing_or_tables(const toml::node* node) { return !node || node->is_array_of_tables(); }
-bool missing_or_table(const toml::node* node) { return !node || node->is_table(); }
+bool missing_or_tables(const TomlValue* value) { return !value || value->is_tables(); }
+bool missing_or_table(const TomlValue* value) { return !value || value->table(); }
 
-bool alike(const toml::node* a, const toml::node* b) { return a && b ? same(from_toml(*a), from_toml(*b)) : a == b; }
+bool alike(const TomlValue* a, const TomlValue* b) { return a && b ? same(from_toml(*a), from_toml(*b)) : a == b; }
 
-std::vector<SideEntry> entries_in(const toml::node* node) {
+std::vector<SideEntry> entries_in(const TomlValue* value) {
     std::vector<SideEntry> entries;
-    if (const toml::array* list = node ? node->as_array() : nullptr)
-        for (const toml::node& one : *list)
-            if (const toml::table* table = one.as_table()) entries.push_back(entry_from(*table));
+    if (const TomlValue::Array* list = value ? value->array() : nullptr)
+        for (const TomlValue& one : *list)
+            if (one.table()) entries.push_back(entry_from(one));
     return entries;
 }
 
-SideEntry table_in(const toml::node* node) {
-    const toml::table* table = node ? node->as_table() : nullptr;
-    return table ? entry_from(*table) : SideEntry{};
-}
+SideEntry table_in(const TomlValue* value) { return value && value->table() ? entry_from(*value) : SideEntry{}; }
 
-void put_list(toml::table& root, const std::string& name, const std::vector<SideEntry>& entries) {
-    toml::array list;
-    for (const SideEntry& entry : entries) list.push_back(table_from(entry));
-    if (list.empty()) root.erase(name);
-    else root.insert_or_assign(name, std::move(list));
+void put_list(TomlValue& root, const std::string& name, const std::vector<SideEntry>& entries) {
+    if (entries.empty()) return root.erase(name);
+    TomlValue::Array tables;
+    for (const SideEntry& entry : entries) tables.push_back(table_from(entry));
+    TomlValue list;
+    list.value = std::move(tables);
+    root.set(name, std::move(list));
 }
 
 // Up to five of them, in one sentence.
@@ -184,9 +170,10 @@ struct SideFile::Content {
     fs::path path, other_path;  // where it is saved, and where when that folder refuses
     fs::path read_from;         // the file that was read
     std::string checksum;
-    toml::table root;
-    toml::table base;   // as it was read or last saved
-    std::string saved;  // the text of that
+    TomlReader toml = toml_of;
+    TomlValue root = TomlValue::empty_table();
+    TomlValue base = TomlValue::empty_table();  // as it was read or last saved
+    std::string saved;                          // the text of that
     std::vector<std::string> news;
     TakenOver taken_over;
     bool changed = false, overwrites = false;  // overwrites: what no entry stands for
@@ -201,19 +188,22 @@ struct SideFile::Content {
     }
 
     // What another session has written since into what is here.
-    toml::table merged_with(const toml::table& other, TakenOver& taken) const {
-        toml::table merged = other;
+    TomlValue merged_with(const TomlValue& other, TakenOver& taken) const {
+        TomlValue merged = other;
         std::set<std::string> names;
-        for (const toml::table* one : {&base, &root, &other})
-            for (const auto& [name, node] : *one) names.emplace(name.str());
+        for (const TomlValue* one : {&base, &root, &other})
+            for (const TomlMember& member : *one->table()) names.insert(member.key);
         std::vector<std::string> conflicts, twice;
         for (const std::string& name : names) {
-            const toml::node *before = base.get(name), *here = root.get(name), *there = other.get(name);
-            if (alike(here, there)) continue;
+            const TomlValue *before = base.find(name), *here = root.find(name), *there = other.find(name);
+            // Marks that both sessions have set alike are two.
+            const bool new_marks = name == kMarks && !alike(before, here);
+            if (alike(here, there) && !new_marks) continue;
             if (alike(before, here)) {
                 taken.differs = true;
             } else if (missing_or_tables(before) && missing_or_tables(here) && missing_or_tables(there)) {
-                const MergedEntries list = merge_entries(entries_in(before), entries_in(here), entries_in(there));
+                const MergedEntries list = merge_entries(entries_in(before), entries_in(here), entries_in(there),
+                                                         name == kMarks ? Alike::TwoThings : Alike::OneThing);
                 put_list(merged, name, list.entries);
                 taken.differs |= list.differs;
                 for (const std::string& entry : list.conflicts) conflicts.push_back(entry.empty() ? name : entry);
@@ -221,11 +211,11 @@ struct SideFile::Content {
             } else if (missing_or_table(before) && missing_or_table(here) && missing_or_table(there)) {
                 const MergedTable table = merge_table(table_in(before), table_in(here), table_in(there));
                 if (table.table.empty()) merged.erase(name);
-                else merged.insert_or_assign(name, table_from(table.table));
+                else merged.set(name, table_from(table.table));
                 taken.differs |= table.differs;
                 conflicts.insert(conflicts.end(), table.conflicts.begin(), table.conflicts.end());
             } else if (here) {
-                merged.insert_or_assign(name, *here);
+                merged.set(name, *here);
             } else {
                 merged.erase(name);
             }
@@ -246,6 +236,13 @@ struct SideFile::Content {
                 phrase(swaps ? "side_file.link" : "side_file.link_only", {{"file", first.filename().string()}}));
     }
 
+    void belongs_to(const fs::path& world, const fs::path& data_folder, bool shipped) {
+        const fs::path near = beside(world),
+                       far = data_folder.empty() ? fs::path() : in_data_folder(world, data_folder);
+        const bool near_works = lies_beside(near, far, shipped);
+        lies_in(near_works ? near : far, near_works ? far : near);
+    }
+
     // Under the lock of its folder, merged with what stands there.
     Result<void> write(const fs::path& to) {
         if (is_link(to)) return fail(phrase("files.link"), to.filename().string());
@@ -254,7 +251,7 @@ struct SideFile::Content {
         fs::create_directories(folder, ec);  // a lock needs it; what is wrong with it writing tells
         const FolderLock lock(folder, kLockWait_s);
         if (lock.held_elsewhere()) return fail(phrase("side_file.locked", {{"file", to.filename().string()}}));
-        toml::table all = root;
+        TomlValue all = root;
         TakenOver taken;
         if (overwrites && to == read_from) {
             if (const auto kept = keep_aside(to); !kept) return tl::unexpected(kept.error());
@@ -263,35 +260,29 @@ struct SideFile::Content {
             const auto now = read_whole_file(to, kLongestFile_bytes);
             if (!now) return tl::unexpected(now.error());
             if (*now != saved) {
-                try {
-                    all = merged_with(parse_toml(*now), taken);
-                } catch (const toml::parse_error& error) {
+                if (const Result<TomlValue> other = toml(*now)) {
+                    all = merged_with(*other, taken);
+                } else if (other.error().line == 0) {  // it may be whole, so it is not written over
+                    return fail(other.error().message, to.filename().string());
+                } else {
                     const auto kept = keep_aside(to);
                     if (!kept) return tl::unexpected(kept.error());
-                    taken.news.push_back(phrase("side_file.damaged_meanwhile", {{"line", error.source().begin.line},
-                                                                                {"file", kept->filename().string()}}));
+                    taken.news.push_back(phrase("side_file.damaged_meanwhile",
+                                                {{"line", other.error().line}, {"file", kept->filename().string()}}));
                 }
             }
         }
-        std::ostringstream out;
-        out.exceptions(std::ios::badbit);
-        out << "# What was added to this world in Handrail. Lengths are world metres.\n"
-            << toml::toml_formatter{all, toml::format_flags::none} << "\n";
-        std::string text = out.str();
+        std::string text =
+            "# What was added to this world in Handrail. Lengths are world metres.\n" + written_toml(all) + "\n";
         // Read back before it is written, so that what is kept here afterwards is what stands in the file, with its
-        // lines.
-        toml::table again;
-        try {
-            again = parse_toml(text);
-        } catch (const toml::parse_error&) {
-            return fail(phrase("side_file.unwritable"), to.filename().string());
-        }
-        // Where memory is short toml++ 3.3 writes fewer digits of a number.
-        if (!same(entry_from(all), entry_from(again)))
+        // lines. In this process, because it is this process's own text. Where memory is short toml++ 3.3 writes fewer
+        // digits of a number.
+        Result<TomlValue> again = toml_of(text);
+        if (!again || !same(entry_from(all), entry_from(*again)))
             return fail(phrase("side_file.unwritable"), to.filename().string());
         if (auto written = write_file_atomically(to, text); !written) return written;
-        base = again;
-        root = std::move(again);
+        base = *again;
+        root = std::move(*again);
         saved = std::move(text);
         read_from = to;
         taken_over.differs |= taken.differs;
@@ -300,18 +291,23 @@ struct SideFile::Content {
         return {};
     }
 
-    void read(const fs::path& from) {
+    // False if nobody can say what the file holds: it stays as it is, and the other one takes what is added.
+    bool read(const fs::path& from) {
         const std::string name = from.filename().string();
-        std::optional<std::uint32_t> damaged_line;  // else it cannot be read
+        std::optional<int> damaged_line;  // else it cannot be read
         if (const auto text = read_whole_file(from, kLongestFile_bytes); text) {
-            try {
-                root = parse_toml(*text);
+            if (Result<TomlValue> read = toml(*text)) {
+                root = std::move(*read);
                 base = root;
                 saved = *text;
                 read_from = from;
-                return;
-            } catch (const toml::parse_error& error) {
-                damaged_line = error.source().begin.line;
+                return true;
+            } else if (read.error().line == 0) {
+                news.push_back(phrase("side_file.unreadable_stays", {{"file", name}}));
+                if (path == from && !other_path.empty()) std::swap(path, other_path);
+                return false;
+            } else {
+                damaged_line = read.error().line;
             }
         }
         const fs::path kept = kept_name(from);
@@ -321,13 +317,14 @@ struct SideFile::Content {
             const std::string kept_as = kept.filename().string();
             news.push_back(damaged_line ? phrase("side_file.damaged_kept", {{"line", *damaged_line}, {"file", kept_as}})
                                         : phrase("side_file.unreadable_kept", {{"file", kept_as}}));
-            return;
+            return true;
         }
         // It stays where it is and must not be written over.
         news.push_back(damaged_line ? phrase("side_file.damaged_stays", {{"line", *damaged_line}, {"file", name}})
                                     : phrase("side_file.unreadable_stays", {{"file", name}}));
         if (path == from) std::swap(path, other_path);
         if (path == from || path.empty()) path = kept;
+        return true;
     }
 };
 
@@ -336,44 +333,53 @@ SideFile::~SideFile() = default;
 SideFile::SideFile(SideFile&&) noexcept = default;
 SideFile& SideFile::operator=(SideFile&&) noexcept = default;
 
-SideFile SideFile::of_world(const fs::path& world, const fs::path& data_folder, bool shipped) {
+SideFile SideFile::of_world(const fs::path& world, const fs::path& data_folder, bool shipped, TomlReader toml) {
     SideFile file;
     Content& content = *file.content_;
-    if (const auto bytes = read_whole_file(world)) content.checksum = checksum_of(*bytes);
-    const fs::path near = beside(world), far = data_folder.empty() ? fs::path() : in_data_folder(world, data_folder);
-    const bool near_works = lies_beside(near, far, shipped);
-    content.lies_in(near_works ? near : far, near_works ? far : near);
+    content.toml = std::move(toml);
+    content.checksum = checksum_of_world(world);
+    content.belongs_to(world, data_folder, shipped);
     // A folder that could not be written when something was added may be writable now, and the other way round.
-    for (const fs::path& from : {content.path, content.other_path})
-        if (!from.empty() && is_there(from) && !is_link(from)) {
-            content.read(from);
-            break;
-        }
+    for (const fs::path& from : {fs::path(content.path), fs::path(content.other_path)})
+        if (!from.empty() && is_there(from) && !is_link(from) && content.read(from)) break;
     return file;
 }
 
-SideEntry SideFile::peek(const fs::path& world, const fs::path& data_folder, bool shipped, const std::string& name) {
+fs::path SideFile::path_of(const fs::path& world, const fs::path& data_folder, bool shipped) {
+    Content content;
+    content.belongs_to(world, data_folder, shipped);
+    return content.path;
+}
+
+std::string SideFile::checksum_of_world(const fs::path& world) {
+    const auto bytes = read_whole_file(world);
+    return bytes ? checksum_of(*bytes) : std::string();
+}
+
+SideEntry SideFile::peek(const fs::path& world, const fs::path& data_folder, bool shipped, const std::string& name,
+                         const TomlReader& toml) {
     const fs::path near = beside(world), far = data_folder.empty() ? fs::path() : in_data_folder(world, data_folder);
     for (const fs::path& from : {shipped ? far : near, shipped ? near : far}) {
         if (from.empty() || !is_there(from) || is_link(from)) continue;
-        return table_of_text(read_whole_file(from, kLongestFile_bytes).value_or(""), name);
+        const Result<TomlValue> read = toml(read_whole_file(from, kLongestFile_bytes).value_or(""));
+        if (read) return table_in(read->find(name));
+        if (read.error().line > 0) return {};  // of_world says so, and takes the other one where nobody can say
     }
     return {};
 }
 
-SideEntry SideFile::table_of_text(std::string_view text, const std::string& name) {
-    try {
-        return table_in(toml::parse(text).get(name));
-    } catch (const toml::parse_error&) {
-        return {};  // of_world says so
-    }
+SideEntry SideFile::table_of_text(const std::string& text, const std::string& name) {
+    const Result<TomlValue> read = toml_of(text);
+    return read ? table_in(read->find(name)) : SideEntry{};  // of_world says what is wrong
 }
 
 const std::vector<std::string>& SideFile::news() const { return content_->news; }
 const fs::path& SideFile::path() const { return content_->path; }
 const std::string& SideFile::world_checksum() const { return content_->checksum; }
 
-std::vector<SideEntry> SideFile::entries(const std::string& name) const { return entries_in(content_->root.get(name)); }
+std::vector<SideEntry> SideFile::entries(const std::string& name) const {
+    return entries_in(content_->root.find(name));
+}
 
 void SideFile::set_entries(const std::string& name, const std::vector<SideEntry>& entries) {
     contract_pre(!name.empty());
@@ -383,32 +389,33 @@ void SideFile::set_entries(const std::string& name, const std::vector<SideEntry>
 }
 
 std::optional<Error> SideFile::fault_of_list(const std::string& name) const {
-    const toml::node* node = content_->root.get(name);
-    const toml::array* list = node ? node->as_array() : nullptr;
-    const bool fits = !node || (list && std::all_of(list->begin(), list->end(),
-                                                    [](const toml::node& one) { return one.is_table(); }));
+    const TomlValue* value = content_->root.find(name);
+    const TomlValue::Array* list = value ? value->array() : nullptr;
+    const bool fits = !value || (list && std::all_of(list->begin(), list->end(),
+                                                     [](const TomlValue& one) { return one.table() != nullptr; }));
     if (fits) return std::nullopt;
     return Error{
-        content_->read_from.filename().string(), static_cast<int>(node->source().begin.line), 0,
+        content_->read_from.filename().string(), value->line, 0,
         phrase("side_file.no_list", {{"list", name}, {"file", kept_name(content_->read_from).filename().string()}})};
 }
 
 Error SideFile::fault_in(const std::string& name, std::size_t entry, std::string message) const {
     Error fault{content_->read_from.filename().string(), 0, 0, std::move(message)};
-    if (const toml::array* list = content_->root[name].as_array())
-        for (const toml::node& node : *list)
-            if (node.is_table() && entry-- == 0) fault.line = static_cast<int>(node.source().begin.line);
+    const TomlValue* value = content_->root.find(name);
+    if (const TomlValue::Array* list = value ? value->array() : nullptr)
+        for (const TomlValue& one : *list)
+            if (one.table() && entry-- == 0) fault.line = one.line;
     return fault;
 }
 
-SideEntry SideFile::table(const std::string& name) const { return table_in(content_->root.get(name)); }
+SideEntry SideFile::table(const std::string& name) const { return table_in(content_->root.find(name)); }
 
 void SideFile::set_table(const std::string& name, const SideEntry& table) {
     contract_pre(!name.empty());
-    if (const toml::node* node = content_->root.get(name); node && !node->is_table() && !content_->read_from.empty())
+    if (const TomlValue* value = content_->root.find(name); value && !value->table() && !content_->read_from.empty())
         content_->overwrites = true;
     if (table.empty()) content_->root.erase(name);
-    else content_->root.insert_or_assign(name, table_from(table));
+    else content_->root.set(name, table_from(table));
     content_->changed = true;
 }
 
@@ -444,6 +451,11 @@ fs::path user_data_folder() {
     const char* home = std::getenv("HOME");
     if (home && home[0] == '/') return fs::path(home) / ".local" / "share" / "handrail";
     return {};
+}
+
+fs::path user_data_folder(std::string_view name) {
+    const fs::path folder = user_data_folder();
+    return folder.empty() ? folder : folder / name;
 }
 
 }  // namespace handrail

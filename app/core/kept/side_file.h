@@ -17,19 +17,16 @@
 #include <variant>
 #include <vector>
 
+#include "settings/toml_value.h"
 #include "worlds/base/result.h"
 #include "worlds/base/vec.h"
 
 namespace handrail {
 
-// A value that none of the others is, as TOML writes it: kept and written back as it was.
-struct SideText {
-    std::string toml;
-    bool operator==(const SideText&) const = default;
-};
 struct SideTable;
+// The last is what none of the others is: kept and written back as it was.
 using SideValue =
-    std::variant<bool, std::int64_t, double, std::string, std::vector<double>, std::vector<SideTable>, SideText>;
+    std::variant<bool, std::int64_t, double, std::string, std::vector<double>, std::vector<SideTable>, TomlValue>;
 using SideEntry = std::map<std::string, SideValue>;
 // One of the tables of a list inside an entry: the [[way.stop]] of a [[way]].
 struct SideTable {
@@ -71,17 +68,23 @@ public:
 
     // The file that belongs to `world`. A file that cannot be understood is kept under another name and the additions
     // start empty; news() says so. shipped: the world is the program's own, so what is added to it belongs into the
-    // data folder whatever can be written.
+    // data folder whatever can be written. `toml` parses it, now and whenever save() finds what another session has
+    // written. Where that cannot say what the file holds, the file stays as it is and the additions go elsewhere.
     static SideFile of_world(const std::filesystem::path& world, const std::filesystem::path& data_folder,
-                             bool shipped = false);
+                             bool shipped = false, TomlReader toml = toml_of);
+
+    // path() of it, and world_checksum(), of which neither needs to be parsed.
+    static std::filesystem::path path_of(const std::filesystem::path& world, const std::filesystem::path& data_folder,
+                                         bool shipped = false);
+    static std::string checksum_of_world(const std::filesystem::path& world);
 
     // The table [name] of the file that belongs to `world`, before it is opened for good: nothing is written, renamed
     // or said. None, or nothing to be understood: empty. Any thread.
     static SideEntry peek(const std::filesystem::path& world, const std::filesystem::path& data_folder, bool shipped,
-                          const std::string& name);
+                          const std::string& name, const TomlReader& toml = toml_of);
 
     // The table [name] of such a file's text; none, or nothing to be understood: empty. Any thread.
-    static SideEntry table_of_text(std::string_view text, const std::string& name);
+    static SideEntry table_of_text(const std::string& text, const std::string& name);
 
     // One sentence each about what could not be read; fit to be spoken.
     const std::vector<std::string>& news() const;
@@ -153,5 +156,8 @@ std::string unfit_words(std::string_view key, const std::vector<std::string>& un
 
 // $XDG_DATA_HOME/handrail, else ~/.local/share/handrail; empty when neither is known.
 std::filesystem::path user_data_folder();
+// A folder in it, whether it exists or not. Empty if there is no user_data_folder(): a relative path would be looked
+// for in whatever folder the program was started in.
+std::filesystem::path user_data_folder(std::string_view name);
 
 }  // namespace handrail

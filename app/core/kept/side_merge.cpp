@@ -70,7 +70,7 @@ bool same(const SideEntry& a, const SideEntry& b) {
 }
 
 MergedEntries merge_entries(const std::vector<SideEntry>& base, const std::vector<SideEntry>& here,
-                            const std::vector<SideEntry>& other) {
+                            const std::vector<SideEntry>& other, Alike alike) {
     MergedEntries merged;
     std::vector<std::size_t> new_here, new_there;
     const std::vector<At> in_here = places_of(base, here, new_here), in_other = places_of(base, other, new_there);
@@ -79,24 +79,42 @@ MergedEntries merge_entries(const std::vector<SideEntry>& base, const std::vecto
         if (in_here[b]) base_of[*in_here[b]] = b;
     const auto conflict = [&](const SideEntry& entry) { merged.conflicts.push_back(text_of(entry, "name")); };
 
+    // If both changed an entry that has an alike one which neither changed, each has changed its own: the alike one is
+    // taken for the one that the other session has changed.
+    const auto kept_here = [&](std::size_t b) { return in_here[b] && same(base[b], here[*in_here[b]]); };
+    const auto kept_there = [&](std::size_t b) { return in_other[b] && same(base[b], other[*in_other[b]]); };
+    std::vector<bool> stands_for_another(base.size(), false), each_its_own(base.size(), false);
+    for (std::size_t b = 0; b < base.size(); ++b) {
+        if (kept_here(b) || kept_there(b) || (!in_here[b] && !in_other[b])) continue;
+        for (std::size_t twin = 0; twin < base.size() && !each_its_own[b]; ++twin)
+            if (!stands_for_another[twin] && kept_here(twin) && kept_there(twin) && same(base[b], base[twin]))
+                stands_for_another[twin] = each_its_own[b] = true;
+    }
+
     for (std::size_t i = 0; i < here.size(); ++i) {
         const SideEntry& mine = here[i];
         if (!base_of[i]) {  // new here; the very same may be new there
-            std::erase_if(new_there, [&, found = false](std::size_t at) mutable {
-                return !found && (found = same(other[at], mine));
-            });
+            if (alike == Alike::OneThing)
+                std::erase_if(new_there, [&, found = false](std::size_t at) mutable {
+                    return !found && (found = same(other[at], mine));
+                });
             merged.entries.push_back(mine);
             continue;
         }
+        if (stands_for_another[*base_of[i]]) {
+            merged.differs = true;
+            continue;
+        }
         const SideEntry& before = base[*base_of[i]];
-        const bool changed = !same(before, mine);
+        const bool changed = !same(before, mine), own = each_its_own[*base_of[i]];
         if (!in_other[*base_of[i]]) {
-            if (changed) merged.entries.push_back(mine), conflict(mine);
-            else merged.differs = true;
+            if (changed) merged.entries.push_back(mine);
+            if (changed && !own) conflict(mine);
+            merged.differs |= !changed;
             continue;
         }
         const SideEntry& theirs = other[*in_other[*base_of[i]]];
-        if (!changed || same(mine, theirs)) {
+        if (!changed || (same(mine, theirs) && !own)) {
             merged.differs |= !same(mine, theirs);
             merged.entries.push_back(theirs);
         } else if (same(before, theirs)) {
@@ -105,14 +123,14 @@ MergedEntries merge_entries(const std::vector<SideEntry>& base, const std::vecto
             merged.entries.push_back(mine);
             merged.entries.push_back(theirs);
             merged.differs = true;
-            conflict(mine);
+            if (!own) conflict(mine);
         }
     }
     for (std::size_t b = 0; b < base.size(); ++b) {
         if (in_here[b] || !in_other[b] || same(base[b], other[*in_other[b]])) continue;
         merged.entries.push_back(other[*in_other[b]]);  // deleted here, changed there
         merged.differs = true;
-        conflict(other[*in_other[b]]);
+        if (!each_its_own[b]) conflict(other[*in_other[b]]);
     }
     std::set<std::string> names;
     for (const std::size_t i : new_here) names.insert(lower_ascii(text_of(here[i], "name")));

@@ -3,6 +3,7 @@
 // stay, and the caller is told the name. Pure functions over plain values.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -17,10 +18,17 @@ struct MergedEntries {
     bool differs = false;                // from what is here
 };
 
+// What two entries mean that both sessions have added and that are alike.
+enum class Alike : std::uint8_t {
+    OneThing,  // a door or the name of a room
+    TwoThings  // marks: two people may stand at one spot, and their marks have one name until they give them others
+};
+
 // Entries have no number of their own: one that is no longer as it was counts as the same one, changed, if it has kept
-// its place, its stops or its name. Cost: the product of the counts of entries that differ from `base`.
+// its place, its stops or its name. Of alike entries each session has changed its own. Cost: the product of the counts
+// of entries that differ from `base`.
 MergedEntries merge_entries(const std::vector<SideEntry>& base, const std::vector<SideEntry>& here,
-                            const std::vector<SideEntry>& other);
+                            const std::vector<SideEntry>& other, Alike alike);
 
 // The same for a table, key by key; where both changed one, what is here stays.
 struct MergedTable {

@@ -15,9 +15,6 @@ std::vector<Diagnostic> speak_as_set(const Settings::Speech& settings, const std
     return {{Severity::Warning, error.file, error.line, error.column, error.message, {}}};
 }
 
-std::filesystem::path user_languages_folder() {
-    const std::filesystem::path data = user_data_folder();
-    return data.empty() ? data : data / "languages";
-}
+std::filesystem::path user_languages_folder() { return user_data_folder("languages"); }
 
 }  // namespace handrail

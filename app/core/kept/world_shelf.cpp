@@ -93,10 +93,11 @@ void RecentWorlds::add(const fs::path& world) {
 std::string RecentWorlds::take_news() { return std::exchange(news_, {}); }
 
 fs::path recent_worlds_path() {
+    // As user_data_folder(): only absolute paths count.
     const char* state = std::getenv("XDG_STATE_HOME");
     const char* home = std::getenv("HOME");
-    if (state && *state) return fs::path(state) / "handrail" / "recent-worlds.txt";
-    if (home && *home) return fs::path(home) / ".local" / "state" / "handrail" / "recent-worlds.txt";
+    if (state && state[0] == '/') return fs::path(state) / "handrail" / "recent-worlds.txt";
+    if (home && home[0] == '/') return fs::path(home) / ".local" / "state" / "handrail" / "recent-worlds.txt";
     return {};
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <map>
 
 #include "worlds/base/contract.h"
 #include "worlds/geometry/clip.h"
@@ -13,7 +14,8 @@ namespace {
 
 constexpr std::size_t kMostNotes = 1000000;  // 40 km of new ground; later ones are not kept
 constexpr double kSpot_m = 0.04;
-constexpr double kFinest_m = 0.05;  // cells: a wall of 4 m is then as long as it is within 1.3 %
+constexpr double kFinest_m = 0.05;           // cells: a wall of 4 m is then as long as it is within 1.3 %
+constexpr std::size_t kMostCells = 400'000;  // of one place; a hall of 40 by 25 m has as many of the finest
 constexpr double kLane_m = 1.0, kLaneOff_m = 0.4;
 constexpr double kSameFloor_m = 0.6, kRoomHeight_m = 2.6;
 constexpr double kNormalOff_m = 0.3;  // a hand above a radiator touches the wall behind it
@@ -62,6 +64,37 @@ public:
 
 private:
     std::vector<std::pair<Aabb, FeatureId>> doors_;
+};
+
+// The samples of a boundary that nobody knows yet, by squares as wide as what lies around one sample.
+class UnknownWalls {
+public:
+    explicit UnknownWalls(const Learnt& learnt) : walls_(learnt.place().walls) {
+        for (std::uint32_t i = 0; i < walls_.size(); ++i)
+            if (!learnt.knows_wall(i)) squares_[square_of(walls_[i].point_m, 0, 0)].push_back(i);
+    }
+    // How much of the same stretch is unknown around that sample.
+    double beside_m(const WallSample& wall) const {
+        double sum_m = 0.0;
+        for (int dy = -1; dy <= 1; ++dy)
+            for (int dx = -1; dx <= 1; ++dx) {
+                const auto found = squares_.find(square_of(wall.point_m, dx, dy));
+                if (found == squares_.end()) continue;
+                for (const std::uint32_t i : found->second)
+                    if (walls_[i].feature == wall.feature && glm::length(walls_[i].point_m - wall.point_m) < kUnknown_m)
+                        sum_m += walls_[i].length_m;
+            }
+        return sum_m;
+    }
+
+private:
+    static std::pair<int, int> square_of(const Vec3& at_m, int dx, int dy) {
+        return {static_cast<int>(std::floor(at_m.x / kUnknown_m)) + dx,
+                static_cast<int>(std::floor(at_m.y / kUnknown_m)) + dy};
+    }
+
+    const std::vector<WallSample>& walls_;
+    std::map<std::pair<int, int>, std::vector<std::uint32_t>> squares_;
 };
 
 std::vector<PlaceExit> exits_of_place(const Scene& scene, const RoomGraph& graph, std::uint32_t room,
@@ -131,8 +164,6 @@ Place place_of_room(const BodyWorld& world, const WalkSpace& space, const RoomGr
     const double reach_m = 1.5 * body.radius_m;  // from where the middle of the body can be into a corner
     // 1. The cells: those of the walk space, cut finer where they are coarse, with a rim that nothing of the room
     // reaches.
-    const int cut = std::max(1, static_cast<int>(std::ceil(space.cell_m / kFinest_m - 1e-6)));
-    const int margin = static_cast<int>(std::ceil(reach_m / space.cell_m)) + 2;
     const auto column_of = [&](std::uint32_t span) {
         return std::pair(static_cast<int>(space.spans[span].cell % space.width),
                          static_cast<int>(space.spans[span].cell / space.width));
@@ -155,11 +186,23 @@ Place place_of_room(const BodyWorld& world, const WalkSpace& space, const RoomGr
     }
     Place place;
     if (x1 < 0) return place;
-    place.cell_m = space.cell_m / cut;
-    place.wide = (x1 - x0 + 1 + 2 * margin) * cut;
-    place.deep = (y1 - y0 + 1 + 2 * margin) * cut;
-    place.origin_m = Vec3(space.origin_m.x + (x0 - margin) * space.cell_m,
-                          space.origin_m.y + (y0 - margin) * space.cell_m, graph.rooms[room].floor_m);
+    // A huge place has coarser cells, so that looking at it takes no longer than a large one: finer than those of the
+    // walk space by `cut`, or as wide as `merged` of them.
+    int cut = std::max(1, static_cast<int>(std::ceil(space.cell_m / kFinest_m - 1e-6))), merged = 1, margin = 0;
+    const auto lay_out = [&] {
+        margin = static_cast<int>(std::ceil(reach_m / (merged * space.cell_m))) + 2;
+        place.wide = ((x1 - x0) / merged + 1 + 2 * margin) * cut;
+        place.deep = ((y1 - y0) / merged + 1 + 2 * margin) * cut;
+        return static_cast<std::size_t>(place.wide) * static_cast<std::size_t>(place.deep) <= kMostCells;
+    };
+    while (!lay_out()) cut > 1 ? --cut : ++merged;
+    place.cell_m = space.cell_m * merged / cut;
+    place.origin_m = Vec3(space.origin_m.x + (x0 - margin * merged) * space.cell_m,
+                          space.origin_m.y + (y0 - margin * merged) * space.cell_m, graph.rooms[room].floor_m);
+    const auto merged_from = [&](int column, int first) {
+        const int off = column - first;
+        return ((off >= 0 ? off : off - merged + 1) / merged + margin) * cut;
+    };
     const std::size_t cells = static_cast<std::size_t>(place.wide) * static_cast<std::size_t>(place.deep);
     place.free.assign(cells, false);
     place.height_m.assign(cells, 0.0F);
@@ -171,7 +214,7 @@ Place place_of_room(const BodyWorld& world, const WalkSpace& space, const RoomGr
         for (std::uint32_t s = 0; s < space.spans.size(); ++s) {
             if (of_room(s) != own || !counts(s)) continue;
             const auto [cx, cy] = column_of(s);
-            const int x = (cx - x0 + margin) * cut, y = (cy - y0 + margin) * cut;
+            const int x = merged_from(cx, x0), y = merged_from(cy, y0);
             const double z = space.place_m(s).z;
             if (x < 0 || y < 0 || x >= place.wide || y >= place.deep || z < lowest_m - kSameFloor_m ||
                 z > highest_m + kSameFloor_m)
@@ -351,14 +394,13 @@ std::optional<Unexplored> nearest_unexplored(const Learnt& learnt, const Vec3& f
         nearest_m = distance;
         nearest = Unexplored{point, wall, feature};
     };
+    const UnknownWalls unknown_walls(learnt);
     for (std::size_t i = 0; i < place.walls.size(); ++i) {
         if (learnt.knows_wall(i)) continue;
-        double beside_m = 0.0;  // of the same stretch
-        for (std::size_t k = 0; k < place.walls.size(); ++k)
-            if (!learnt.knows_wall(k) && place.walls[k].feature == place.walls[i].feature &&
-                glm::length(place.walls[k].point_m - place.walls[i].point_m) < kUnknown_m)
-                beside_m += place.walls[k].length_m;
-        if (beside_m >= kUnknown_m) offer(place.walls[i].point_m, true, place.walls[i].feature);
+        const WallSample& wall = place.walls[i];
+        // Only what would be nearer is looked at.
+        if (std::hypot(wall.point_m.x - feet_m.x, wall.point_m.y - feet_m.y) >= nearest_m) continue;
+        if (unknown_walls.beside_m(wall) >= kUnknown_m) offer(wall.point_m, true, wall.feature);
     }
     std::vector<bool> seen(place.free.size());
     const auto unknown = [&](int x, int y) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/core/context/telling.h"
+#include "haptic/servo/workspace_map.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
@@ -61,7 +62,7 @@ void Exercise::take(const TeacherActed& act, double now_s) {
 
 void Exercise::tick() {
     if (question_ && question_->kind == TeacherActed::Kind::Point && !question_->hand_m && context_.hands.known())
-        question_->hand_m = context_.hands.tool.hip_m;
+        question_->hand_m = context_.hands.tool.hand_m;
 }
 
 bool Exercise::act(Command command, double now_s) {
@@ -83,9 +84,6 @@ bool Exercise::act(Command command, double now_s) {
 }
 
 void Exercise::wish(LessonWish wish, double now_s) const { context_.events.tell(LessonWished{wish}, now_s); }
-
-// World metres for a metre of the hand.
-double Exercise::hand_scale() const { return scale(context_); }
 
 void Exercise::ask_again(double now_s) {
     if (question_->kind == TeacherActed::Kind::Order) return open_order(now_s);
@@ -128,12 +126,13 @@ void Exercise::open_order(double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
-// The way of the hand since the question, where it has moved; else where one faces. In degrees from north, clockwise.
+// Where the hand has moved since the question; if it has not, where one faces. In degrees from north, clockwise.
 void Exercise::point(double now_s) {
     double heading_rad = context_.body.heading_rad;
     if (question_->hand_m && context_.hands.known()) {
-        const Vec3 way = context_.hands.tool.hip_m - *question_->hand_m;
-        if (std::hypot(way.x, way.y) >= kPointed_m * hand_scale()) heading_rad = std::atan2(way.x, way.y);
+        const Vec3 moved_m = context_.hands.tool.hand_m - *question_->hand_m;
+        const Vec3 way = frame_of(Vec3(0.0), workspace_heading_rad(context_)).turn_to_world(moved_m);
+        if (std::hypot(way.x, way.y) >= kPointed_m) heading_rad = std::atan2(way.x, way.y);
     }
     const std::string question = question_->text;
     question_.reset();

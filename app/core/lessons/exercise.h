@@ -16,7 +16,7 @@ namespace handrail {
 
 class Exercise {
 public:
-    static constexpr double kPointed_m = 0.01;  // so far the hand moves to point; else one faces it
+    static constexpr double kPointed_m = 0.01;  // of the hand itself: a shorter movement is no pointing
 
     explicit Exercise(const SessionContext& context) : context_(context) {}
     Exercise(const Exercise&) = delete;  // open lists know it by its place
@@ -42,7 +42,6 @@ private:
     void open_offers(double now_s);
     void open_learners(const TeacherActed& act, double now_s);
     void wish(LessonWish wish, double now_s) const;
-    double hand_scale() const;
 
     const SessionContext& context_;
     bool under_way_ = false;
@@ -54,7 +53,9 @@ private:
         std::string text;
         std::vector<std::string> items;
         std::vector<std::size_t> chosen;
-        std::optional<Vec3> hand_m;  // where the hand was when it was asked to point, or was first known since
+        // Where the hand was when it was asked to point, or was first known after that. Device frame, because the body
+        // and the workspace may be moved meanwhile.
+        std::optional<Vec3> hand_m;
     };
     std::optional<Question> question_;
 };

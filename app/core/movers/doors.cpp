@@ -172,14 +172,15 @@ bool Doors::ride_to(double floor_m, const std::string& storey, double now_s) {
 // gone and from which the hand has hardly come away, then what stands straight ahead, then the nearest.
 void Doors::use(double now_s) {
     int chosen = -1;
-    if (context_.hands.tool.touches()) chosen = mover_of(world_, context_.hands.tool.touched());
+    if (context_.hands.answers() && context_.hands.tool.touches())
+        chosen = mover_of(world_, context_.hands.tool.touched());
     if (chosen < 0) chosen = lift_under_body();
     if (chosen < 0 && !told_.empty()) {
         const FeatureId told = told_.back();
         const Aabb door = box_of(*world_.scene, told);
         const double hand_reach_m = kBounced_hand_m * scale(context_);
         if (distance_squared(door, body_.feet_m() + Vec3(0.0, 0.0, kLookHeight_m)) < kReach_m * kReach_m ||
-            (context_.hands.known() &&
+            (context_.hands.answers() &&
              distance_squared(door, context_.hands.tool.proxy_m) < hand_reach_m * hand_reach_m))
             chosen = mover_of(world_, told);
         if (chosen >= 0 && world_.movers.away(static_cast<std::uint32_t>(chosen)) > 0.0) chosen = -1;

@@ -178,7 +178,7 @@ void FaultList::show_made_door(const MadeDoor& door, double now_s) {
 // Walls are cut where the world is read: whoever owns the session does that again, and the person stays in place.
 void FaultList::make_door(const MadeDoor& door, double now_s) {
     keep_made_door(context_.additions, door);
-    context_.asks.save_additions(now_s);
+    if (!context_.asks.save_additions(now_s)) return;  // the world is read as its file says
     context_.requests.read_again = true;
     context_.answer(phrase("faults.door_made", {{"between", one_line(door.name)}}), now_s);
 }
@@ -186,14 +186,14 @@ void FaultList::make_door(const MadeDoor& door, double now_s) {
 // Nothing is where it was: one begins anew.
 void FaultList::take_unit(double metres, double now_s) {
     keep_unit(context_.additions, metres);
-    context_.asks.save_additions(now_s);
+    if (!context_.asks.save_additions(now_s)) return;
     context_.requests.read_again = context_.requests.begin_anew = true;
     context_.answer(phrase("faults.unit_taken"), now_s);
 }
 
 void FaultList::take_door_away(const MadeDoor& door, double now_s) {
     drop_made_door(context_.additions, door.place_m);
-    context_.asks.save_additions(now_s);
+    if (!context_.asks.save_additions(now_s)) return;
     context_.requests.read_again = true;
     context_.answer(phrase("faults.door_gone", {{"between", one_line(door.name)}}), now_s);
 }
@@ -203,13 +203,12 @@ void FaultList::mark_landmark(FeatureId id, double now_s) {
     contract_pre(feature != nullptr);
     if (!feature) return;
     keep_landmark(context_.additions, *feature);
-    context_.asks.save_additions(now_s);
     auto changed = std::make_shared<Scene>(*world_.scene);
     changed->features[id.value].landmark = true;
     world_.scene = std::move(changed);
     world_.movers.follow(world_.scene->movers);
-    context_.answer(phrase("faults.marked", {{"name", one_line(spoken_name(world_.scene->features[id.value]))}}),
-                    now_s);
+    context_.keep_and_answer(
+        phrase("faults.marked", {{"name", one_line(spoken_name(world_.scene->features[id.value]))}}), now_s);
 }
 
 }  // namespace handrail

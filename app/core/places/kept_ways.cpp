@@ -73,9 +73,19 @@ void KeptWays::tell_unfit(double now_s) {
         context_.say(std::move(words), SpeechClass::Answer, now_s);
 }
 
-void KeptWays::save(double now_s) {
+bool KeptWays::save(double now_s) {
     write_ways(context_.additions, ways_);
-    context_.asks.save_additions(now_s);
+    return context_.asks.save_additions(now_s);
+}
+
+void KeptWays::save_and_answer(const std::string& words, double now_s) {
+    write_ways(context_.additions, ways_);
+    context_.keep_and_answer(words, now_s);
+}
+
+void KeptWays::save_and_answer_kept(const std::string& name, double now_s) {
+    context_.answer(save(now_s) ? phrase("ways.kept", {{"way", name}}) : phrase("guide.not_saved", {{"words", name}}),
+                    now_s);
 }
 
 void KeptWays::follow_room_name(const std::string& before, const std::string& name) {
@@ -157,8 +167,7 @@ void KeptWays::ask_name(const std::vector<Stop>& stops, double now_s) {
         const auto good = free_name(typed, ways_.size(), context_.tick_s);
         if (!good) return;
         ways_.push_back({*good, stops, context_.additions.world_checksum(), {}});
-        save(context_.tick_s);
-        context_.answer(phrase("ways.kept", {{"way", *good}}), context_.tick_s);
+        save_and_answer_kept(*good, context_.tick_s);
     };
     question.left = [this] { context_.answer(phrase("ways.not_kept"), context_.tick_s); };
     context_.ask_text(std::move(question), now_s);
@@ -274,8 +283,8 @@ void KeptWays::add_stop(std::size_t which, Stop stop, double now_s) {
     way.world = context_.additions.world_checksum();
     const std::string name = stop.name, way_name = way.name;
     way.stops.push_back(std::move(stop));
-    save(now_s);  // by which ways_ may be others
-    context_.answer(phrase("ways.stop_added", {{"way", way_name}, {"stop", name}}), now_s);
+    // By which ways_ may be others.
+    save_and_answer(phrase("ways.stop_added", {{"way", way_name}, {"stop", name}}), now_s);
 }
 
 // What was found elsewhere is kept there; what is gone is forgotten, its place stays.
@@ -292,8 +301,7 @@ void KeptWays::take_over(std::size_t which, double now_s) {
     way.stops = std::move(found.stops);
     way.world = context_.additions.world_checksum();
     const std::string name = way.name;
-    save(now_s);  // by which ways_ may be others
-    context_.answer(phrase("ways.kept", {{"way", name}}), now_s);
+    save_and_answer_kept(name, now_s);  // by which ways_ may be others
 }
 
 void KeptWays::ask_new_name(std::size_t which, double now_s) {
@@ -304,8 +312,7 @@ void KeptWays::ask_new_name(std::size_t which, double now_s) {
         const auto good = free_name(typed, which, context_.tick_s);
         if (!good) return;
         ways_[which].name = *good;
-        save(context_.tick_s);
-        context_.answer(*good, context_.tick_s);
+        save_and_answer(*good, context_.tick_s);
     };
     context_.ask_text(std::move(question), now_s);
 }
@@ -313,8 +320,7 @@ void KeptWays::ask_new_name(std::size_t which, double now_s) {
 void KeptWays::remove(std::size_t which, double now_s) {
     const std::string name = ways_[which].name;
     ways_.erase(ways_.begin() + static_cast<std::ptrdiff_t>(which));
-    save(now_s);
-    context_.answer(phrase("ways.deleted", {{"way", name}}), now_s);
+    save_and_answer(phrase("ways.deleted", {{"way", name}}), now_s);
 }
 
 }  // namespace handrail

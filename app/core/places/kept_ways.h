@@ -43,7 +43,10 @@ public:
 private:
     FoundWay look_at(const SavedWay& way) const;
     std::string fault_words_of(const FoundWay& found) const;
-    void save(double now_s);
+    bool save(double now_s);
+    void save_and_answer(const std::string& words, double now_s);
+    // "Way Hall to Kitchen kept", if it is.
+    void save_and_answer_kept(const std::string& name, double now_s);
     std::vector<Offer> untold_offers() const;
     void open_keep(double now_s);
     bool name_taken(const std::string& name, std::size_t except) const;

@@ -50,9 +50,14 @@ void MarkList::tell_faults(double now_s) {
         context_.say(std::move(unfit), SpeechClass::Answer, now_s);
 }
 
-void MarkList::save(double now_s) {
+bool MarkList::save(double now_s) {
     write_marks(context_.additions, marks_);
-    context_.asks.save_additions(now_s);
+    return context_.asks.save_additions(now_s);
+}
+
+void MarkList::save_and_answer(const std::string& words, double now_s) {
+    write_marks(context_.additions, marks_);
+    context_.keep_and_answer(words, now_s);
 }
 
 // ---- setting, naming, deleting ----
@@ -76,7 +81,7 @@ void MarkList::tick_button(double now_s) {
 
 void MarkList::drop(bool by_button, double now_s) {
     Vec3 place = context_.body.feet_m();
-    if (context_.hands.right.present && context_.hands.tool.ticks > 0) {
+    if (context_.hands.answers()) {
         // A hand of the keys alone, on its way to where one stands, is no reason to have no mark.
         if (!is_gone(context_.hands.tool.fault) && context_.hands.tool.workspace_jump == context_.hands.pose.jump)
             place = context_.hands.tool.proxy_m;
@@ -87,10 +92,10 @@ void MarkList::drop(bool by_button, double now_s) {
     marks_.push_back(std::move(mark));
     near_.resize(marks_.size() - 1, false);
     near_.push_back(true);
-    save(now_s);
     context_.play_at(SoundKind::Mark, place, now_s);
     if (by_button || !context_.settings.marks.ask_name)
-        return context_.answer(phrase("marks.set", {{"name", name}}), now_s);
+        return save_and_answer(phrase("marks.set", {{"name", name}}), now_s);
+    save(now_s);
     TextSpec question;
     question.question = phrase("marks.set_and_ask", {{"name", name}});
     question.text = name;
@@ -104,8 +109,7 @@ void MarkList::rename(const std::string& name, const std::string& typed, double 
     if (!good) return context_.answer(good.error().message, now_s);
     if (mark == marks_.end()) return;
     mark->name = *good;
-    save(now_s);
-    context_.answer(*good, now_s);
+    save_and_answer(*good, now_s);
 }
 
 void MarkList::remove(std::size_t which, double now_s) {
@@ -113,8 +117,7 @@ void MarkList::remove(std::size_t which, double now_s) {
     const std::string name = marks_[which].name;
     marks_.erase(marks_.begin() + static_cast<std::ptrdiff_t>(which));
     near_.assign(marks_.size(), true);
-    save(now_s);
-    context_.answer(phrase("marks.deleted", {{"name", name}}), now_s);
+    save_and_answer(phrase("marks.deleted", {{"name", name}}), now_s);
 }
 
 // ---- choosing ----
@@ -180,8 +183,7 @@ void MarkList::tick(double now_s) {
         if (level_m > range_m || std::abs(way.z) > kStorey_m) return 1e9;
         return muffling_db(*context_.world.solids, waist, place) >= kDoorMuffles_db ? 1e9 : level_m;
     };
-    const bool hand = context_.hands.right.present && context_.hands.tool.ticks > 0 &&
-                      context_.hands.tool.workspace_jump == context_.hands.pose.jump;
+    const bool hand = context_.hands.answers() && context_.hands.tool.workspace_jump == context_.hands.pose.jump;
     near_.resize(marks_.size(), false);
     for (std::size_t i = 0; i < marks_.size(); ++i) {
         const Vec3& place = marks_[i].place_m;

@@ -43,7 +43,8 @@ public:
 private:
     void list_landmarks();
     void read(std::vector<Error>& faults);
-    void save(double now_s);
+    bool save(double now_s);
+    void save_and_answer(const std::string& words, double now_s);
     void drop(bool by_button, double now_s);
     void rename(const std::string& name, const std::string& typed, double now_s);
     void remove(std::size_t which, double now_s);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <toml++/toml.h>
 #include <array>
 #include <limits>
 #include <set>
@@ -37,7 +36,7 @@ Command command_named(TomlFields& fields, const char* key) {
     if (const CommandInfo* row = find_command(word)) return row->command;
     std::vector<std::string> known;
     for (const CommandInfo& row : command_table()) known.emplace_back(row.word);
-    throw BadField{line_of(fields.node(key)),
+    throw BadField{fields.node(key).line,
                    phrase("scenario.no_command", {{"word", word}, {"nearest", nearest_name(word, known)}})};
 }
 
@@ -63,7 +62,7 @@ bool is_left(TomlFields& fields) {
     return hand == "left";
 }
 
-ScenarioAction read_action(const toml::table& table, const ScenarioFolders& folders) {
+ScenarioAction read_action(const TomlValue& table, const ScenarioFolders& folders) {
     TomlFields fields(table, "action");
     ScenarioAction action;
     action.line = fields.line();
@@ -94,7 +93,7 @@ ScenarioAction read_action(const toml::table& table, const ScenarioFolders& fold
         add.name = fields.text("add");
         if (fields.has("box") == fields.has("model")) throw BadField{action.line, phrase("scenario.add")};
         if (fields.has("box")) add.box_m = fields.vector("box");
-        else add.model = find_world(fields.text("model"), folders, line_of(fields.node("model")));
+        else add.model = find_world(fields.text("model"), folders, fields.node("model").line);
         add.at.position_m = fields.vector("at");
         add.at.rotation = read_turn(fields).value_or(Rotation{});
         add.at.scale = fields.number_or("scale", 1.0, 1e-3, 1e3);
@@ -114,7 +113,7 @@ ScenarioAction read_action(const toml::table& table, const ScenarioFolders& fold
         static const std::vector<std::string> kinds_known{"nan", "jump", "freeze", "unplug", "late", "hot", "error"};
         if (std::find(kinds_known.begin(), kinds_known.end(), kind) == kinds_known.end())
             throw BadField{
-                line_of(fields.node("trouble")),
+                fields.node("trouble").line,
                 phrase("scenario.no_trouble", {{"word", kind}, {"nearest", nearest_name(kind, kinds_known)}})};
         action.step = ScenarioTrouble{kind, fields.number("for_s", 0.0, kLongest_s)};
     }
@@ -126,7 +125,7 @@ ScenarioAction read_action(const toml::table& table, const ScenarioFolders& fold
     if (is("set")) {
         const std::string pair = fields.text("set");
         const std::size_t equals = pair.find('=');
-        if (equals == std::string::npos) throw BadField{line_of(fields.node("set")), phrase("scenario.set")};
+        if (equals == std::string::npos) throw BadField{fields.node("set").line, phrase("scenario.set")};
         action.step = ChangeSetting{pair.substr(0, equals), pair.substr(equals + 1)};
     }
     if (fields.has("name")) action.name = fields.text("name");
@@ -139,7 +138,7 @@ ScenarioAction read_action(const toml::table& table, const ScenarioFolders& fold
 }
 
 // The moves that one sweep stands for.
-std::vector<ScenarioAction> read_sweep(const toml::table& table) {
+std::vector<ScenarioAction> read_sweep(const TomlValue& table) {
     TomlFields fields(table, "sweep");
     const Vec3 at = fields.vector("sweep_at");
     const double from_deg = fields.number("from_deg", -360.0, 360.0), to_deg = fields.number("to_deg", -360.0, 720.0);
@@ -164,8 +163,8 @@ std::vector<ScenarioAction> read_sweep(const toml::table& table) {
 }
 
 Moment read_moment(TomlFields& fields, const char* key, const std::set<std::string>& names) {
-    const toml::node& node = fields.node(key);
-    if (node.is_number()) return Moment{{}, false, fields.number(key, 0.0, kLongest_s)};
+    const TomlValue& node = fields.node(key);
+    if (node.number()) return Moment{{}, false, fields.number(key, 0.0, kLongest_s)};
     Moment moment;
     moment.action = fields.text(key);
     if (moment.action.ends_with(" ends")) {
@@ -174,7 +173,7 @@ Moment read_moment(TomlFields& fields, const char* key, const std::set<std::stri
     }
     if (!names.contains(moment.action))
         throw BadField{
-            line_of(node),
+            node.line,
             phrase("scenario.no_action",
                    {{"word", moment.action},
                     {"nearest", nearest_name(moment.action, std::vector<std::string>(names.begin(), names.end()))}})};
@@ -189,7 +188,7 @@ void must_be_one_of(const std::string& word, std::span<const std::string_view> k
                            {"nearest", nearest_name(word, std::vector<std::string>(known.begin(), known.end()))}})};
 }
 
-Expectation expectation_of(const toml::table& table, const std::set<std::string>& names) {
+Expectation expectation_of(const TomlValue& table, const std::set<std::string>& names) {
     TomlFields fields(table, "expectation");
     Expectation e;
     e.line = fields.line();
@@ -310,27 +309,27 @@ Expectation expectation_of(const toml::table& table, const std::set<std::string>
     return e;
 }
 
-std::string toml_text(const toml::node& node) {
-    if (node.is_string()) return *node.value<std::string>();
-    if (node.is_boolean()) return *node.value<bool>() ? "true" : "false";
-    if (node.is_integer()) return fmt::format("{}", *node.value<std::int64_t>());
-    if (node.is_floating_point()) return fmt::format("{}", *node.value<double>());
-    throw BadField{line_of(node), phrase("scenario.setting")};
+std::string toml_text(const TomlValue& node) {
+    if (const auto* v = node.text()) return *v;
+    if (const auto* v = node.flag()) return *v ? "true" : "false";
+    if (const auto* v = node.whole()) return fmt::format("{}", *v);
+    if (const auto* v = node.fraction()) return fmt::format("{}", *v);
+    throw BadField{node.line, phrase("scenario.setting")};
 }
 
-Scenario read_table(const toml::table& table, const fs::path& file, const std::vector<fs::path>& world_folders) {
+Scenario read_table(const TomlValue& table, const fs::path& file, const std::vector<fs::path>& world_folders) {
     const ScenarioFolders folders{file.parent_path(), world_folders};
     TomlFields fields(table, "scenario");
     Scenario scenario;
     scenario.file = file;
     scenario.title = fields.text("title");
-    scenario.world = find_world(fields.text("world"), folders, line_of(fields.node("world")));
+    scenario.world = find_world(fields.text("world"), folders, fields.node("world").line);
     if (fields.has("device")) scenario.device = fields.text("device");
     if (fields.has("left_device")) scenario.left_device = fields.text("left_device");
     if (fields.has("start")) {
-        const toml::table* start = fields.node("start").as_table();
-        if (!start) throw BadField{line_of(fields.node("start")), phrase("scenario.start")};
-        TomlFields inner(*start, "start");
+        const TomlValue& start = fields.node("start");
+        if (!start.table()) throw BadField{fields.node("start").line, phrase("scenario.start")};
+        TomlFields inner(start, "start");
         scenario.has_start = true;
         scenario.start_feet_m = inner.vector("feet");
         scenario.start_heading_rad = radians_from_degrees(inner.number_or("heading_deg", 0.0, -360.0, 360.0));
@@ -338,25 +337,24 @@ Scenario read_table(const toml::table& table, const fs::path& file, const std::v
     }
     if (fields.has("tail_s")) scenario.tail_s = fields.number("tail_s", 0.0, kLongest_s);
     if (fields.has("settings")) {
-        const toml::table* settings = fields.node("settings").as_table();
-        if (!settings) throw BadField{line_of(fields.node("settings")), phrase("scenario.settings")};
-        for (const auto& [key, node] : *settings) scenario.settings[std::string(key.str())] = toml_text(node);
+        const TomlValue::Table* settings = fields.node("settings").table();
+        if (!settings) throw BadField{fields.node("settings").line, phrase("scenario.settings")};
+        for (const auto& [key, node] : *settings) scenario.settings[key] = toml_text(node);
     }
     const auto each = [&](const char* key, auto&& visit) {
         if (!fields.has(key)) return;
-        const toml::array* list = fields.node(key).as_array();
-        if (!list) throw BadField{line_of(fields.node(key)), phrase("scenario.tables", {{"key", key}})};
-        for (const toml::node& node : *list) {
-            const toml::table* item = node.as_table();
-            if (!item) throw BadField{line_of(node), phrase("scenario.tables", {{"key", key}})};
-            visit(*item);
+        const TomlValue::Array* list = fields.node(key).array();
+        if (!list) throw BadField{fields.node(key).line, phrase("scenario.tables", {{"key", key}})};
+        for (const TomlValue& item : *list) {
+            if (!item.table()) throw BadField{item.line, phrase("scenario.tables", {{"key", key}})};
+            visit(item);
         }
     };
     std::set<std::string> names;
-    each("do", [&](const toml::table& item) {
+    each("do", [&](const TomlValue& item) {
         for (ScenarioAction& action : read_actions(item, folders, names)) scenario.actions.push_back(std::move(action));
     });
-    each("expect", [&](const toml::table& item) { scenario.expectations.push_back(read_expectation(item, names)); });
+    each("expect", [&](const TomlValue& item) { scenario.expectations.push_back(read_expectation(item, names)); });
     fields.done();
     if (scenario.expectations.empty()) throw BadField{0, phrase("scenario.expects_nothing")};
     return scenario;
@@ -372,31 +370,36 @@ fs::path find_named_world(const std::string& name, const ScenarioFolders& folder
     throw BadField{line, phrase("scenario.no_world", {{"name", name}})};
 }
 
-std::vector<ScenarioAction> read_actions(const toml::table& table, const ScenarioFolders& folders,
+std::vector<ScenarioAction> read_actions(const TomlValue& table, const ScenarioFolders& folders,
                                          std::set<std::string>& names) {
     std::vector<ScenarioAction> actions;
-    if (table.contains("sweep_at")) actions = read_sweep(table);
+    if (table.find("sweep_at")) actions = read_sweep(table);
     else actions.push_back(read_action(table, folders));
     for (const ScenarioAction& action : actions)
         if (!action.name.empty() && !names.insert(action.name).second)
-            throw BadField{line_of(table), phrase("scenario.two_actions", {{"name", action.name}})};
+            throw BadField{table.line, phrase("scenario.two_actions", {{"name", action.name}})};
     return actions;
 }
 
-Expectation read_expectation(const toml::table& table, const std::set<std::string>& names) {
+Expectation read_expectation(const TomlValue& table, const std::set<std::string>& names) {
     return expectation_of(table, names);
+}
+
+Error no_toml(const Error& error, const std::string& file) {
+    Error told = error;
+    told.file = file;
+    if (error.line > 0) told.message = phrase("scenario.not_toml", {{"reason", one_line(error.message)}});
+    return told;
 }
 
 Result<Scenario> read_scenario(const fs::path& file, const std::vector<fs::path>& world_folders) {
     const auto text = read_whole_file(file, std::size_t{1} << 24);
     if (!text) return tl::unexpected(text.error());
     const std::string name = file.filename().string();
+    const Result<TomlValue> table = toml_of(*text);
+    if (!table) return tl::unexpected(no_toml(table.error(), name));
     try {
-        const toml::table table = toml::parse(*text, name);
-        return read_table(table, file, world_folders);
-    } catch (const toml::parse_error& error) {
-        return fail(phrase("scenario.not_toml", {{"reason", error.description()}}), name,
-                    static_cast<int>(error.source().begin.line), static_cast<int>(error.source().begin.column));
+        return read_table(*table, file, world_folders);
     } catch (const BadField& bad) {
         return fail(bad.message, name, bad.line);
     }

@@ -1,10 +1,9 @@
 // Reading TOML that people write, so that the reading code can be a list of what is wanted: each mistake is one
-// sentence with its line. For readers of scenarios and lessons only, which link the TOML library. Any thread.
+// sentence with its line. For readers of scenarios and lessons. Any thread.
 #pragma once
 
 #include <fmt/format.h>
 
-#include <toml++/toml.h>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -13,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "settings/toml_value.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 #include "worlds/base/vec.h"
@@ -25,80 +25,77 @@ struct BadField {
     std::string message;
 };
 
-inline int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
-
 // A table whose every key must be asked for by the time done() is called.
 class TomlFields {
 public:
-    TomlFields(const toml::table& table, std::string what) : table_(table), what_(std::move(what)) {}
-    int line() const { return line_of(table_); }
+    TomlFields(const TomlValue& table, std::string what) : table_(table), what_(std::move(what)) {}
+    int line() const { return table_.line; }
     bool has(const char* key) {
         asked_.insert(key);
-        return table_.contains(key);
+        return table_.find(key) != nullptr;
     }
     double number(const char* key, double low, double high) {
-        const toml::node& node = need(key);
-        const auto value = node.value<double>();
-        if (!value || !(node.is_number()) || !(*value >= low && *value <= high))
-            throw BadField{line_of(node), phrase("scenario.number", {{"key", key},
-                                                                     {"least", fmt::format("{}", low)},
-                                                                     {"most", fmt::format("{}", high)}})};
+        const TomlValue& node = need(key);
+        const auto value = node.number();
+        if (!value || !(*value >= low && *value <= high))
+            throw BadField{node.line, phrase("scenario.number", {{"key", key},
+                                                                 {"least", fmt::format("{}", low)},
+                                                                 {"most", fmt::format("{}", high)}})};
         return *value;
     }
     double number_or(const char* key, double otherwise, double low, double high) {
         return has(key) ? number(key, low, high) : otherwise;
     }
     std::string text(const char* key) {
-        const toml::node& node = need(key);
-        if (!node.is_string() || node.value<std::string>()->empty())
-            throw BadField{line_of(node), phrase("scenario.text", {{"key", key}})};
-        return *node.value<std::string>();
+        const TomlValue& node = need(key);
+        if (!node.text() || node.text()->empty()) throw BadField{node.line, phrase("scenario.text", {{"key", key}})};
+        return *node.text();
     }
     bool flag(const char* key) {
-        const toml::node& node = need(key);
-        if (!node.is_boolean()) throw BadField{line_of(node), phrase("scenario.flag", {{"key", key}})};
-        return *node.value<bool>();
+        const TomlValue& node = need(key);
+        if (!node.flag()) throw BadField{node.line, phrase("scenario.flag", {{"key", key}})};
+        return *node.flag();
     }
     // Three numbers; `any` is written "any" and becomes NaN where allowed.
     Vec3 vector(const char* key, bool allow_any = false) {
-        const toml::array* list = need(key).as_array();
-        if (!list || list->size() != 3) throw BadField{line_of(need(key)), phrase("scenario.three", {{"key", key}})};
+        const TomlValue::Array* list = need(key).array();
+        if (!list || list->size() != 3) throw BadField{need(key).line, phrase("scenario.three", {{"key", key}})};
         Vec3 v{0.0};
         for (int i = 0; i < 3; ++i) {
-            const toml::node& node = *list->get(static_cast<std::size_t>(i));
-            if (allow_any && node.is_string() && *node.value<std::string>() == "any")
-                v[i] = std::numeric_limits<double>::quiet_NaN();
-            else if (node.is_number() && std::isfinite(*node.value<double>())) v[i] = *node.value<double>();
-            else throw BadField{line_of(node), phrase("scenario.three_finite", {{"key", key}})};
+            const TomlValue& node = (*list)[static_cast<std::size_t>(i)];
+            const auto number = node.number();
+            if (allow_any && node.text() && *node.text() == "any") v[i] = std::numeric_limits<double>::quiet_NaN();
+            else if (number && std::isfinite(*number)) v[i] = *number;
+            else throw BadField{node.line, phrase("scenario.three_finite", {{"key", key}})};
         }
         return v;
     }
     std::array<double, 2> range(const char* key) {
-        const toml::array* list = need(key).as_array();
-        if (!list || list->size() != 2 || !list->get(0)->is_number() || !list->get(1)->is_number())
-            throw BadField{line_of(need(key)), phrase("scenario.two", {{"key", key}})};
-        const std::array<double, 2> r{*list->get(0)->value<double>(), *list->get(1)->value<double>()};
-        if (!(r[0] <= r[1])) throw BadField{line_of(*list), phrase("scenario.lower_first", {{"key", key}})};
+        const TomlValue::Array* list = need(key).array();
+        if (!list || list->size() != 2 || !list->front().number() || !list->back().number())
+            throw BadField{need(key).line, phrase("scenario.two", {{"key", key}})};
+        const std::array<double, 2> r{*list->front().number(), *list->back().number()};
+        if (!(r[0] <= r[1])) throw BadField{need(key).line, phrase("scenario.lower_first", {{"key", key}})};
         return r;
     }
-    const toml::node& node(const char* key) { return need(key); }
+    const TomlValue& node(const char* key) { return need(key); }
     void done() const {
         std::vector<std::string> known(asked_.begin(), asked_.end());
-        for (const auto& [key, node] : table_)
-            if (!asked_.contains(std::string(key.str())))
-                throw BadField{line_of(node), phrase("scenario.has_no", {{"what", what_},
-                                                                         {"key", key.str()},
-                                                                         {"nearest", nearest_name(key.str(), known)}})};
+        for (const auto& [key, node] : *table_.table())
+            if (!asked_.contains(key))
+                throw BadField{
+                    node.line,
+                    phrase("scenario.has_no", {{"what", what_}, {"key", key}, {"nearest", nearest_name(key, known)}})};
     }
 
 private:
-    const toml::node& need(const char* key) {
+    const TomlValue& need(const char* key) {
         asked_.insert(key);
-        const toml::node* node = table_.get(key);
-        if (!node) throw BadField{line_of(table_), phrase("scenario.needs", {{"what", what_}, {"key", key}})};
+        const TomlValue* node = table_.find(key);
+        if (!node) throw BadField{table_.line, phrase("scenario.needs", {{"what", what_}, {"key", key}})};
         return *node;
     }
-    const toml::table& table_;
+    const TomlValue& table_;  // a table
     std::string what_;
     std::set<std::string> asked_;
 };

@@ -16,7 +16,8 @@ struct LessonView {
     bool trails = false;       // is led along what is at its side
     bool rooms_known = false;  // the rest only then
     std::string room;
-    double walls_share = 0.0;  // of the room: of its walls, how much is known
+    double perimeter_m = 0.0;  // of the room: its walls, doors and what stands against them; 0: there are none
+    double walls_share = 0.0;  // how much of that is known
     int walls = 0, walls_done = 0, exits = 0, exits_found = 0;
 };
 

@@ -100,6 +100,7 @@ void Session::enter_world(EnteringWorld world, double now_s) {
 
 void Session::keep_learnt(double now_s) {
     if (state_.world.scene) learn_.place.keep(now_s);
+    if (state_.additions_due_s) save_additions(now_s);
 }
 
 void Session::set_hand(const HandFacts& hand, const Settings& settings, double now_s) {
@@ -377,6 +378,7 @@ void Session::tick(double now_s, const ToolState& tool, const ToolState& left_to
     if (!state_.world.scene) return;
     const double dt_s = std::clamp(now_s - state_.context.tick_s, 0.0, 0.1);
     state_.context.tick_s = now_s;
+    tell_changes(now_s);
     desk_visit_.tick(now_s);
     if (at_desk()) {
         // The world waits: nothing moves, walks or turns.
@@ -405,6 +407,7 @@ void Session::tick(double now_s, const ToolState& tool, const ToolState& left_to
     learn_.teaching.exercise.tick();
     if (hand_.workspace.pushed(now_s)) guide_.person_moved(now_s);
     hand_.workspace.push(guide_.carry(), now_s);
+    if (!guide_.leads_hand()) hand_.workspace.stay_with_body(now_s);
     hand_.workspace.tell_motion(now_s);
     touch_events_.tick(now_s);
     movers_.triggers.tick(now_s);
@@ -423,9 +426,19 @@ void Session::tick(double now_s, const ToolState& tool, const ToolState& left_to
     places_.marks.tick(now_s);
     places_.faults.tick(now_s);
     places_.why_no_way.tick(now_s);
+    tick_additions(now_s);
     guide_.call(now_s);
     publish_pose(now_s, PoseChange::Walked);
     hand_.forces.tell_break(now_s);
+}
+
+void Session::tell_changes(double now_s) {
+    const auto tell = [&](bool& told, bool now, const auto& what) {
+        if (std::exchange(told, now) != now) state_.events.tell(what, now_s);
+    };
+    const bool leads = guide_.leads(), open = state_.lists.dialogue.is_open();
+    tell(watched_.leads, leads, Leading{leads});
+    tell(watched_.list_open, open, ListShown{open});
 }
 
 void Session::set_left_hand(const HandFacts& hand, double now_s) {

@@ -167,11 +167,13 @@ private:
     void change_world(Scene scene, double now_s);
     void settle(double now_s);
     void take_settled();
+    void tell_changes(double now_s);
     bool anything_moves() const;  // and comes to rest by itself
     // What the person added: session_additions.cpp.
     void take_additions();
     void tell_additions(double now_s);
-    void save_additions(double now_s);
+    bool save_additions(double now_s);
+    void tick_additions(double now_s);
     void ask_for_last_place(double now_s);
     void take_others_additions();
     std::string entering_text() const;
@@ -208,6 +210,7 @@ private:
     struct Watched {
         std::vector<InputListener> inputs;
         Arrivals* arrivals = nullptr;
+        bool leads = false, list_open = false;  // as Leading and ListShown told last
     };
     Watched watched_;
     struct TooEarly {

@@ -6,9 +6,15 @@
 #include "worlds/base/language.h"
 
 namespace handrail {
+namespace {
+
+constexpr double kRetryAdditions_s = 30.0;
+
+}  // namespace
 
 // What was added to the world that is entered.
 void Session::take_additions() {
+    state_.additions_due_s.reset();
     if (given_.side_file) state_.additions = std::move(*std::exchange(given_.side_file, std::nullopt));
     else state_.additions = SideFile();
     guide_.enter_world();
@@ -24,12 +30,26 @@ void Session::tell_additions(double now_s) {
     learn_.place.tell_kept(now_s);
 }
 
-void Session::save_additions(double now_s) {
-    if (const auto saved = state_.additions.save(); !saved)
+bool Session::save_additions(double now_s) {
+    const auto saved = state_.additions.save();
+    if (!saved) {
         say(phrase("guide.not_kept", {{"why", saved.error().sentence()}}), SpeechClass::Alarm, now_s);
+        state_.additions_due_s = now_s + kRetryAdditions_s;
+    } else if (std::exchange(state_.additions_due_s, std::nullopt)) {
+        say(phrase("guide.saved_after_all"), SpeechClass::Answer, now_s);
+    }
     const SideFile::TakenOver taken = state_.additions.take_over();
     if (taken.differs) take_others_additions();
     for (const std::string& news : taken.news) say(news, SpeechClass::Answer, now_s);
+    return saved.has_value();
+}
+
+// What a full disk or a folder without rights kept from being saved. It is in memory until it is, and was said.
+void Session::tick_additions(double now_s) {
+    if (!state_.additions_due_s || now_s < *state_.additions_due_s) return;
+    // The alarm is not said again; it would come every half minute.
+    if (!state_.additions.save()) state_.additions_due_s = now_s + kRetryAdditions_s;
+    else save_additions(now_s);
 }
 
 // Another session has added to this world or changed what was added: everything is as the file has it now.

@@ -38,6 +38,7 @@ void Session::teach(const TeacherActed& act, double now_s) {
             learn_.teaching.exercise.take(act, now_s);
             break;
     }
+    tell_changes(now_s);
 }
 
 // By the hand where there is one; by words from half the help on, below that by the sound of the goal alone.
@@ -81,6 +82,7 @@ LessonView Session::lesson_view() {
     view.room = own_name(where_.rooms.graph().rooms[where_.rooms.here()]);
     if (const Room& here = where_.rooms.graph().rooms[where_.rooms.here()]; here.given) view.room = here.name;
     const Progress progress = learn_.place.progress_in(where_.rooms.here());
+    view.perimeter_m = progress.perimeter_m;
     view.walls_share = progress.perimeter_share();
     view.walls = static_cast<int>(progress.walls.size());
     view.walls_done = static_cast<int>(

@@ -5,13 +5,14 @@
 #include "app/core/menu/setting_lists.h"
 #include "app/core/session/session.h"
 #include "app/core/whereabouts/room_things.h"
+#include "app/core/world/questions.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
 
 void Session::wire() {
-    state_.context.asks.save_additions = [this](double now_s) { save_additions(now_s); };
+    state_.context.asks.save_additions = [this](double now_s) { return save_additions(now_s); };
     state_.context.asks.place = [this](const Vec3& feet_m, double heading_rad, double now_s) {
         place(feet_m, heading_rad, now_s);
     };
@@ -106,6 +107,16 @@ void Session::wire() {
         if (where_.rooms.beside() && !where_.rooms.looked_for()) return KnownOpenings{{}, true};
         // Not known(): on entering a world its movers are not known yet, nor where their leaves stand.
         return KnownOpenings{where_.rooms.look() ? open_portals(where_.rooms.graph()) : OpenPortals{}, false};
+    };
+    hand_.workspace.in_room_of_body = [this](const Vec3& place_m) {
+        if (!where_.rooms.found()) return false;
+        const auto above_m = above_floor_m(*state_.world.solids, place_m);
+        if (!above_m) return false;
+        const auto room = [this](const Vec3& soles_m) {
+            return room_at(where_.rooms.graph(), where_.rooms.space(), soles_m);
+        };
+        const std::uint32_t hand = room(place_m - Vec3(0.0, 0.0, *above_m));
+        return hand != kNothing && hand == room(feet_m());
     };
     hand_.workspace.rests_untold = [this] { return guide_.take_carried(); };
     state_.lists.before_open = [this] {

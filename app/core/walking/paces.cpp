@@ -51,8 +51,9 @@ double more_to_go_m(double left_m, double step_m, int times) {
 std::string met_words(const SessionContext& context, const TraceHit& met, double way_rad) {
     const int verbosity = context.settings.speech.verbosity;
     if (verbosity <= 0) return {};
-    const std::string name =
-        verbosity == 1 ? spoken_name(context.world.scene->features[met.feature.value]) : name_of(context, met.feature);
+    const Feature* feature = context.world.scene->find(met.feature);
+    std::string name = verbosity == 1 && feature ? spoken_name(*feature) : std::string();
+    if (name.empty()) name = name_of(context, met.feature);
     std::string text = joined(name, state_words(context, met.feature));
     const std::size_t eighth = nearest_eighth(way_rad - context.body.heading_rad);
     constexpr std::array kSides{"",

@@ -36,6 +36,7 @@ void Walking::stand() {
     since_footstep_m_ = 0.0;
     gait_.begin();
     blocked_ = false;
+    brushed_ = {};  // what it names may be of another world
     heading_due_s_.reset();
     paces_.begin();
 }

@@ -88,6 +88,8 @@ void EarWay::follow_silently(Route route, const std::string& goal) {
     name_ = goal;
     plans_.know(route.points_m);
     planned_in_ = context_.world.scene;
+    // A route to the very place where the person stands has one point. It is followed too, so that it arrives.
+    if (route.points_m.size() == 1) route.points_m.push_back(route.points_m.front());
     std::vector<RouteNode> nodes = nodes_to(context_, route, goal);
     follower_.follow(std::move(route), std::move(nodes));
 }

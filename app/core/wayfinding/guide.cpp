@@ -277,7 +277,7 @@ void Guide::beacon_here(double now_s) {
     const ToolState& tool = context_.hands.tool;
     FeatureId id = kNoFeature;
     Vec3 place{0.0};
-    if (context_.hands.right.present && tool.touches()) {
+    if (context_.hands.answers() && tool.touches()) {
         id = tool.touched();
         place = tool.proxy_m;
     } else if (const auto seen = look(*context_.world.solids, context_.body.feet_m(), kWaist_m,

@@ -57,7 +57,11 @@ public:
     double help() const { return help_limit_.value_or(laps_.strength()); }
     // So much instead, as a lesson has it, 0 to 1; none: as the laps have it.
     void limit_help(std::optional<double> help) { help_limit_ = help; }
+    // The hand is led, or about to be: it may be ahead of the body.
+    bool leads_hand() const { return hand_.at_work() || hand_.lines_at_work(); }
     bool may_lead_hand() const { return hand_.may_lead() && hand_.force_may_act(); }
+    // The hand, the ear or the beacon leads now.
+    bool leads() const { return ear_.following() || hand_.at_work() || beacon().on(); }
     // Nothing leads any more, without a word.
     void leave_way();
     void change_help(int by) { laps_.change(by); }

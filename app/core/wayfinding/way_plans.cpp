@@ -5,6 +5,7 @@
 #include "app/core/context/telling.h"
 #include "app/core/wayfinding/hand_way.h"
 #include "app/core/world/surroundings.h"
+#include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
@@ -22,7 +23,9 @@ void WayPlans::enter_world() {
 }
 
 void WayPlans::begin(const std::vector<Stop>& stops, bool first_passed, bool by_hand) {
-    run_ = WayRun{stops, first_passed ? 1U : 0U, by_hand, {}, 0};
+    contract_pre(!stops.empty());
+    // The last stop is never skipped: there would be nothing left to lead to. Its arrival is announced as any other.
+    run_ = WayRun{stops, first_passed && stops.size() > 1 ? 1U : 0U, by_hand, {}, 0};
 }
 
 Route WayPlans::on(const Vec3& from_m) {

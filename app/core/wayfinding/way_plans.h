@@ -29,7 +29,7 @@ public:
     void enter_world();
 
     // ---- a kept way that is gone along ----
-    // From its first stop or, where one is there already, from its second.
+    // At least one stop. If the first one is passed already, the way begins at the second, if there is one.
     void begin(const std::vector<Stop>& stops, bool first_passed, bool by_hand);
     void end() { run_.reset(); }
     bool running() const { return run_.has_value(); }

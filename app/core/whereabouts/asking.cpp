@@ -223,8 +223,7 @@ std::string Asking::ahead_of_me() {
 void Asking::look_round(int by, double now_s) {
     std::optional<double> hand_rad;
     const Vec3 to_hand = context_.hands.tool.proxy_m - context_.body.feet_m();
-    if (context_.hands.right.present && context_.hands.tool.ticks > 0 &&
-        std::hypot(to_hand.x, to_hand.y) > kHandPoints_m)
+    if (context_.hands.answers() && std::hypot(to_hand.x, to_hand.y) > kHandPoints_m)
         hand_rad = std::atan2(to_hand.x, to_hand.y);
     const double bearing = look_round_.step(by, context_.body.feet_m(), context_.body.heading_goal_rad, hand_rad);
     const std::vector<Sight> sights = look_towards(asker(), bearing);
@@ -263,6 +262,7 @@ std::string Asking::scale_bar() const {
 
 void Asking::describe_touched(double now_s) {
     if (!context_.hands.right.present) return context_.answer(phrase("session.no_hand_to_ask"), now_s);
+    if (context_.hands.left_behind) return context_.answer(ahead_of_me(), now_s);
     if (!context_.hands.two()) return context_.answer(touched_words(context_.hands.tool), now_s);
     context_.answer(phrase("session.both_hands", {{"right", touched_words(context_.hands.tool)},
                                                   {"left", touched_words(context_.hands.left_tool)}}),

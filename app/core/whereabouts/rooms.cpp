@@ -228,8 +228,7 @@ void Rooms::give_name(std::uint32_t room, const std::string& typed, double now_s
     drawing_.reset();
     if (on_renamed) on_renamed(before, known_as(graph.rooms[room]));
     write_room_names(context_.additions, names_);
-    context_.asks.save_additions(now_s);
-    context_.answer(phrase("room_names.given", {{"name", *name}}), now_s);
+    context_.keep_and_answer(phrase("room_names.given", {{"name", *name}}), now_s);
 }
 
 void Rooms::take_names_again() {

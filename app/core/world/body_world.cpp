@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "worlds/base/contract.h"
@@ -9,6 +10,9 @@
 
 namespace handrail {
 namespace {
+
+constexpr double kAlong_m = 1e-7;  // of a way: no more than this nearer to a surface is rounding of a slide along it
+constexpr double kSameDepth_m = 1e-9;  // faces whose distances differ by less are equally near
 
 // How far the plane must be pushed out so that the body's reference point meets it just when the body meets the plane.
 double support(const Vec3& normal, const BodyShape& body) {
@@ -224,6 +228,30 @@ TraceHit BodyWorld::trace(const Vec3& from_m, const Vec3& to_m, const BodyShape&
     const Piece* met = nullptr;
     std::int32_t met_face = -1;
     std::uint32_t number = 0;  // of the first piece of these
+    // Of a piece that the body overlaps from the start: it would walk farther into it. The face that is the shortest
+    // way out tells, or of several equally near ones the one that the way leaves most. Up and down it is free, or what
+    // has come to overlap it would hold it above the ground.
+    const Vec3 level_step(step.x, step.y, 0.0);
+    const auto goes_deeper = [&](const Pieces& some, const Piece& piece, Vec3& normal, std::int32_t& face) {
+        const BodyShape middle{0.0, body.height_m};
+        bool rim_alone = false;
+        double nearest = -std::numeric_limits<double>::infinity(), leaves = 0.0;
+        for (std::uint32_t k = piece.first_plane; k < piece.first_plane + piece.plane_count; ++k) {
+            const Bound& bound = some.bounds[k];
+            const double grow = support(bound.plane.normal, body);
+            const double d0 = signed_distance(bound.plane, from_m) - grow;
+            const double away = glm::dot(bound.plane.normal, level_step);
+            rim_alone = rim_alone || d0 + grow - support(bound.plane.normal, middle) > -kContactGap_m;
+            if (d0 < nearest - kSameDepth_m || (d0 <= nearest + kSameDepth_m && away <= leaves)) continue;
+            nearest = std::max(nearest, d0);
+            leaves = away;
+            normal = bound.plane.normal;
+            face = bound.face;
+        }
+        if (body.radius_m == 0.0 || !rim_alone || leaves >= -kAlong_m) return false;
+        normal = glm::normalize(Vec3(normal.x, normal.y, 0.0));
+        return true;
+    };
     const auto look_at = [&](const Pieces& some, std::uint32_t i, double& reach) {
         const Piece& piece = some.pieces[i];
         if ((through_clips && piece.clip_only) || piece.placed == but_placed || !BoxTree::meets(piece.bounds_m, sweep))
@@ -238,10 +266,9 @@ TraceHit BodyWorld::trace(const Vec3& from_m, const Vec3& to_m, const BodyShape&
             const double d0 = signed_distance(bound.plane, from_m) - grow;
             const double d1 = signed_distance(bound.plane, to_m) - grow;
             if (d0 > 0.0) starts_outside = true;
-            // Outside and not coming nearer; a tenth of a micrometre is rounding of a slide along the surface.
-            if (d0 > 0.0 && d1 > 0.0 && d1 >= d0 - 1e-7) return;
-            if (d0 <= 0.0 && d1 <= 0.0) continue;  // inside this plane all the way
-            if (d0 > d1) {                         // comes in: stop a little before
+            if (d0 > 0.0 && d1 > 0.0 && d1 >= d0 - kAlong_m) return;  // outside and not coming nearer
+            if (d0 <= 0.0 && d1 <= 0.0) continue;                     // inside this plane all the way
+            if (d0 > d1) {                                            // comes in: stop a little before
                 const double t = std::max(0.0, (d0 - kContactGap_m) / (d0 - d1));
                 if (d1 > kContactGap_m) return;  // never reaches it
                 if (t > enter) {
@@ -253,7 +280,11 @@ TraceHit BodyWorld::trace(const Vec3& from_m, const Vec3& to_m, const BodyShape&
                 leave = std::min(leave, d0 / (d0 - d1));
             }
         }
-        if (!starts_outside || enter < 0.0 || enter > leave || enter > best.fraction) return;
+        if (!starts_outside) {
+            if (!goes_deeper(some, piece, enter_normal, enter_face)) return;
+            enter = 0.0;
+        }
+        if (enter < 0.0 || enter > leave || enter > best.fraction) return;
         // Of pieces met at once the later one counts: the eastern, then the northern, then what was set down.
         if (met && enter == best.fraction && comes_before(piece.bounds_m, number + i, met->bounds_m, best.piece))
             return;

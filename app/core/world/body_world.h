@@ -51,8 +51,9 @@ public:
 
     const Scene& scene() const { return *scene_; }
     // Moves the body from one place towards another and stops at the first solid. A piece that the body already
-    // overlaps at the start is ignored, so that one can always walk out of it. `through_clips`: rays look through what
-    // only stops bodies. `but_placed`: this placed thing is not there.
+    // overlaps at the start lets it out, up and down, and never farther in; one that its middle is in is ignored, so
+    // that one can always walk out of it. So is what a ray starts in. `through_clips`: rays look through what only
+    // stops bodies. `but_placed`: this placed thing is not there.
     TraceHit trace(const Vec3& from_m, const Vec3& to_m, const BodyShape& body, bool through_clips = false,
                    std::int32_t but_placed = kNoPlaced) const;
     // Everything solid on a straight way, in no order; what only stops bodies and what holds either end is left out.

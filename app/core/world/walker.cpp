@@ -11,8 +11,21 @@ namespace {
 constexpr double kGravity_m_per_s2 = 9.81;
 constexpr double kGroundReach_m = 0.02;  // ground nearer than this carries the body
 constexpr double kTerminalSpeed_m_per_s = 50.0;
+constexpr double kLift_m = 0.02;  // a body that is put into something is lifted out by this, as often as
+constexpr int kLifts = 25;
 
 double horizontal_length(const Vec3& v) { return std::sqrt(v.x * v.x + v.y * v.y); }
+
+// A body that is too wide for its place overlaps what is at its sides, and walks out of that. Its middle must not be in
+// the ground as well, or it would fall through: what the middle is in lets it through. So the middle alone is lifted
+// out.
+Vec3 on_top_of_m(const BodyWorld& world, const Vec3& feet_m, double height_m) {
+    const BodyShape middle{0.0, height_m};
+    const Vec3 above = feet_m + Vec3(0.0, 0.0, 2.0 * BodyWorld::kContactGap_m);  // ground at the feet carries it
+    for (int i = 0; i <= kLifts; ++i)
+        if (const Vec3 lifted = above + Vec3(0.0, 0.0, i * kLift_m); !world.blocked(lifted, middle)) return lifted;
+    return above;
+}
 
 }  // namespace
 
@@ -68,9 +81,9 @@ void Walker::place(const Vec3& feet_m) {
     contract_pre(is_finite(feet_m));
     state_ = {};
     state_.feet_m = feet_m;
-    for (double up = 0.0; up <= 0.5 && world_.blocked(state_.feet_m, shape()); up += 0.02)
-        state_.feet_m = feet_m + Vec3(0.0, 0.0, up + 0.02);
-    if (world_.blocked(state_.feet_m, shape())) state_.feet_m = feet_m;
+    for (int i = 1; i <= kLifts && world_.blocked(state_.feet_m, shape()); ++i)
+        state_.feet_m = feet_m + Vec3(0.0, 0.0, i * kLift_m);
+    if (world_.blocked(state_.feet_m, shape())) state_.feet_m = on_top_of_m(world_, feet_m, size_.height_m);
     const TraceHit ground = ground_below(state_.feet_m, size_.step_up_m + 0.5);
     if (ground.hit && ground.normal.z >= kWalkableNormalZ) {
         state_.feet_m = ground.end_m;

@@ -41,7 +41,6 @@ public:
         request_.radius_m = world.radius_m;
         request_.margin_m = margin_m;
         request_.growth_m = 2e-5;
-        request_.ghost_exit_m = 1e-3;
         request_.most_rounds = static_cast<int>(most_rounds);
     }
     TickOutcome tick(const Vec3& goal_m) {

@@ -4,21 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "worlds/base/markup.h"
+
 namespace handrail::bench {
 namespace {
 
 constexpr double kWidth = 960.0, kHeight = 640.0, kLeft = 110.0, kRight = 250.0, kTop = 60.0, kBottom = 80.0;
-
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '&') out += "&amp;";
-        else if (c == '<') out += "&lt;";
-        else if (c == '>') out += "&gt;";
-        else out += c;
-    }
-    return out;
-}
 
 // "1e-9" and such as people write them.
 std::string power(int exponent) {
@@ -91,7 +82,7 @@ std::string svg_of(const Plot& plot) {
 <rect width="{0:g}" height="{1:g}" fill="#fff"/>
 <text x="{4:g}" y="32" font-size="20" font-weight="bold">{2}</text>
 )",
-        kWidth, kHeight, escaped(plot.title), escaped(words), kLeft);
+        kWidth, kHeight, markup_text(plot.title), markup_text(words), kLeft);
     const int x_every = std::max(1, (x.last - x.first + 7) / 8), y_every = std::max(1, (y.last - y.first + 9) / 10);
     for (int p = x.first; p <= x.last; ++p) {
         const double at = x.at(std::pow(10.0, p));
@@ -113,9 +104,9 @@ std::string svg_of(const Plot& plot) {
     out += fmt::format("<path d=\"M{0:g} {1:g}V{2:g}H{3:g}\" fill=\"none\" stroke=\"#000\" stroke-width=\"2\"/>\n",
                        kLeft, kTop, kHeight - kBottom, kWidth - kRight);
     out += fmt::format("<text x=\"{:g}\" y=\"{:g}\" text-anchor=\"middle\">{}</text>\n",
-                       (kLeft + kWidth - kRight) / 2.0, kHeight - 24.0, escaped(plot.x_title));
+                       (kLeft + kWidth - kRight) / 2.0, kHeight - 24.0, markup_text(plot.x_title));
     out += fmt::format("<text transform=\"translate(28 {:g}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
-                       (kTop + kHeight - kBottom) / 2.0, escaped(plot.y_title));
+                       (kTop + kHeight - kBottom) / 2.0, markup_text(plot.y_title));
     double key_y = kTop + 10.0;
     for (std::size_t i = 0; i < plot.series.size(); ++i) {
         const PlotSeries& series = plot.series[i];
@@ -130,7 +121,7 @@ std::string svg_of(const Plot& plot) {
             out += mark(i, x.at(p.x), y.at(p.y)) + "\n";
             if (!p.label.empty())
                 out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"13\">{}</text>\n", x.at(p.x) + 10.0,
-                                   y.at(p.y) - 8.0, escaped(p.label));
+                                   y.at(p.y) - 8.0, markup_text(p.label));
         }
         // The key: names broken into lines of a width that fits.
         out += mark(i, kWidth - kRight + 24.0, key_y) + "\n";
@@ -149,7 +140,7 @@ std::string svg_of(const Plot& plot) {
         lines.push_back(line);
         for (const std::string& one : lines) {
             out += fmt::format("<text x=\"{:g}\" y=\"{:.1f}\">{}</text>\n", kWidth - kRight + 40.0, key_y + 5.0,
-                               escaped(one));
+                               markup_text(one));
             key_y += 20.0;
         }
         key_y += 8.0;

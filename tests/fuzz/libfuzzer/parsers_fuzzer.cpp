@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 
 #include "tests/fuzz/harness.h"
 
@@ -28,9 +29,18 @@ void allow(time_t seconds) {
 }  // namespace
 
 extern "C" int LLVMFuzzerInitialize(int* argument_count, char*** arguments) {
-    if (*argument_count > 1)
+    constexpr const char* kOfParent = "HANDRAIL_FUZZED";
+    const auto choose = [](const char* name) {
         for (const auto& harness : handrail::fuzz::harnesses())
-            if (harness.name == (*arguments)[1]) chosen = &harness;
+            if (name && harness.name == name) chosen = &harness;
+    };
+    // Where libFuzzer starts this program itself, as it does to minimise a corpus, it leaves out the name.
+    choose(std::getenv(kOfParent));
+    if (chosen) {
+        std::signal(SIGPROF, end_as_too_slow);
+        return 0;
+    }
+    if (*argument_count > 1) choose((*arguments)[1]);
     if (!chosen) {
         for (const auto& harness : handrail::fuzz::harnesses())
             std::printf("%.*s\n", static_cast<int>(harness.name.size()), harness.name.data());
@@ -38,6 +48,7 @@ extern "C" int LLVMFuzzerInitialize(int* argument_count, char*** arguments) {
     }
     for (int i = 1; i + 1 < *argument_count; ++i) (*arguments)[i] = (*arguments)[i + 1];
     --*argument_count;
+    setenv(kOfParent, std::string(chosen->name).c_str(), 1);
     std::signal(SIGPROF, end_as_too_slow);
     return 0;
 }

@@ -1,9 +1,11 @@
 #include <fstream>
+#include <regex>
 #include <thread>
 
 #include "tests/support/environment.h"
 #include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"
+#include "worlds/base/spoken_time.h"
 #include "worlds/base/typist.h"
 
 namespace handrail {
@@ -11,6 +13,19 @@ namespace language_test {
 
 void write(const std::filesystem::path& path, std::string_view content) {
     std::ofstream(path, std::ios::binary) << content;
+}
+
+TEST(SpokenTime, is_as_people_write_it) {
+    // At noon in UTC it is this day in nearly all of the world.
+    EXPECT_EQ(day_words("2026-11-02T12:00:00Z"), "2 November 2026");
+    EXPECT_TRUE(std::regex_match(day_and_time_words("2026-11-02T12:00:00Z"), std::regex("2 November 2026, ..:..")))
+        << day_and_time_words("2026-11-02T12:00:00Z");
+    {
+        const test::InLanguage german("de");
+        EXPECT_EQ(day_words("2026-11-02T12:00:00Z"), "2. November 2026");
+        EXPECT_TRUE(day_and_time_words("2026-11-02T12:00:00Z").ends_with(" Uhr"));
+    }
+    for (const char* none : {"", "yesterday", "2026-13-02T12:00:00Z"}) EXPECT_EQ(day_words(none), none);
 }
 
 TEST(Phrase, puts_values_in_and_keeps_to_the_language_spoken) {

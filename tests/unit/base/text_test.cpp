@@ -1,4 +1,5 @@
 #include "worlds/base/text.h"
+#include "worlds/base/markup.h"
 
 namespace handrail {
 namespace text_test {
@@ -47,6 +48,21 @@ TEST(OneLine, leaves_text_and_takes_away_what_no_voice_says_and_what_would_steer
     EXPECT_EQ(one_line("a\xC2\x9Bz"), "a z");  // as a terminal's escape too, in one character
     EXPECT_EQ(one_line("\xFFx\xC3"), "\xEF\xBF\xBDx\xEF\xBF\xBD");
     EXPECT_EQ(one_line(""), "");
+}
+
+// U+202E in a name shows all that follows it backwards, in terminals and on pages.
+TEST(OneLine, and_text_for_pages_have_no_direction_controls) {
+    for (const char* control : {"\u061c", "\u200e", "\u200f", "\u202a", "\u202b", "\u202c", "\u202d", "\u202e",
+                                "\u2066", "\u2067", "\u2068", "\u2069"}) {
+        EXPECT_EQ(one_line(std::string("a") + control + "b" + control), "ab");
+        EXPECT_EQ(markup_text(std::string("a") + control + "<" + control), "a&lt;");
+    }
+    for (const char* kept :
+         {"\u061b", "\u200d", "\u2010", "\u202f", "\u2065", "\u206a", "\u05d0\u05d1", "\xd8", "\xe2\x80"}) {
+        EXPECT_EQ(markup_text(kept), kept);
+        EXPECT_FALSE(begins_with_direction_control(kept));
+    }
+    EXPECT_EQ(one_line("a\u2028b\u2029c"), "a b c");
 }
 
 // Twin: the textbook recursion without any cleverness.

@@ -15,9 +15,9 @@ namespace carried_lines_test {
 
 // A session with lines that are typed into it, each tick as a frame of the program.
 struct Typed {
-    explicit Typed(std::shared_ptr<const Scene> world) {
+    explicit Typed(std::shared_ptr<const Scene> world, bool by_person = false) : lines{app, worlds, say, by_person} {
         arguments.common.data_in = folder.path();
-        app.apply(WorldEntered{make_ready(std::move(world))}, 0.0);
+        if (world) app.apply(WorldEntered{make_ready(std::move(world))}, 0.0);
     }
     void run(double seconds) {
         for (const double until = now + seconds; now < until && !lines.left(); now += 1.0 / 60.0) {
@@ -36,7 +36,7 @@ struct Typed {
     SessionVoice say{clock, [this](std::string text, double) { said += text + "\n"; }};
     Session app{Settings{}, {}};
     WorldVisits worlds{arguments, app, say};
-    CarriedLines lines{app, worlds, say, false};
+    CarriedLines lines;
     double now = 0.0;
 };
 
@@ -65,6 +65,34 @@ TEST(CarriedLines, leave_when_what_was_typed_before_has_been_done) {
     typed.run(20.0);
     EXPECT_TRUE(typed.lines.left());
     EXPECT_NEAR(glm::length(typed.app.feet_m() - begun_m), 2.1, 0.05);
+}
+
+TEST(CarriedLines, of_a_person_leave_while_the_first_world_is_read_and_of_a_script_wait_for_it) {
+    Typed person(nullptr, true), script(nullptr, false);
+    for (Typed* typed : {&person, &script}) {
+        typed->lines.add("quit");
+        typed->run(1.0);
+    }
+    EXPECT_TRUE(person.lines.left());
+    EXPECT_FALSE(script.lines.left());
+    EXPECT_EQ(script.lines.waiting(), 1U);
+}
+
+TEST(CarriedLines, of_a_person_are_done_while_another_world_is_read) {
+    const auto house = read_world(test::bundled_world("house.map"));
+    ASSERT_TRUE(house);
+    for (const bool by_person : {true, false}) {
+        Typed typed(std::make_shared<const Scene>(*house), by_person);
+        typed.run(0.5);
+        const Vec3 begun_m = typed.app.feet_m();
+        // Read until somebody looks whether it is.
+        typed.app.requests().world = test::bundled_world("school.map");
+        typed.worlds.change(typed.now);
+        ASSERT_TRUE(typed.worlds.reading());
+        typed.lines.add("forward 3");
+        typed.run(10.0);
+        EXPECT_EQ(glm::length(typed.app.feet_m() - begun_m) > 1.0, by_person);
+    }
 }
 
 // The house has a room of that name and a thing whose name begins so.

@@ -6,6 +6,10 @@
 #include <clocale>
 #include <sstream>
 
+#include "app/core/kept/side_file.h"
+#include "app/core/kept/world_shelf.h"
+#include "app/main/plain_output.h"
+#include "haptic/drivers/falcon_device.h"
 #include "tests/support/environment.h"
 #include "tests/support/project_root.h"
 #include "tests/support/spoken_language.h"
@@ -15,6 +19,7 @@
 namespace handrail {
 namespace command_line_test {
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 using Words = std::vector<std::string>;
@@ -219,6 +224,106 @@ TEST(CommandLine, says_in_one_sentence_what_is_missing_on_the_disk) {
         const std::string text = err.str();
         EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << testing::PrintToString(words) << text;
     }
+}
+
+TEST(CommandLine, prints_no_control_character_of_a_word_that_it_quotes) {
+    const std::string evil = "ho\x1b]0;title\x07use\n\u202ered";
+    for (const Words& words : {Words{evil},
+                               {"--" + evil},
+                               {"info", "a.map", evil},
+                               {"learner", evil},
+                               {"learner", "show", evil},
+                               {"bench", "--scene", evil},
+                               {"bench", "--map", evil},
+                               {"touch", "a.map", "--path", "b.csv", "--out", "c.csv", "--device", evil},
+                               {"info", evil},
+                               {"check", evil},
+                               {"lesson", evil},
+                               {"replay", evil},
+                               {"export", evil, "--stl", "a.stl"}}) {
+        std::ostringstream out, err;
+        EXPECT_NE(run_command_line(words, out, err), 0) << testing::PrintToString(words);
+        const std::string text = err.str() + out.str();
+        EXPECT_THAT(text, Not(testing::ContainsRegex("[\x01-\x09\x0b-\x1f\x7f]"))) << testing::PrintToString(words);
+        EXPECT_THAT(text, Not(HasSubstr("\u202e"))) << testing::PrintToString(words);
+        EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
+    }
+}
+
+// Names of a world that steer a terminal or turn round what follows them.
+TEST(CommandLine, prints_names_of_worlds_without_what_steers_a_terminal) {
+    const test::TemporaryFolder folder;
+    const test::WithEnvironment cache("XDG_CACHE_HOME", "/dev/null");
+    std::string house = test::content_of(test::bundled_world("house.map"));
+    for (const char* key : {"\"message\" \"", "\"name\" \""})
+        for (std::size_t at = 0; (at = house.find(key, at)) != std::string::npos;) {
+            at += std::string_view(key).size();
+            house.insert(at, "\u202eturned\u2066\x1b[31m ");
+        }
+    const std::string world = folder.write("house.map", house).string(), sheet = (folder.path() / "a.svg").string();
+    for (const Words& words : {Words{"info", world},
+                               {"check", world},
+                               {"info", "--as-words", world},
+                               {"info", "--json", world},
+                               {"check", "--json", world},
+                               {"export", world, "--swell", sheet}}) {
+        std::ostringstream out, err;
+        run_command_line(words, out, err);
+        const std::string text = out.str() + err.str();
+        EXPECT_THAT(text, HasSubstr("turned")) << testing::PrintToString(words) << text;
+        for (const char* steers : {"\u202e", "\u2066", "\x1b"})
+            EXPECT_THAT(text, Not(HasSubstr(steers))) << testing::PrintToString(words);
+    }
+    const std::string page = test::content_of(sheet);
+    EXPECT_THAT(page, Not(HasSubstr("\u202e")));
+    EXPECT_FALSE(page.empty());
+}
+
+TEST(PlainOutput, lets_all_other_text_through_however_it_is_cut) {
+    const std::string text = "T\xC3\xBCr \xe2\x80\x9cx\xe2\x80\x9d \xd8\xa8\t5 \xE2\x82\xAC\n\xe2\x80";
+    for (std::size_t cut = 0; cut <= text.size(); ++cut) {
+        std::ostringstream to;
+        {
+            PlainOutput plain(to);
+            plain << text.substr(0, cut) << text.substr(cut);
+        }
+        EXPECT_EQ(to.str(), text) << cut;
+    }
+    std::ostringstream to;
+    PlainOutput(to) << "a\u202eb\u061cc\x1b[1m\u2069\x07" << 5 << std::flush;
+    EXPECT_EQ(to.str(), "abc[1m5");
+}
+
+// Without a home nothing is looked for, and nothing kept, in the folder the program was started in.
+TEST(CommandLine, looks_for_nothing_in_the_current_folder_if_there_is_no_home) {
+    const test::TemporaryFolder here;
+    for (const char* folder : {"lessons", "learners/aaaaaaaa", "recordings/2026-01-01T00-00-00Z-aaaaaaaa"})
+        std::filesystem::create_directories(here.path() / folder);
+    here.write("lessons/trap.lesson.toml", "handrail_lesson = 1\n");
+    here.write("learners/aaaaaaaa/learner.toml", "name = \"Trap\"\n");
+    here.write("recordings/2026-01-01T00-00-00Z-aaaaaaaa/events.jsonl", "{}\n");
+    const test::WithEnvironment home("HOME", nullptr), data("XDG_DATA_HOME", "relative"),
+        state("XDG_STATE_HOME", "relative"), config("XDG_CONFIG_HOME", nullptr);
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(here.path());
+    for (const Words& words : {Words{"lesson", "trap", "--check"},
+                               {"replay"},
+                               {"learner", "show", "Trap"},
+                               {"learner", "show", "aaaaaaaa"},
+                               {"learner", "delete", "aaaaaaaa", "--yes"},
+                               {"learner", "new", "Finch"}}) {
+        std::ostringstream out, err;
+        EXPECT_NE(run_command_line(words, out, err), 0) << testing::PrintToString(words) << out.str();
+        EXPECT_THAT(err.str(), Not(HasSubstr(".toml, line"))) << "it was read: " << testing::PrintToString(words);
+    }
+    EXPECT_EQ(recent_worlds_path(), "");
+    EXPECT_EQ(user_data_folder("lessons"), "");
+    EXPECT_TRUE(falcon_firmware_folder().is_absolute());
+    std::filesystem::current_path(before);
+    std::vector<std::string> left;
+    for (const auto& entry : std::filesystem::directory_iterator(here.path()))
+        left.push_back(entry.path().filename().string());
+    EXPECT_THAT(left, testing::UnorderedElementsAre("lessons", "learners", "recordings"));
 }
 
 TEST(CommandLine, helps_with_every_command_and_says_its_version) {

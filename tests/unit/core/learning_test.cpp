@@ -145,6 +145,47 @@ TEST(Learning, the_share_of_the_floor_that_was_walked_is_the_truth_within_two_pe
     }
 }
 
+// The nearest stretch of wall that is unknown, by looking at each with each.
+std::optional<Vec3> nearest_unknown_wall(const Learnt& learnt, const Vec3& feet_m) {
+    constexpr double kUnknown_m = 0.45;
+    const std::vector<WallSample>& walls = learnt.place().walls;
+    std::optional<Vec3> nearest;
+    double nearest_m = 1e9;
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        double beside_m = 0.0;
+        for (std::size_t k = 0; k < walls.size() && !learnt.knows_wall(i); ++k)
+            if (!learnt.knows_wall(k) && walls[k].feature == walls[i].feature &&
+                glm::length(walls[k].point_m - walls[i].point_m) < kUnknown_m)
+                beside_m += walls[k].length_m;
+        const double way_m = std::hypot(walls[i].point_m.x - feet_m.x, walls[i].point_m.y - feet_m.y);
+        if (beside_m < kUnknown_m || way_m >= nearest_m) continue;
+        nearest_m = way_m;
+        nearest = walls[i].point_m;
+    }
+    return nearest;
+}
+
+TEST(Learning, a_huge_place_is_seen_in_coarser_cells_and_measures_the_same) {
+    const double wide = 60.0, deep = 40.0;
+    const DoorRoom hall(Vec3(0.0), wide, deep, false);
+    EXPECT_LE(hall.place.free.size(), 400'000U) << "memory and time are those of a large hall";
+    EXPECT_GT(hall.place.cell_m, 0.05);
+    EXPECT_NEAR(hall.place.area_m2(), wide * deep, 0.01 * wide * deep);
+    EXPECT_NEAR(hall.progress().perimeter_m, 2.0 * (wide + deep), 0.02 * 2.0 * (wide + deep));
+    EXPECT_EQ(hall.progress().exits, 1);
+    LearningNotes notes;
+    for (double x = 0.25; x < wide; x += 0.5)
+        for (double y = 0.1; y < deep; y += 0.1) notes.walked({x, y, 0.0});
+    for (double s = 0.0; s <= wide; s += 0.05) notes.touched({s, 0, 1}, {0, 1, 0}, 0.1);
+    for (const Vec3& feet : {Vec3(1.5, 0.5, 0.0), Vec3(55.0, 3.0, 0.0), Vec3(30.0, 30.0, 0.0)}) {
+        const Learnt learnt = hall.learnt(notes);
+        const auto left = nearest_unexplored(learnt, feet);
+        ASSERT_TRUE(left);
+        EXPECT_TRUE(left->wall);
+        EXPECT_EQ(left->point_m, nearest_unknown_wall(learnt, feet));
+    }
+}
+
 TEST(Learning, what_is_not_known_yet_is_found_nearest_first_and_nothing_is_left_at_the_end) {
     const DoorRoom room(Vec3(0.0), 6.0, 4.0);
     LearningNotes notes;

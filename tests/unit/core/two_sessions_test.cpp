@@ -24,6 +24,7 @@ using test::TemporaryFolder;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::UnorderedElementsAre;
 
 SideEntry entry(const std::string& name, double x) {
@@ -38,8 +39,8 @@ std::vector<std::string> names(const std::vector<SideEntry>& entries) {
 
 TEST(SideMerge, keeps_what_either_added_and_drops_what_either_deleted) {
     const std::vector<SideEntry> base{entry("a", 1.0), entry("b", 2.0), entry("c", 3.0)};
-    const MergedEntries merged =
-        merge_entries(base, {base[0], base[2], entry("mine", 4.0)}, {base[0], base[1], entry("theirs", 5.0)});
+    const MergedEntries merged = merge_entries(base, {base[0], base[2], entry("mine", 4.0)},
+                                               {base[0], base[1], entry("theirs", 5.0)}, Alike::OneThing);
     EXPECT_THAT(names(merged.entries), ElementsAre("a", "mine", "theirs"));
     EXPECT_THAT(merged.conflicts, IsEmpty());
     EXPECT_TRUE(merged.differs);
@@ -47,7 +48,8 @@ TEST(SideMerge, keeps_what_either_added_and_drops_what_either_deleted) {
 
 TEST(SideMerge, takes_each_change_that_one_alone_made) {
     const std::vector<SideEntry> base{entry("a", 1.0), entry("b", 2.0)};
-    const MergedEntries merged = merge_entries(base, {entry("A", 1.0), base[1]}, {base[0], entry("b", 2.5)});
+    const MergedEntries merged =
+        merge_entries(base, {entry("A", 1.0), base[1]}, {base[0], entry("b", 2.5)}, Alike::OneThing);
     ASSERT_EQ(merged.entries.size(), 2U);
     EXPECT_TRUE(same(merged.entries[0], entry("A", 1.0)));
     EXPECT_TRUE(same(merged.entries[1], entry("b", 2.5)));
@@ -57,20 +59,20 @@ TEST(SideMerge, takes_each_change_that_one_alone_made) {
 TEST(SideMerge, keeps_both_where_both_changed_the_same_and_tells_the_name) {
     const std::vector<SideEntry> base{entry("a", 1.0), entry("b", 2.0), entry("c", 3.0)};
     const MergedEntries merged = merge_entries(base, {entry("mine", 1.0), entry("b changed", 2.0)},
-                                               {entry("theirs", 1.0), entry("c changed", 3.0)});
+                                               {entry("theirs", 1.0), entry("c changed", 3.0)}, Alike::OneThing);
     EXPECT_THAT(names(merged.entries), UnorderedElementsAre("mine", "theirs", "b changed", "c changed"))
         << "a change counts more than a deletion";
     EXPECT_THAT(merged.conflicts, UnorderedElementsAre("mine", "b changed", "c changed"));
     // The same change by both is no conflict, and the same new entry is one.
     const MergedEntries alike = merge_entries(base, {entry("x", 1.0), base[1], base[2], entry("new", 9.0)},
-                                              {entry("x", 1.0), base[1], base[2], entry("new", 9.0)});
+                                              {entry("x", 1.0), base[1], base[2], entry("new", 9.0)}, Alike::OneThing);
     EXPECT_THAT(names(alike.entries), ElementsAre("x", "b", "c", "new"));
     EXPECT_THAT(alike.conflicts, IsEmpty());
     EXPECT_FALSE(alike.differs);
 }
 
 TEST(SideMerge, tells_of_a_name_that_both_gave_to_something_new) {
-    const MergedEntries merged = merge_entries({}, {entry("Mark 1", 1.0)}, {entry("mark 1", 2.0)});
+    const MergedEntries merged = merge_entries({}, {entry("Mark 1", 1.0)}, {entry("mark 1", 2.0)}, Alike::OneThing);
     EXPECT_EQ(merged.entries.size(), 2U);
     EXPECT_THAT(merged.twice, ElementsAre("mark 1"));
 }
@@ -78,9 +80,26 @@ TEST(SideMerge, tells_of_a_name_that_both_gave_to_something_new) {
 TEST(SideMerge, counts_what_is_no_number_as_unchanged) {
     SideEntry odd = entry("a", std::nan(""));
     odd["near_m"] = std::nan("");
-    const MergedEntries merged = merge_entries({odd, odd}, {odd, odd}, {odd, odd});
+    const MergedEntries merged = merge_entries({odd, odd}, {odd, odd}, {odd, odd}, Alike::OneThing);
     EXPECT_EQ(merged.entries.size(), 2U);
     EXPECT_FALSE(merged.differs);
+}
+
+TEST(SideMerge, takes_alike_marks_of_two_sessions_for_two_that_each_may_change_or_delete) {
+    const SideEntry mark = entry("Mark 1", 1.0);
+    EXPECT_EQ(merge_entries({}, {mark}, {mark}, Alike::OneThing).entries.size(), 1U);
+    EXPECT_EQ(merge_entries({}, {mark}, {mark}, Alike::TwoThings).entries.size(), 2U);
+    const std::vector<SideEntry> base{mark, mark};
+    const auto merged = [&](const std::vector<SideEntry>& here, const std::vector<SideEntry>& other) {
+        MergedEntries all = merge_entries(base, here, other, Alike::TwoThings);
+        EXPECT_THAT(all.conflicts, IsEmpty());
+        return names(all.entries);
+    };
+    EXPECT_THAT(merged({entry("Coat", 1.0), mark}, {mark, entry("Shoes", 1.0)}), UnorderedElementsAre("Coat", "Shoes"));
+    EXPECT_THAT(merged({entry("Coat", 1.0), mark}, {entry("Shoes", 1.0), mark}), UnorderedElementsAre("Coat", "Shoes"));
+    EXPECT_THAT(merged({entry("Coat", 1.0), mark}, {entry("Coat", 1.0), mark}), UnorderedElementsAre("Coat", "Coat"));
+    EXPECT_THAT(merged({mark}, {entry("Shoes", 1.0), mark}), ElementsAre("Shoes"));
+    EXPECT_THAT(merged({entry("Coat", 1.0), mark}, {mark}), ElementsAre("Coat"));
 }
 
 TEST(SideMerge, merges_tables_key_by_key) {
@@ -258,6 +277,37 @@ struct Visitor : test::AppSession {
     }
 };
 
+TEST(Additions, that_cannot_be_saved_are_said_to_be_unsaved_each_time_and_saved_when_they_can_be) {
+    const TemporaryFolder folder;
+    const fs::path world = folder.path() / "first_room.map", link = folder.path() / "first_room.map.handrail.toml";
+    fs::copy_file(test::project_root() / "worlds/maps/first_room.map", world);
+    fs::create_symlink("elsewhere", link);  // what no save writes through, whoever runs the test
+    Visitor visitor(world);
+    EXPECT_THAT(visitor.mark("Coat"), HasSubstr("Not saved yet: Coat"));
+    EXPECT_THAT(visitor.mark("Shoes"), HasSubstr("Not saved yet: Shoes")) << "not only the first time";
+    visitor.ask(Command::DeleteMark);
+    EXPECT_THAT(visitor.line("Coat"), HasSubstr("Not saved yet: Coat deleted"));
+    fs::remove(link);
+    visitor.news();
+    visitor.run(31.0);
+    EXPECT_THAT(visitor.news(), HasSubstr("What you added is saved now."));
+    EXPECT_THAT(names(SideFile::of_world(world, {}).entries("mark")), ElementsAre("Shoes"));
+    EXPECT_THAT(visitor.mark("Hat"), Not(HasSubstr("Not saved")));
+}
+
+TEST(TwoSessions, at_one_spot_name_two_marks_and_hear_of_no_change_of_the_same) {
+    const TemporaryFolder folder;
+    const fs::path world = folder.path() / "first_room.map";
+    fs::copy_file(test::project_root() / "worlds/maps/first_room.map", world);
+    Visitor first(world), second(world);
+    first.ask(Command::DropMark);
+    second.ask(Command::DropMark);
+    EXPECT_THAT(first.line("Coat"), Not(HasSubstr("changed the same")));
+    EXPECT_THAT(second.line("Shoes"), Not(HasSubstr("changed the same")));
+    EXPECT_THAT(names(SideFile::of_world(world, {}).entries("mark")), UnorderedElementsAre("Coat", "Shoes"));
+    EXPECT_THAT(first.news() + second.news(), Not(HasSubstr("changed the same")));
+}
+
 TEST(TwoSessions, both_keep_their_marks_and_a_conflict_is_said) {
     const TemporaryFolder folder;
     const fs::path world = folder.path() / "first_room.map";
@@ -284,7 +334,7 @@ TEST(TwoSessions, both_keep_their_marks_and_a_conflict_is_said) {
     first.line("Coat");
     EXPECT_THAT(first.news(),
                 HasSubstr("Another session changed the same as you did: Jacket. What both wrote is kept."));
-    EXPECT_THAT(first.marks(), testing::AllOf(HasSubstr("Jacket"), testing::Not(HasSubstr("Coat"))));
+    EXPECT_THAT(first.marks(), testing::AllOf(HasSubstr("Jacket"), Not(HasSubstr("Coat"))));
 }
 
 }  // namespace two_sessions_test

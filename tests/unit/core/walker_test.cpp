@@ -147,6 +147,87 @@ TEST(Walker, steps_over_a_threshold_of_2_cm_under_a_lintel_that_leaves_it_3_cm) 
     EXPECT_NEAR(walker.state().feet_m.z, 0.0, 1e-3);
 }
 
+// Between walls that it overlaps nothing held it up: it fell through the floor that it stood on.
+TEST(Walker, stands_on_the_floor_where_it_is_too_wide_for_its_place) {
+    SceneBuilder passage;
+    passage.box({-5, -5, -0.2}, {5, 5, 0});
+    passage.box({-1, 0.5, 0}, {1, 0.7, 2.6});
+    passage.box({-1, -0.7, 0}, {1, -0.5, 2.6});
+    const auto scene = passage.share();
+    const BodyWorld world(scene);
+    for (const double z : {0.0, -0.1}) {
+        Walker walker(world, body_size(*scene, 0.6));
+        walker.place({0, 0, z});
+        EXPECT_TRUE(walker.state().on_ground) << z;
+        walk(walker, {0, 0, 0}, 2.0);
+        EXPECT_NEAR(walker.state().feet_m.z, 0.0, 1e-3) << z;
+        walk(walker, {1, 0, 0}, 3.0);
+        EXPECT_NEAR(walker.state().feet_m.x, 3.0, 0.01) << z;
+        EXPECT_FALSE(world.blocked(walker.state().feet_m, walker.shape())) << z;
+    }
+}
+
+// What a body overlapped was ignored: it walked through the whole wall.
+TEST(Walker, walks_out_of_what_it_overlaps_and_never_farther_in) {
+    SceneBuilder passage;
+    passage.box({-5, -5, -0.2}, {5, 5, 0});
+    const FeatureId wall = passage.box({-3, 0.5, 0}, {3, 0.7, 2.6}, "wall");
+    const auto scene = passage.share();
+    const BodyWorld world(scene);
+    Walker walker(world, body_size(*scene, 0.6));
+    const double gap = 1e-5;
+    for (const double angle : {0.0, 0.5, 1.0, 1.5, -0.5, -1.0, -1.5}) {
+        walker.place({0, 0, 0});
+        const Walked in = walk(walker, forward_of_heading(angle), 1.0);
+        EXPECT_LE(walker.state().feet_m.y, gap) << angle;
+        EXPECT_EQ(in.last_bump, std::abs(angle) < 1.2 ? wall : kNoFeature) << angle;
+    }
+    walker.place({0, 0, 0});
+    walk(walker, {0, -1, 0}, 1.0);
+    EXPECT_NEAR(walker.state().feet_m.y, -1.0, 1e-3);
+    EXPECT_FALSE(world.blocked(walker.state().feet_m, walker.shape()));
+    walk(walker, {0, 1, 0}, 3.0);
+    EXPECT_NEAR(walker.state().feet_m.y, -0.1, 1e-3);
+}
+
+// A crate that comes down at a slant neither lifts nor moves a body that it touches.
+TEST(Walker, stands_where_it_stood_when_something_has_come_to_overlap_it) {
+    SceneBuilder room;
+    room.box({-5, -5, -0.2}, {5, 5, 0});
+    room.ramp({0.15, -0.5, 0.3}, {1.5, 0.5, 1.5});
+    const auto scene = room.share();
+    const BodyWorld world(scene);
+    Walker walker(world, body_size(*scene, 0.25));
+    WalkerState stood;
+    stood.feet_m = {0, 0, 1e-4};
+    stood.on_ground = true;
+    walker.resume(stood);
+    EXPECT_TRUE(world.blocked(walker.state().feet_m, walker.shape()));
+    walk(walker, {0, 0, 0}, 1.0);
+    EXPECT_LT(glm::length(walker.state().feet_m - stood.feet_m), 1e-9);
+    EXPECT_TRUE(walker.state().on_ground);
+    walk(walker, {1, 0, 0}, 1.0);
+    EXPECT_LE(walker.state().feet_m.x, 1e-5);
+    walk(walker, {-1, 0, 0}, 1.0);
+    EXPECT_FALSE(world.blocked(walker.state().feet_m, walker.shape()));
+}
+
+// Nobody is kept in something that was set down around them.
+TEST(Walker, walks_out_of_a_solid_that_its_middle_is_in_either_way) {
+    SceneBuilder room;
+    room.box({-5, -5, -0.2}, {5, 5, 0});
+    room.box({-3, -0.1, 0.001}, {3, 0.1, 2.6});
+    const auto scene = room.share();
+    const BodyWorld world(scene);
+    for (const double sign : {1.0, -1.0}) {
+        Walker walker(world, body_size(*scene, 0.25));
+        walker.place({0, 0.02, 0});
+        walk(walker, {0, sign, 0}, 2.0);
+        EXPECT_FALSE(world.blocked(walker.state().feet_m, walker.shape())) << sign;
+        EXPECT_GT(walker.state().feet_m.y * sign, 0.3) << sign;
+    }
+}
+
 // Whatever one wishes, at any frame rate, the body is never inside a solid.
 TEST(Walker, never_ends_inside_a_solid_in_random_clutter) {
     std::mt19937 random(20);

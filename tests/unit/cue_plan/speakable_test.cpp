@@ -23,6 +23,12 @@ TEST(Speakable, reads_what_is_no_utf8_as_latin1) {
     EXPECT_EQ(speakable("\xed\xa0\x80x"), "í\u00a0 x");  // a surrogate is no character; 80 is a control
 }
 
+TEST(Speakable, has_no_direction_controls_and_no_line_separators) {
+    EXPECT_EQ(speakable("a\u202eb \u2066c\u2069"), "ab c");
+    EXPECT_EQ(speakable("a\u2028b"), "a b");
+    EXPECT_EQ(speakable("\u05d0\u200d\u05d1"), "\u05d0\u200d\u05d1") << "joiners are part of a word";
+}
+
 TEST(Speakable, gives_valid_utf8_for_every_pair_of_bytes) {
     for (int a = 0; a < 256; ++a)
         for (int b = 0; b < 256; ++b) {

@@ -7,6 +7,7 @@
 #include <array>
 #include <atomic>
 #include <condition_variable>
+#include <map>
 #include <mutex>
 #include <thread>
 
@@ -274,6 +275,30 @@ TEST(GuardPermissions, are_what_each_driver_needs) {
         EXPECT_EQ(permissions.device_events, device != "inverse3") << device;
         EXPECT_THAT(permissions.read, Not(Contains(std::filesystem::path(std::getenv("HOME"))))) << device;
         for (const auto& path : permissions.read) EXPECT_NE(path, "/") << device;
+    }
+}
+
+// Keys and addresses of other programs are in a person's environment.
+TEST(GuardedDevice, gives_its_guards_only_the_variables_that_drivers_need) {
+    const std::map<std::string, std::string> hidden{{"SSH_AUTH_SOCK", "/run/agent"},
+                                                    {"DBUS_SESSION_BUS_ADDRESS", "unix:path=/run/bus"},
+                                                    {"GTDD_HOME_OF_MINE", "x"},
+                                                    {"A_TOKEN", "secret"}},
+        kept{{"GTDD_HOME", "/opt/touch"}, {"OH_SDK_BASE", "/opt/haptics"}, {"HANDRAIL_FALCON_FIRMWARE", "/f.bin"}};
+    for (const auto* variables : {&hidden, &kept})
+        for (const auto& [name, value] : *variables) ::setenv(name.c_str(), value.c_str(), 1);
+    GuardedDevice device(*find_device_spec("falcon"), test::built_program("standin_guard"), {"echo"});
+    const auto opened = device.open();
+    for (const auto* variables : {&hidden, &kept})
+        for (const auto& [name, value] : *variables) ::unsetenv(name.c_str());
+    ASSERT_TRUE(opened) << opened.error().message;
+    for (const pid_t guard : {device.guard_process(), device.relief_process()}) {
+        const std::string environment = std::string(1, '\0') + test::content_of(fmt::format("/proc/{}/environ", guard));
+        const auto has = [&](const std::string& name, const std::string& value) {
+            return environment.find(fmt::format("{}{}={}{}", '\0', name, value, '\0')) != std::string::npos;
+        };
+        for (const auto& [name, value] : hidden) EXPECT_FALSE(has(name, value)) << name;
+        for (const auto& [name, value] : kept) EXPECT_TRUE(has(name, value)) << name;
     }
 }
 

@@ -28,7 +28,7 @@ struct Reliever : test::GuardEnds {
     HandMailbox mailbox;
     int guard = ::eventfd(0, EFD_NONBLOCK);  // as a process descriptor: readable when it has ended
     std::atomic<int> zeroed{0}, killed{0}, status{-1};
-    std::atomic<bool> refuse{false}, dies_when_killed{true}, held_by_two{false};
+    std::atomic<bool> refuse{false}, slow{false}, dies_when_killed{true}, held_by_two{false};
     std::atomic<bool> ended{false};
     std::thread thread;
 
@@ -39,6 +39,7 @@ struct Reliever : test::GuardEnds {
                 [this]() -> Result<void> {
                     if (!ended) held_by_two = true;
                     ++zeroed;
+                    while (slow) std::this_thread::sleep_for(1ms);
                     return refuse ? fail("It is not plugged in.") : Result<void>{};
                 },
                 [this] {
@@ -114,6 +115,24 @@ TEST(ReliefGuard, tells_that_the_device_may_push_and_tries_on) {
     EXPECT_TRUE(relief.comes_to(ReliefState::Zero)) << "it was plugged in again";
 }
 
+TEST(ReliefGuard, beats_while_it_looks_and_while_a_driver_takes_its_time_over_the_zero) {
+    Reliever relief;
+    const auto beats_on = [&] {
+        const std::uint32_t before = relief.mailbox.relief_beats;
+        for (int i = 0; i < 20000 && relief.mailbox.relief_beats < before + 3; ++i) std::this_thread::sleep_for(1ms);
+        return relief.mailbox.relief_beats >= before + 3;
+    };
+    EXPECT_TRUE(beats_on());
+    relief.slow = true;
+    relief.mailbox.holds = true;
+    relief.end_guard();
+    ASSERT_TRUE(relief.comes_to(ReliefState::Zeroing));
+    EXPECT_TRUE(beats_on());
+    EXPECT_EQ(relief.mailbox.relief, ReliefState::Zeroing);
+    relief.slow = false;
+    EXPECT_TRUE(relief.comes_to(ReliefState::Zero));
+}
+
 TEST(GuardedDevice, is_said_to_push_until_the_second_guard_has_its_zero) {
     for (const int signal : {SIGKILL, SIGSTOP}) {
         GuardedDevice device(*find_device_spec("falcon"), test::built_program("standin_guard"), {"echo"});
@@ -157,6 +176,67 @@ TEST(GuardedDevice, gets_a_new_second_guard_for_one_that_died) {
     ::kill(device.guard_process(), SIGKILL);
     EXPECT_TRUE(tick_until(
         device, [](const DeviceSample& sample) { return !sample.connected && sample.loss == DeviceLoss::ForceOff; }));
+}
+
+// `device` never has its news taken: whatever the app is busy with, the guards are watched.
+bool gets_another_second_guard(const GuardedDevice& device, pid_t than) {
+    for (int i = 0; i < 20000 && device.relief_process() == than; ++i) std::this_thread::sleep_for(1ms);
+    return device.relief_process() != than;
+}
+
+TEST(GuardedDevice, gets_a_new_second_guard_for_one_that_stands_still) {
+    GuardedDevice device(*find_device_spec("falcon"), test::built_program("standin_guard"), {"echo"});
+    ASSERT_TRUE(device.open());
+    ASSERT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh; }));
+    const pid_t frozen = device.relief_process();
+    ::kill(frozen, SIGSTOP);
+    ASSERT_TRUE(gets_another_second_guard(device, frozen));
+    EXPECT_NE(::kill(frozen, 0), 0) << "the frozen one was ended, so it can never open the device beside the other";
+    EXPECT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh; })) << "the hand goes on";
+    ::kill(device.guard_process(), SIGKILL);
+    EXPECT_TRUE(tick_until(
+        device, [](const DeviceSample& sample) { return !sample.connected && sample.loss == DeviceLoss::ForceOff; }));
+}
+
+TEST(GuardedDevice, leaves_no_force_behind_when_the_second_guard_is_frozen_and_the_first_one_fails) {
+    for (const int signal : {SIGKILL, SIGSTOP}) {
+        for (const bool leaves : {false, true}) {
+            GuardedDevice device(*find_device_spec("falcon"), test::built_program("standin_guard"), {"echo"});
+            ASSERT_TRUE(device.open());
+            ASSERT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh; }));
+            ::kill(device.relief_process(), SIGSTOP);
+            ::kill(device.guard_process(), signal);
+            if (!leaves) {
+                EXPECT_TRUE(tick_until(device, [](const DeviceSample& sample) {
+                    return !sample.connected && sample.loss == DeviceLoss::ForceOff;
+                })) << signal;
+            }
+            device.close();
+            EXPECT_FALSE(device.may_push()) << signal << ", left at once: " << leaves;
+        }
+    }
+}
+
+TEST(GuardedDevice, says_that_it_may_push_when_no_second_guard_can_be_had_any_more) {
+    GuardedDevice device(*find_device_spec("falcon"), test::built_program("standin_guard"), {"echo"});
+    ASSERT_TRUE(device.open());
+    ASSERT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh; }));
+    for (int i = 0; i < GuardedDevice::kMostReliefs; ++i) {
+        const pid_t killed = device.relief_process();
+        ::kill(killed, SIGKILL);
+        ASSERT_TRUE(gets_another_second_guard(device, killed));
+    }
+    ::kill(device.relief_process(), SIGKILL);
+    ::kill(device.guard_process(), SIGKILL);
+    const auto warns = [&] {
+        const auto news = device.take_news();
+        return std::any_of(news.begin(), news.end(), [](const std::string& sentence) {
+            return sentence.find("switch the Falcon off") != std::string::npos;
+        });
+    };
+    bool warned = false;
+    for (int i = 0; i < 20000 && !(warned = warns()); ++i) std::this_thread::sleep_for(1ms);
+    EXPECT_TRUE(warned);
 }
 
 TEST(GuardProcess, refuses_a_mailbox_that_could_be_cut_off_below_it) {

@@ -429,6 +429,46 @@ TEST(HandBodies, gives_the_same_bits_in_two_runs) {
     EXPECT_EQ(play(), play());
 }
 
+// The same hand twice: one of the two looks at every body on every tick.
+TEST(HandBodies, looks_only_at_what_moves_and_shows_the_same_as_if_it_looked_at_all) {
+    BodyWorldMaker world;
+    world.floor();
+    for (int i = 0; i < 24; ++i) world.body(i % 2 ? ball_of(0.1) : box_of(0.1), Vec3(0.3 * i, 0.0, 0.1), nature(1));
+    HandSetup setup;
+    const auto moves = world.moves();
+    const auto felt = world.felt();
+    Dynamics engine(moves);
+    Hand hand(0, felt, *moves, setup), twin(0, felt, *moves, setup);
+    DynamicsFrame frame;
+    std::vector<BodyEvent> events;
+    engine.step(frame, events);
+    std::size_t most = 0, least = 24;
+    for (int i = 0; i < 12000; ++i) {
+        const double now_s = Dynamics::kStep_s + 1e-3 * i;
+        // Comes near the first ones, holds one of them for a while, and leaves.
+        const Vec3 goal = Vec3(-0.6 + 0.25e-3 * std::min(i, 6000), 0.02, 0.12 + (i > 7000 ? 1.0 : 0.0)) / setup.scale;
+        for (Hand* each : {&hand, &twin}) {
+            each->want_grip = i % 3000 > 2500;
+            if (i % 50 != 7) each->hear(frame);  // and sometimes it misses one
+        }
+        twin.bodies().show_all();
+        hand.tick(goal, now_s, 1e-3);
+        twin.tick(goal, now_s, 1e-3);
+        ASSERT_EQ(hand.poses(), twin.poses()) << i;
+        ASSERT_EQ(hand.force_n, twin.force_n) << i;
+        most = std::max(most, hand.bodies().lively());
+        least = std::min(least, hand.bodies().lively());
+        hand.send_to(engine);
+        for (HandPush push; twin.pushes.pop(push);) {
+        }
+        if (i == 9000) engine.restart();
+        while (engine.time_s() + Dynamics::kStep_s <= now_s + 1e-3) engine.step(frame, events);
+        events.clear();
+    }
+    EXPECT_GT(most, 0U);
+    EXPECT_EQ(least, 0U) << "whatever rests costs a tick nothing";
+}
+
 TEST(HandBodies, lets_a_body_stand_when_the_engine_is_silent_and_go_on_when_it_speaks_again) {
     BodyWorldMaker world;
     world.floor();

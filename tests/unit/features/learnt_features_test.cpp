@@ -55,6 +55,7 @@ struct Session : test::PlainSession {
         context.asks.save_additions = [this](double) {
             const auto saved = additions.save();
             EXPECT_TRUE(saved) << saved.error().sentence();
+            return saved.has_value();
         };
     }
     void go(const Vec3& to_m) {

@@ -30,7 +30,10 @@ std::shared_ptr<const Scene> yard() {
 
 struct Place : test::PlainSession {
     Place() : PlainSession(yard()) {
-        context.asks.save_additions = [this](double) { ++saved; };
+        context.asks.save_additions = [this](double) {
+            ++saved;
+            return saves;
+        };
         rooms.enter_world(as_read);
     }
     // What is said to a line that is typed, or to an item of the open list by its name.
@@ -45,6 +48,7 @@ struct Place : test::PlainSession {
         return names;
     }
     int saved = 0;
+    bool saves = true;
     Rooms rooms{context};
 };
 
@@ -77,6 +81,17 @@ TEST(MarkListFeature, sets_names_and_deletes_marks_and_keeps_each_change) {
     EXPECT_TRUE(m.marks.act(Command::DeleteMark, 3.0));
     EXPECT_FALSE(m.lists.dialogue.is_open()) << "there is none to be deleted";
     EXPECT_FALSE(m.marks.act(Command::Find, 4.0)) << "another's command";
+}
+
+TEST(MarkListFeature, says_of_each_mark_that_is_not_on_the_disk_that_it_is_not_saved) {
+    Marker m;
+    m.saves = false;
+    EXPECT_TRUE(m.marks.act(Command::DropMark, 1.0));
+    (void)m.said();
+    EXPECT_THAT(m.line("My place"), ElementsAre("Not saved yet: My place"));
+    EXPECT_TRUE(m.marks.act(Command::DeleteMark, 2.0));
+    (void)m.said();
+    EXPECT_THAT(m.line("enter"), ElementsAre("Not saved yet: My place deleted"));
 }
 
 TEST(MarkListFeature, sets_a_mark_where_the_hand_is_when_its_button_goes_down) {
@@ -224,6 +239,19 @@ TEST(KeptWaysFeature, keep_what_was_walked_under_a_name_of_its_own) {
     EXPECT_THAT(read_ways(k.additions, faults), IsEmpty());
     EXPECT_EQ(k.saved, 3);
     EXPECT_FALSE(k.ways.act(Command::Routes, 3.0)) << "another's command";
+}
+
+TEST(KeptWaysFeature, are_called_kept_only_if_they_are_on_the_disk) {
+    Keeper k;
+    k.keep("To the east");
+    k.saves = false;
+    for (const char* name : {"Another name", "East"}) {
+        k.choose(name == std::string("East") ? "Another name" : "To the east");
+        (void)k.line("Another name");
+        EXPECT_THAT(k.line(name), ElementsAre("Not saved yet: " + std::string(name)));
+    }
+    k.choose("East");
+    EXPECT_THAT(k.line("Delete it"), ElementsAre("Not saved yet: Way East deleted"));
 }
 
 TEST(KeptWaysFeature, hand_their_stops_to_whoever_goes_along_them) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "app/core/walking/paces.h"
 #include "app/core/walking/walking.h"
 #include "tests/support/box_scene.h"
 #include "tests/unit/features/plain_session.h"
@@ -62,6 +63,18 @@ struct OnFoot {
 int count_of(const std::vector<CueRequest>& cues, CueRequestKind kind) {
     return static_cast<int>(
         std::count_if(cues.begin(), cues.end(), [kind](const CueRequest& cue) { return cue.kind == kind; }));
+}
+
+// At the verbosity that leaves materials out it read past the end of the world's features.
+TEST(WalkingFeature, calls_what_has_no_name_of_its_own_a_wall_at_every_verbosity) {
+    OnFoot one;
+    for (const FeatureId nameless : {kNoFeature, FeatureId{1000}})
+        for (int verbosity = 1; verbosity <= 4; ++verbosity) {
+            one.plain.person.settings.speech.verbosity = verbosity;
+            TraceHit met;
+            met.feature = nameless;
+            EXPECT_THAT(met_words(one.plain.context, met, 0.0), HasSubstr("wall"));
+        }
 }
 
 TEST(WalkingFeature, goes_a_step_for_a_tap_and_hears_it) {
@@ -255,7 +268,7 @@ TEST(ByEarFeature, is_not_put_back_into_what_stands_there) {
     const Vec3 gate_m{4.1, 0.0, 0.0};
     one.walking.set_down(gate_m, 0.0);
     ASSERT_TRUE(one.plain.world.solids->blocked(one.feet_m(), one.plain.body.walker->shape()));
-    one.tap(Command::LeapNext);
+    one.tap(Command::Home);
     ASSERT_FALSE(one.plain.world.solids->blocked(one.feet_m(), one.plain.body.walker->shape()));
     (void)one.plain.said();
     const Vec3 free_m = one.feet_m();

@@ -464,6 +464,29 @@ TEST(Wayfinding, tells_of_stops_that_are_passed_and_of_the_end_as_facts) {
     EXPECT_THAT(facts(plain), IsEmpty()) << "once";
 }
 
+// Lessons lead to one stop, which is nearer than what counts as passed.
+TEST(Wayfinding, leads_to_the_only_stop_of_a_way_however_near_it_is) {
+    for (const double away_m : {0.0, 0.2, 1.0, 1.4}) {
+        Guided plain;
+        ASSERT_TRUE(plain.rooms.known());
+        plain.guide.go_along({stop("Gate", {away_m, 0.0, 0.0})}, false, 0.0);
+        EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("Gate"))) << away_m;
+        EXPECT_THAT(facts(plain), ElementsAre("led Gate by 2")) << away_m;
+        plain.guide.follow(0.1);
+        plain.walk();
+        EXPECT_THAT(facts(plain), ElementsAre("arrived Gate by 2")) << away_m;
+
+        Guided held;
+        held.give_hand({0.0, 0.0, 1.0});
+        held.guide.go_along({stop("Gate", {away_m, 0.0, 0.0})}, true, 0.0);
+        EXPECT_THAT(facts(held), ElementsAre("led Gate by 0")) << away_m;
+        held.guide.lead(1.1);
+        held.felt(held.guide.path(), GuidancePhase::Arrived);
+        held.guide.lead(1.2);
+        EXPECT_THAT(facts(held), ElementsAre("arrived Gate by 0")) << away_m;
+    }
+}
+
 TEST(Wayfinding, tells_of_a_way_that_was_left_as_a_fact) {
     Guided plain;
     ASSERT_TRUE(plain.rooms.known());

@@ -149,7 +149,8 @@ TEST(MapBodies, of_five_thousand_the_first_are_free_and_the_rest_stay) {
     EXPECT_EQ(reading.scene.bodies.size(), FreeBody::kMost);
     EXPECT_THAT(reading.said,
                 ElementsAre(testing::AllOf(HasSubstr("test.map, line "),
-                                           HasSubstr("more than 128 things are free to move: 4,872 more from here on."),
+                                           HasSubstr("more than 2,048 things are free to move: 2,952 more "
+                                                     "from here on."),
                                            HasSubstr("They stay where they are."))));
 }
 

@@ -51,6 +51,21 @@ TEST(MapEdgeCases, all_line_endings_tabs_and_a_byte_order_mark_count_lines_right
     EXPECT_EQ(no_newline.scene.report.warnings_in_all, 1);
 }
 
+// Cutting takes the square of the number of faces: 12,000 of one brush held up the program's end for 18 s.
+TEST(MapEdgeCases, a_brush_of_more_than_a_thousand_faces_is_left_out_and_said) {
+    const auto with_faces = [](int count) {
+        std::string brush = kOther.substr(0, kOther.rfind('}'));
+        for (int face = 6; face < count; ++face)
+            brush += fmt::format("( {0} 0 0 ) ( {0} 0 1 ) ( {0} 1 0 ) wall 0 0 0 1 1\n", 300 + face);
+        return brush + "}\n";
+    };
+    const Reading most = read(entity("worldspawn", {}, kCube + with_faces(1000)));
+    EXPECT_EQ(most.scene.solids.size(), 2U);
+    const Reading more = read(entity("worldspawn", {}, kCube + with_faces(1001)));
+    EXPECT_EQ(more.scene.solids.size(), 1U);
+    EXPECT_THAT(more.said, ElementsAre(HasSubstr("this brush has more than 1000 faces. It was left out.")));
+}
+
 TEST(MapEdgeCases, textures_may_have_any_name_up_to_white_space_or_in_quotes) {
     for (const std::string texture : {"{grille", "}odd", "*a", "+0slip", "#x", "a;b", "(paren", "!b", "a/b/c", "128",
                                       "__TB_empty", "//x", "\"with blanks\"", "\"say \\\"x\\\" y\"", "a)b", "[x"}) {

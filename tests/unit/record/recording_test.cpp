@@ -7,6 +7,7 @@
 #include "app/record/gzip_pieces.h"
 #include "app/record/input_text.h"
 #include "app/record/recording.h"
+#include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/base/files.h"
 #include "worlds/base/text.h"
@@ -214,6 +215,19 @@ TEST(Recording, of_another_kind_or_of_a_newer_form_is_refused_with_file_and_line
         EXPECT_EQ(read.error().sentence(),
                   "events.jsonl, line 1: A recording begins with a line that says what it is. This is another file.");
     }
+    // Converting a number that fits in no whole number is undefined behaviour, and so refused before.
+    std::string head = test::content_of(test::project_root() / "tests/fuzz/inputs/recording/seeds/events.jsonl");
+    ASSERT_TRUE(read_events(head, "events.jsonl"));
+    for (const char* form : {"19223372036854775807", "-19223372036854775807", "4294967297", "1e300", "1.5"}) {
+        std::string odd = head;
+        odd.replace(odd.find("\"form\":1") + 7, 1, form);
+        EXPECT_FALSE(read_events(odd, "events.jsonl")) << form;
+    }
+    for (const char* line : {R"({"t":1,"is":"stops","count":1e30,"frame":0,"now_s":1})",
+                             R"({"t":1,"is":"stops","count":-1,"frame":0,"now_s":1})",
+                             R"({"t":1,"is":"stops","count":1,"frame":1e300,"now_s":1})"})
+        EXPECT_FALSE(read_input_line(line)) << line;
+    EXPECT_TRUE(read_input_line(R"({"t":1,"is":"stops","count":1,"frame":0,"now_s":1})"));
     const auto newer = read_events("{\"is\":\"recording\",\"form\":3}\n", "events.jsonl");
     ASSERT_FALSE(newer);
     EXPECT_NE(newer.error().message.find("newer version"), std::string::npos);

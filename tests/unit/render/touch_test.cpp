@@ -199,17 +199,65 @@ TEST(TouchTick, makes_ghosts_of_all_solids_around_the_start_until_the_hand_has_l
     TouchResult r = hold(state, *scene, tuning, {0, 0, -0.1}, 10);  // in both
     EXPECT_TRUE(r.contacts.ghosted);
     EXPECT_EQ(r.force_n, Vec3(0.0));
-    for (double z = -0.1; z < 0.3059; z += 5e-4) {
+    for (double z = -0.1; z < 0.3048; z += 5e-4) {
         r = touch_tick(state, *scene, tuning, {0, 0, z}, kTick_s);
         EXPECT_EQ(r.force_n, Vec3(0.0));
         EXPECT_EQ(r.proxy_m, Vec3(0, 0, z));
         EXPECT_TRUE(r.contacts.ghosted);
     }
-    for (double z = 0.3062; z < 0.32; z += 5e-4) r = touch_tick(state, *scene, tuning, {0, 0, z}, kTick_s);
+    for (double z = 0.3052; z < 0.32; z += 5e-4) r = touch_tick(state, *scene, tuning, {0, 0, z}, kTick_s);
     EXPECT_FALSE(r.contacts.ghosted);
     for (double z = 0.32; z > 0.29; z -= 5e-4) r = touch_tick(state, *scene, tuning, {0, 0, z}, kTick_s);
     EXPECT_GT(r.force_n.z, 0.0);
     EXPECT_EQ(r.contacts.contacts[0].feature, kWall);
+}
+
+// A solid that the hand started in let it back in for as long as the hand was out by less than 1 mm.
+TEST(TouchTick, never_comes_back_into_a_solid_that_all_of_the_ball_has_left) {
+    HapticSceneBuilder builder;
+    builder.add_box({{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.3}}, SurfaceLabel{kWall});
+    const auto scene = builder.build();
+    TouchState state;
+    TouchTuning tuning;
+    TouchResult r = hold(state, *scene, tuning, {0, 0, 0.29}, 10);
+    EXPECT_TRUE(r.contacts.ghosted);
+    const double out = 0.3 + tuning.radius_m + 2e-4;
+    for (double z = 0.29; z < out; z += 5e-5) r = touch_tick(state, *scene, tuning, {0, 0, z}, kTick_s);
+    EXPECT_EQ(r.force_n, Vec3(0.0));
+    double before_n = 0.0;
+    for (double z = out; z > 0.2; z -= 5e-5) {
+        r = touch_tick(state, *scene, tuning, {0, 0, z}, kTick_s);
+        ASSERT_GE(r.proxy_m.z, 0.3 + tuning.radius_m - 1e-9) << z;
+        ASSERT_LE(r.force_n.z - before_n, 0.0401) << z;  // 50 um at 0.8 kN/m: it comes in without a step
+        before_n = r.force_n.z;
+    }
+    EXPECT_EQ(r.contacts.contacts[0].feature, kWall);
+}
+
+// A ramp lifts the ball out of the solid, and the hand stays below its top all the time.
+TEST(TouchTick, never_comes_back_into_a_solid_that_the_ball_has_left_and_the_hand_has_not) {
+    HapticSceneBuilder builder;
+    builder.add_box({{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.3}}, SurfaceLabel{kFloor});
+    const std::vector<Vec3> ramp{{-0.1, -0.5, 0.39}, {0.1, -0.5, 0.19}, {0.1, 0.5, 0.19}, {-0.1, 0.5, 0.39}};
+    builder.add_polygon(ramp, SurfaceLabel{kWall});
+    const auto scene = builder.build();
+    TouchState state;
+    TouchTuning tuning;
+    TouchResult r = hold(state, *scene, tuning, {0.03, 0, 0.297}, 10);
+    EXPECT_TRUE(r.contacts.ghosted);
+    Vec3 before_n = r.force_n;
+    bool out = false;
+    for (int i = 0; i < 1200; ++i) {
+        const double x = 0.03 - 1e-4 * (i < 600 ? i : 1200 - i);
+        r = touch_tick(state, *scene, tuning, {x, 0, 0.297}, kTick_s);
+        ASSERT_LE(glm::length(r.force_n - before_n), 0.17) << i;  // 0.1 mm at 0.8 kN/m, in a wedge of 45 degrees
+        before_n = r.force_n;
+        out = out || r.proxy_m.z > 0.3 + tuning.radius_m;
+        if (out) ASSERT_GE(r.proxy_m.z, 0.3 + tuning.radius_m - 1e-9) << i;
+    }
+    EXPECT_TRUE(out);
+    EXPECT_FALSE(r.contacts.ghosted);
+    EXPECT_EQ(r.contacts.contacts[0].feature, kFloor);
 }
 
 TEST(TouchTick, starts_small_in_a_tight_place_and_grows_without_a_jump) {  // T20

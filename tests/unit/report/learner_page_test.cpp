@@ -33,9 +33,9 @@ std::vector<SessionReport> three_sessions() {
         report.strategies = {{"perimeter", 60.0}, {"grid", 20.0}};
         return report;
     };
-    std::vector<SessionReport> reports = {session("2026-11-22T17:30:00Z", 600.0, 2.1, 2.0, 5.0),
-                                          session("2026-11-24T17:30:00Z", 540.0, 1.4, 0.0, 1.0),
-                                          session("2026-11-30T17:30:00Z", 480.0, 1.1, 0.0, 0.0)};
+    std::vector<SessionReport> reports = {session("2026-11-22T12:00:00Z", 600.0, 2.1, 2.0, 5.0),
+                                          session("2026-11-24T12:00:00Z", 540.0, 1.4, 0.0, 1.0),
+                                          session("2026-11-30T12:00:00Z", 480.0, 1.1, 0.0, 0.0)};
     reports[1].tasks.push_back({ReportTaskKind::Go, "Gym", false, {{"time", 30.0}}});
     return reports;
 }
@@ -82,10 +82,10 @@ TEST(LearnerPage, is_read_in_its_order) {
     std::size_t at = 0;
     for (const char* line :
          {"h1: Report: Blue Heron <b>", "h2: In short", "li: There were 3 sessions", "h2: From time to time",
-          "caption: Going to Library", "th: Session 1, 2026-11-22", "td: 2.10", "th: Session 3, 2026-11-30", "td: 1.10",
-          "caption: Going to Gym", "td: not measured", "h2: How you went", "th: Along the walls", "td: 75 percent",
-          "h2: Sessions", "td: School", "h2: Session 1, 2026-11-22", "li: You got to Library.",
-          "h2: Session 3, 2026-11-30"}) {
+          "caption: Going to Library", "th: Session 1, 22 November 2026", "td: 2.10", "th: Session 3, 30 November 2026",
+          "td: 1.10", "caption: Going to Gym", "td: not measured", "h2: How you went", "th: Along the walls",
+          "td: 75 percent", "h2: Sessions", "td: School", "h2: Session 1, 22 November 2026", "li: You got to Library.",
+          "h2: Session 3, 30 November 2026"}) {
         const std::size_t found = text.find(line, at);
         ASSERT_NE(found, std::string::npos) << line << " is not after what comes before it in\n" << text;
         at = found;

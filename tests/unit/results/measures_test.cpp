@@ -59,8 +59,17 @@ TEST(Hesitations, are_pauses_of_over_two_seconds_but_for_those_that_have_a_reaso
     EXPECT_NEAR(all.sum_s, 8.0, 0.5);
     const Span reading{third_s + 1.0, third_s + 2.0};
     const Hesitations without = hesitations(walk, std::span(&reading, 1));
-    EXPECT_EQ(without.count, 1);
-    EXPECT_NEAR(without.sum_s, 3.0, 0.3);
+    EXPECT_EQ(without.count, 2);
+    EXPECT_NEAR(without.sum_s, 7.0, 0.5);
+    const Span long_answer{third_s, third_s + 3.5};
+    EXPECT_EQ(hesitations(walk, std::span(&long_answer, 1)).count, 1);
+}
+
+TEST(FreeTime, is_what_no_busy_time_covers) {
+    const std::vector<Span> busy{{6.0, 8.0}, {-1.0, 1.0}, {2.0, 4.0}, {3.0, 3.5}, {9.5, 20.0}};
+    EXPECT_DOUBLE_EQ(free_s({0.0, 10.0}, busy), 1.0 + 2.0 + 1.5);
+    EXPECT_DOUBLE_EQ(free_s({0.0, 10.0}, {}), 10.0);
+    EXPECT_DOUBLE_EQ(free_s({2.5, 3.0}, busy), 0.0);
 }
 
 TEST(ContactEpisodes, join_touches_of_one_thing_within_two_seconds) {

@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <functional>
@@ -16,6 +17,8 @@
 #include "app/core/kept/last_place.h"
 #include "app/core/kept/side_file.h"
 #include "app/core/kept/world_shelf.h"
+#include "app/learners/learners.h"
+#include "app/record/recorder.h"
 #include "settings/settings.h"
 #include "tests/support/project_root.h"
 #include "tests/support/scale.h"
@@ -303,6 +306,103 @@ TEST(SaveFaults, what_memory_did_not_suffice_for_is_saved_the_next_time) {
     EXPECT_FALSE(expect_whole(kept, home, before, after));
     EXPECT_TRUE(save());
     EXPECT_TRUE(expect_whole(kept, home, before, after));
+}
+
+// The folders of learners or of recordings that are there, however empty.
+std::vector<std::string> folders_in(const fs::path& folder) {
+    std::vector<std::string> names;
+    std::error_code ec;
+    for (const auto& entry : fs::directory_iterator(folder, ec))
+        if (entry.is_directory()) names.push_back(entry.path().filename().string());
+    return names;
+}
+
+bool makes_learner(const fs::path& folder) { return Learners(folder).make("Rook", "# none yet\n").has_value(); }
+
+bool begins_recording(const fs::path& folder) {
+    const auto begun = Recorder::begin(folder / "recordings", {});
+    if (begun) (*begun)->end(0.0);
+    return begun.has_value();
+}
+
+// What is begun in a folder of its own: that folder is whole, or is not there.
+struct Begun {
+    const char* name;
+    const char* folders;  // where those folders are
+    bool (*begin)(const fs::path& folder);
+};
+constexpr std::array kAllBegun{Begun{"a learner", "learners", makes_learner},
+                               Begun{"a recording", "recordings", begins_recording}};
+
+TEST(SaveFaults, what_has_a_folder_of_its_own_leaves_no_empty_one_on_a_disk_that_fails) {
+    for (const Begun& one : kAllBegun)
+        for (const WriteFault fault : {WriteFault::Error, WriteFault::ShortThenError}) {
+            long step = 0;
+            for (bool struck = true; struck; ++step) {
+                ASSERT_LT(step, 100);
+                const TemporaryFolder folder;
+                bool worked = false;
+                {
+                    const BrokenDisk broken(fault, step, ENOSPC);
+                    worked = one.begin(folder.path());
+                    struck = BrokenDisk::struck();
+                }
+                EXPECT_EQ(folders_in(folder.path() / one.folders).size(), worked ? 1U : 0U)
+                    << one.name << " at step " << step;
+                EXPECT_TRUE(Learners(folder.path()).all().faults.empty()) << one.name << " at step " << step;
+                EXPECT_TRUE(worked || one.begin(folder.path())) << one.name << ": the next time it works";
+            }
+            EXPECT_GT(step, 1) << one.name;
+        }
+}
+
+TEST(SaveFaults, what_has_a_folder_of_its_own_leaves_no_empty_one_if_an_allocation_fails) {
+    for (const Begun& one : kAllBegun) {
+        int ends[4] = {};
+        long step = 0;
+        for (bool struck = true; struck; step = next_step(step)) {
+            const TemporaryFolder folder;
+            const End end = in_child([&] { return one.begin(folder.path()); }, step, false, struck);
+            ++ends[static_cast<int>(end)];
+            // A child that died could put nothing away.
+            if (end != End::Died)
+                EXPECT_EQ(folders_in(folder.path() / one.folders).size(), end == End::Worked ? 1U : 0U)
+                    << one.name << ", allocation " << step;
+        }
+        std::cout << "    " << one.name << ": worked " << ends[0] << ", told " << ends[1] << ", bad_alloc " << ends[2]
+                  << ", died " << ends[3] << "\n";
+        EXPECT_GT(ends[2], 3) << one.name;
+    }
+}
+
+// A consent that was given or withdrawn is in the file, or the caller is told that it is not.
+TEST(SaveFaults, learner_who_is_changed_is_the_old_one_or_the_new_one) {
+    const TemporaryFolder folder;
+    const Learners learners(folder.path());
+    const auto made = learners.make("Rook", "");
+    ASSERT_TRUE(made) << made.error().sentence();
+    const auto give = [&](const std::string& until) {
+        return learners.change(made->id, [&](Learner& one) {
+            one.consent(kPurposes[0]) = Consent{"2026-11-01", "Ann", until};
+        });
+    };
+    ASSERT_TRUE(give("2027-01-01"));
+    const auto until = [&] { return learners.find("Rook")->consent(kPurposes[0])->until; };
+    for (const WriteFault fault : {WriteFault::Error, WriteFault::ShortThenError}) {
+        long step = 0;
+        for (bool struck = true; struck; ++step) {
+            ASSERT_LT(step, 100);
+            bool worked = false;
+            {
+                const BrokenDisk broken(fault, step, EIO);
+                worked = give("2028-02-02").has_value();
+                struck = BrokenDisk::struck();
+            }
+            EXPECT_EQ(until(), worked ? "2028-02-02" : "2027-01-01") << "step " << step;
+            ASSERT_TRUE(give("2027-01-01"));
+        }
+        EXPECT_GE(step, 2);
+    }
 }
 
 // Something that is read, told as one text: the same whenever it works.

@@ -265,6 +265,28 @@ TEST(Pointing, is_by_the_devices_hand_where_it_went_and_else_by_facing) {
     EXPECT_LT(pupil.run().results()[0].measures.at("pointing_off"), 9.0);
 }
 
+TEST(Pointing, is_judged_from_where_one_was_put_for_the_question) {
+    LessonFile lesson = pointing_lesson()->lesson();
+    TaughtStep free;
+    free.kind = StepKind::Free;
+    lesson.sessions[0].steps.insert(lesson.sessions[0].steps.begin(), free);
+    const auto world = *TaughtWorld::find(lesson, school()->scene());
+    Walker20 pupil(world, 0, HandFacts{true, true, *find_device_spec("sim-t")});
+    pupil.live(1.0);
+    pupil.headless().app().apply(Placed{{4.2, 8.6, 0.0}, 1.0}, pupil.headless().now_s());
+    pupil.live(1.0);
+    pupil.answer();
+    pupil.live(1.0);
+    ASSERT_TRUE(pupil.heard("Face Trophy case")) << pupil.all();
+    // The hand has not moved, so facing north, as the base does, is the answer.
+    pupil.answer();
+    const double off_deg = std::remainder(-bearing_deg(*world, "Trophy case"), 360.0);
+    EXPECT_TRUE(
+        pupil.heard(fmt::format("{:.0f} degrees too far {}", std::abs(off_deg), off_deg > 0 ? "right" : "left")))
+        << off_deg << "\n"
+        << pupil.all();
+}
+
 TEST(Pointing, is_by_a_hand_that_is_known_only_after_the_question_too) {
     const auto world = pointing_lesson();
     Walker20 pupil(world, 0, {}, false);
@@ -369,6 +391,46 @@ to = ["Stove"]
     }
     EXPECT_LT(pupil.run().results()[2].measures.at("pointing_off"), 1.0);
     EXPECT_GT(pupil.run().results()[3].measures.at("distance_judged"), 0.3);
+}
+
+// One route of one stop, as "Prepare a lesson" writes it, whose stop the hand is near from the start.
+TEST(LessonTaught, leads_to_a_stop_that_hand_or_feet_are_near_from_the_start) {
+    LessonFile lesson = *read_lesson(kWorlds / "school.lesson.toml", {});
+    const Vec3 base_m = school()->base().stand_m;
+    lesson.base_feet_m = base_m;
+    lesson.landmarks = {{"Ahead", {}, {}, base_m + Vec3(0.0, 2.0, 0.0), 1}};
+    lesson.routes = {{"ahead", {{"Ahead", {}, {}, base_m + Vec3(0.0, 2.0, 0.0), 3}}, 2}};
+    TaughtStep learn, go;
+    learn.kind = StepKind::Learn;
+    learn.room = "Entrance hall";
+    go.kind = StepKind::Go;
+    go.route = "ahead";
+    go.help_percent = {100, 0};
+    lesson.sessions = {{"One", 0, false, {}, {learn, go}, 4}};
+    lesson.pupils.clear();
+    const auto found = TaughtWorld::find(lesson, school()->scene());
+    ASSERT_TRUE(found) << found.error().sentence();
+    const std::shared_ptr<TaughtWorld>& world = *found;
+    for (const bool by_hand : {true, false}) {
+        Walker20 pupil(world, 0, by_hand ? HandFacts{true, true, *find_device_spec("sim-t")} : HandFacts{});
+        pupil.live(1.0);
+        if (by_hand) pupil.move_hand({0.0, 0.06, 0.0});
+        pupil.run().next(pupil.headless().now_s());
+        pupil.live(1.0);
+        ASSERT_TRUE(pupil.heard("Go to Ahead")) << pupil.all();
+        for (int lap = 0; lap < 2; ++lap) {
+            pupil.walk({base_m + Vec3(0.0, 2.0, 0.0)}, 20.0);
+            pupil.live(1.0);
+        }
+        EXPECT_TRUE(pupil.run().finished()) << pupil.all();
+
+        Walker20 led(world, 0, by_hand ? HandFacts{true, true, *find_device_spec("sim-t")} : HandFacts{});
+        led.live(1.0);
+        led.headless().app().apply(Placed{base_m + Vec3(0.0, 1.5, 0.0), 0.0}, led.headless().now_s());
+        EXPECT_EQ(carry_out_order(led.run(), "lead Ahead", led.headless().now_s()), "Done.");
+        led.live(2.0);
+        EXPECT_TRUE(led.heard("Ahead")) << led.all();
+    }
 }
 
 TEST(WhoTeaches, hears_the_nearest_name_of_what_is_not_there) {

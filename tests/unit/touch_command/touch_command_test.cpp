@@ -27,8 +27,10 @@ std::vector<Row> rows_of(const std::string& csv) {
     std::istringstream lines(csv);
     std::string line;
     std::getline(lines, line);
-    EXPECT_EQ(line, "t,x,y,z,px,py,pz,fx,fy,fz,contacts,feature,fault,tick_ns");
+    EXPECT_EQ(line, "t,x,y,z,px,py,pz,fx,fy,fz,contacts,feature,fault,tick_ns\r");
     while (std::getline(lines, line)) {
+        EXPECT_TRUE(line.ends_with('\r')) << line;
+        line.pop_back();
         Row row;
         std::string cell;
         bool quoted = false;
@@ -94,7 +96,9 @@ TEST_F(TouchCommand, gives_one_row_per_row_and_exact_freedom_before_contact) {
     EXPECT_EQ(out[1].cells[1], "0.001");
     EXPECT_EQ(out[2].cells[1], "0") << "no negative zero";
     EXPECT_EQ(content_of(arguments_.out_csv).find("-0,"), std::string::npos);
-    EXPECT_EQ(content_of(arguments_.out_csv).find('\r'), std::string::npos);
+    const std::string csv = content_of(arguments_.out_csv);
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4);
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\r'), 4) << "RFC 4180 ends lines with both";
 }
 
 TEST_F(TouchCommand, presses_back_with_800_newtons_per_metre_and_names_what_it_touches) {

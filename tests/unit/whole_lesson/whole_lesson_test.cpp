@@ -40,7 +40,7 @@ public:
     DeskLine() : socket_(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
         sockaddr_un address{};
         address.sun_family = AF_UNIX;
-        const std::string path = desk_socket_path().string();
+        const std::string path = (desk_folder() / fmt::format("{}.sock", ::getpid())).string();
         std::strncpy(static_cast<char*>(address.sun_path), path.c_str(), sizeof address.sun_path - 1);
         connected_ = ::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
     }
@@ -181,7 +181,7 @@ protected:
         const DeskLine desk;
         ASSERT_TRUE(desk.connected());
         EXPECT_THAT(desk.order(sitting, "block " + at.misspelt), HasSubstr("Did you mean \"" + at.door + "\"?"));
-        EXPECT_THAT(desk.order(sitting, "block " + at.door), HasSubstr("Done."));
+        EXPECT_THAT(desk.order(sitting, "block " + at.door), HasSubstr(" is blocked."));
         EXPECT_THAT(desk.order(sitting, "summary"), HasSubstr("contact"));
         const TaughtPlace before{"before it", at.before_m, {}};
         ASSERT_TRUE(sitting.walk(world.way(world.base().stand_m, {before}).points_m)) << sitting.all();

@@ -1,0 +1,22 @@
+#include "app/main/end_in_time.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdlib>
+#include <mutex>
+#include <stop_token>
+
+namespace handrail {
+
+void EndInTime::end_within(double seconds, int status) {
+    watch_ = std::jthread([seconds, status](const std::stop_token& stop) {
+        std::mutex mutex;
+        std::condition_variable_any wake;
+        std::unique_lock lock(mutex);
+        wake.wait_for(lock, stop, std::chrono::duration<double>(seconds), [] { return false; });
+        // No destructor runs: another thread may use what they would destroy.
+        if (!stop.stop_requested()) std::_Exit(status);
+    });
+}
+
+}  // namespace handrail

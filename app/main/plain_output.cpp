@@ -1,0 +1,48 @@
+#include "app/main/plain_output.h"
+
+#include <string_view>
+
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace {
+
+// All direction controls begin with one of these.
+bool may_become_one(std::string_view bytes) {
+    return bytes == "\xd8" || bytes == "\xe2" || bytes == "\xe2\x80" || bytes == "\xe2\x81";
+}
+
+bool steers(char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return (byte < 0x20 && c != '\n' && c != '\t') || byte == 0x7f;
+}
+
+}  // namespace
+
+PlainOutput::int_type PlainOutput::overflow(int_type byte) {
+    if (traits_type::eq_int_type(byte, traits_type::eof())) return traits_type::not_eof(byte);
+    const char c = traits_type::to_char_type(byte);
+    held_ += c;
+    if (begins_with_direction_control(held_)) {
+        held_.clear();
+    } else if (!may_become_one(held_)) {
+        held_.pop_back();
+        let_go();
+        if (!steers(c)) held_ += c;
+        if (!may_become_one(held_)) let_go();
+    }
+    return to_ ? byte : traits_type::eof();
+}
+
+int PlainOutput::sync() {
+    let_go();
+    to_.flush();
+    return to_ ? 0 : -1;
+}
+
+void PlainOutput::let_go() {
+    to_ << held_;
+    held_.clear();
+}
+
+}  // namespace handrail

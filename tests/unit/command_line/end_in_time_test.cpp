@@ -1,0 +1,36 @@
+#include "app/main/end_in_time.h"
+
+#include <gtest/gtest.h>
+
+#include <condition_variable>
+#include <mutex>
+
+namespace handrail {
+namespace end_in_time_test {
+
+// Something that waits for a thread which never ends, as the search for routes through a huge building seems to.
+void wait_for_ever() {
+    std::mutex mutex;
+    std::condition_variable never;
+    std::unique_lock lock(mutex);
+    never.wait(lock, [] { return false; });
+}
+
+TEST(EndInTime, ends_a_process_that_still_waits_for_a_thread_with_the_status_it_was_to_have) {
+    EXPECT_EXIT(
+        {
+            EndInTime in_time;
+            in_time.end_within(0.01, 3);
+            wait_for_ever();
+        },
+        testing::ExitedWithCode(3), "");
+}
+
+TEST(EndInTime, lets_a_process_go_on_that_waits_for_nothing) {
+    EndInTime never_armed;
+    EndInTime in_time;
+    in_time.end_within(3600.0, 3);
+}
+
+}  // namespace end_in_time_test
+}  // namespace handrail

@@ -1,0 +1,190 @@
+// The hand goes through doors with the body: what the body sees of it, and what answers until it is there.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "app/core/world/body_world.h"
+#include "tests/support/project_root.h"
+#include "tests/support/real_worlds.h"
+#include "tests/support/scale.h"
+#include "tests/unit/core/app_session.h"
+#include "tests/unit/core/explorer.h"
+#include "worlds/navigation/navigation.h"
+#include "worlds/navigation/rooms.h"
+#include "worlds/navigation/walk_space.h"
+
+namespace handrail {
+namespace hand_with_body_test {
+
+using test::Explorer;
+
+// As the program does it where no device is found.
+std::unique_ptr<Explorer> with_keys_alone(const std::shared_ptr<const Scene>& scene) {
+    return std::make_unique<Explorer>(scene, "sim-t", Settings{}, [](Session& app, WorldEntered&) {
+        app.apply(HandChanged{Explorer::facts("sim-t"), app.settings(), true}, 0.0);
+    });
+}
+
+// The walls alone, since the doors of the session move.
+BodyWorld walls_of(const Scene& scene) {
+    auto still = std::make_shared<Scene>(scene);
+    still->placed.clear();
+    std::erase_if(still->solids, [&](const Solid& solid) {
+        return std::any_of(scene.movers.begin(), scene.movers.end(),
+                           [&](const Mover& mover) { return mover.feature == solid.feature; });
+    });
+    return BodyWorld(std::move(still));
+}
+
+bool body_sees_hand(const BodyWorld& walls, const Explorer& p, const Vec3& feet_m) {
+    const Vec3 hand = p.tool().proxy_m;
+    for (const double height_m : {0.2, 0.6, 1.0, 1.5, hand.z - feet_m.z}) {
+        const TraceHit hit = walls.trace(feet_m + Vec3(0.0, 0.0, height_m), hand, BodyShape{}, true);
+        if (!hit.hit || glm::length(hand - hit.end_m) <= p.tool().ball_radius_m) return true;
+    }
+    return false;
+}
+
+// From the front door of the house into the Study: the way of the report that led to this. How many frames the hand
+// touched something in.
+int walk_into_the_study(Explorer& p) {
+    int touches = 0;
+    const auto tap = [&](Command command, int frames) {
+        p.tap(command, 0.0);
+        for (int i = 0; i < frames; ++i) {
+            p.run(1.0 / 60.0);
+            touches += p.tool().touches();
+        }
+    };
+    for (int i = 0; i < 2; ++i) tap(Command::TurnRight, 30);
+    for (int i = 0; i < 4; ++i) tap(Command::Forward, 60);
+    tap(Command::Use, 180);
+    for (int i = 0; i < 4; ++i) tap(Command::Forward, 48);
+    return touches;
+}
+
+TEST(AHandForWantOfADevice, is_where_one_stands_and_touches_nothing_on_the_way_through_a_door) {
+    const auto p = with_keys_alone(test::our_world("house.map"));
+    for (int step = 0; step < 2; ++step) {
+        if (step == 1) EXPECT_EQ(walk_into_the_study(*p), 0);
+        const Vec3 off = p->tool().proxy_m - p->app().feet_m();
+        EXPECT_LT(std::hypot(off.x, off.y), 0.01);
+    }
+    std::size_t from = p->lines();
+    p->tap(Command::WhereAmI, 0.5);
+    EXPECT_TRUE(p->heard("Study", from)) << p->all_heard(from);
+    from = p->lines();
+    p->tap(Command::DropMark, 0.5);
+    EXPECT_FALSE(p->heard("clock", from)) << p->all_heard(from);
+    EXPECT_FALSE(p->heard("Hand back with you"));
+}
+
+TEST(AHandForWantOfADevice, stays_ahead_where_keys_moved_it_and_comes_along_through_a_door) {
+    const auto p = with_keys_alone(test::our_world("house.map"));
+    p->hold({0.0, 0.02, 0.0});
+    const Vec3 off = p->tool().proxy_m - p->app().feet_m();
+    EXPECT_GT(off.y, 0.8);
+    walk_into_the_study(*p);
+    p->run(1.0);
+    EXPECT_TRUE(body_sees_hand(walls_of(*test::our_world("house.map")), *p, p->app().feet_m()));
+}
+
+TEST(AHandOnADevice, comes_along_through_a_door_from_no_force_and_with_a_word) {
+    const auto house = test::our_world("house.map");
+    const BodyWorld walls = walls_of(*house);
+    Explorer p(house, "sim-t");
+    for (int i = 0; i < 2; ++i) p.tap(Command::TurnRight, 0.5);
+    for (int i = 0; i < 4; ++i) p.tap(Command::Forward, 1.0);
+    p.tap(Command::Use, 3.0);
+    std::optional<double> unseen_s;
+    double most_gain_after = 0.0;
+    bool came = false, asked = false;
+    std::uint32_t jump = p.tool().workspace_jump;
+    for (int i = 0; i < 400; ++i) {
+        if (i % 80 == 0 && i < 320) p.tap(Command::Forward, 0.0);
+        p.run(0.01);
+        if (p.tool().workspace_jump != std::exchange(jump, p.tool().workspace_jump)) {
+            came = true;
+            most_gain_after = std::max(most_gain_after, p.tool().force_gain);
+        }
+        if (body_sees_hand(walls, p, p.app().feet_m())) unseen_s.reset();
+        else if (!unseen_s) unseen_s = p.now_s();
+        ASSERT_LE(unseen_s ? p.now_s() - *unseen_s : 0.0, 1.0);
+        if (!unseen_s || asked || p.now_s() - *unseen_s < 0.1) continue;
+        // The hand is still in the hall: what is asked is answered from the feet.
+        asked = true;
+        const std::size_t from = p.lines();
+        p.tap(Command::WhatIsThis, 0.02);
+        p.tap(Command::SetBeacon, 0.02);
+        p.tap(Command::DropMark, 0.02);
+        p.key("Escape");
+        EXPECT_FALSE(p.heard("clock", from)) << p.all_heard(from);
+        EXPECT_FALSE(p.heard("Hall", from)) << p.all_heard(from);
+    }
+    EXPECT_TRUE(asked);
+    EXPECT_TRUE(came);
+    EXPECT_LT(most_gain_after, 0.02);
+    EXPECT_TRUE(p.heard("Hand back with you"));
+    const std::size_t from = p.lines();
+    p.tap(Command::WhereAmI, 0.5);
+    EXPECT_TRUE(p.heard("Study", from)) << p.all_heard(from);
+}
+
+// Through every door and opening, each way, with hands that are held in different places.
+TEST(TheHand, is_seen_by_the_body_within_a_second_of_every_way_through_a_door) {
+    namespace fs = std::filesystem;
+    const fs::path maps = test::project_root() / "worlds/maps";
+    const auto files = test::kSanitizerScale < 1.0 ? std::vector<fs::path>{maps / "house.map"}
+                                                   : test::with_real_worlds({maps / "house.map", maps / "school.map"},
+                                                                            {"duplex-apartment.ifc"});
+    for (const fs::path& file : files) {
+        const auto scene = test::world_once(file);
+        const BodyWorld walls = walls_of(*scene);
+        const BodySize size = body_size(*scene, Settings{}.walk.body_radius_m);
+        const auto space = make_walk_space(*scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m));
+        ASSERT_TRUE(space) << file;
+        const RoomGraph graph = make_rooms(*scene, *space);
+        int ways = 0, doors = 0, brought = 0;
+        for (const bool device : {false, true}) {
+            auto p = device ? std::make_unique<Explorer>(scene, "sim-t") : with_keys_alone(scene);
+            const std::array<Vec3, 3> holds{Vec3(0.0), Vec3(0.02, -0.01, 0.0), Vec3(-0.03, 0.02, 0.01)};
+            for (const Portal& portal : graph.portals) {
+                if (portal.kind != PassageKind::Door && portal.kind != PassageKind::Opening) continue;
+                ++doors;
+                if (device) p->hold(holds[static_cast<std::size_t>(doors) % holds.size()]);
+                for (int quarter = 0; quarter < 4; ++quarter) {
+                    const double heading_rad = quarter * kPi / 2.0;
+                    const Vec3 ahead = forward_of_heading(heading_rad), from = portal.place_m - ahead * 0.9;
+                    if (walls.blocked(from + Vec3(0.0, 0.0, 0.01), {size.radius_m, size.height_m}) ||
+                        walls.trace(from + Vec3(0.0, 0.0, 0.3), portal.place_m + Vec3(0.0, 0.0, 0.3), BodyShape{}).hit)
+                        continue;
+                    p->app().apply(Placed{from, heading_rad}, p->now_s());
+                    p->run(0.1);
+                    p->tap(Command::Use, 1.5);
+                    std::optional<double> unseen_s;
+                    const std::uint32_t jump = p->tool().workspace_jump;
+                    for (int i = 0; i < 180; ++i) {
+                        if (i % 45 == 0 && i < 135) p->tap(Command::Forward, 0.0);
+                        p->run(1.0 / 60.0);
+                        if (body_sees_hand(walls, *p, p->app().feet_m())) unseen_s.reset();
+                        else if (!unseen_s) unseen_s = p->now_s();
+                        ASSERT_LE(unseen_s ? p->now_s() - *unseen_s : 0.0, 1.0)
+                            << file << (device ? ", device" : ", keys") << ", door " << doors << ", heading "
+                            << heading_rad;
+                    }
+                    ways += glm::dot(p->app().feet_m() - portal.place_m, ahead) > 0.3;
+                    brought += p->tool().workspace_jump != jump;
+                }
+            }
+        }
+        std::cout << file.filename() << ": " << ways << " ways through " << doors / 2 << " doors, the hand brought "
+                  << brought << " times\n";
+        EXPECT_GT(ways, doors / 2) << file;
+        EXPECT_GT(brought, 0) << file;
+    }
+}
+
+}  // namespace hand_with_body_test
+}  // namespace handrail
