@@ -11,11 +11,12 @@
 
 #include "settings/settings.h"
 #include "worlds/base/result.h"
+#include "worlds/base/variant.h"
 
 namespace handrail {
 
 // What TOML can say where a setting is expected; a whole number is kept apart from a decimal one.
-using SettingValue = std::variant<bool, std::int64_t, double, std::string>;
+using SettingValue = Variant<bool, std::int64_t, double, std::string>;
 
 struct NumberField {
     double& (*at)(Settings&);

@@ -14,11 +14,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "settings/toml_value.h"
 #include "worlds/base/result.h"
+#include "worlds/base/variant.h"
 #include "worlds/base/vec.h"
 
 namespace handrail {
@@ -26,7 +26,7 @@ namespace handrail {
 struct SideTable;
 // The last is what none of the others is: kept and written back as it was.
 using SideValue =
-    std::variant<bool, std::int64_t, double, std::string, std::vector<double>, std::vector<SideTable>, TomlValue>;
+    Variant<bool, std::int64_t, double, std::string, std::vector<double>, std::vector<SideTable>, TomlValue>;
 using SideEntry = std::map<std::string, SideValue>;
 // One of the tables of a list inside an entry: the [[way.stop]] of a [[way]].
 struct SideTable {

@@ -1,0 +1,39 @@
+// A std::variant of strings, lists and the like that can be copied where memory ends. libstdc++ takes such a variant
+// for one that always holds something; where its own copy constructor throws it then destroys what was never made, and
+// the program jumps to a random address (seen with GCC 12's and 14's). Here the held value is copied first and moved
+// into the variant, which cannot throw.
+#pragma once
+
+#include <utility>
+#include <variant>
+
+namespace handrail {
+
+template <class... T>
+struct Variant : std::variant<T...> {
+    using Plain = std::variant<T...>;
+    using Plain::Plain;
+    using Plain::operator=;
+
+    Variant() = default;
+    ~Variant() = default;
+    Variant(Variant&&) noexcept = default;
+    Variant& operator=(Variant&&) noexcept = default;
+    Variant(const Variant& from) : Plain(copied(from)) {}
+    Variant& operator=(const Variant& from) {
+        Plain::operator=(copied(from));
+        return *this;
+    }
+
+private:
+    static Plain copied(const Plain& from) {
+        return std::visit(
+            []<class Held>(const Held& held) {
+                Held copy = held;
+                return Plain(std::in_place_type<Held>, std::move(copy));
+            },
+            from);
+    }
+};
+
+}  // namespace handrail
