@@ -427,7 +427,7 @@ TEST(LessonTaught, leads_to_a_stop_that_hand_or_feet_are_near_from_the_start) {
         Walker20 led(world, 0, by_hand ? HandFacts{true, true, *find_device_spec("sim-t")} : HandFacts{});
         led.live(1.0);
         led.headless().app().apply(Placed{base_m + Vec3(0.0, 1.5, 0.0), 0.0}, led.headless().now_s());
-        EXPECT_EQ(carry_out_order(led.run(), "lead Ahead", led.headless().now_s()), "Done.");
+        EXPECT_EQ(carry_out_order(led.run(), "lead Ahead", led.headless().now_s()), "The learner is led to Ahead.");
         led.live(2.0);
         EXPECT_TRUE(led.heard("Ahead")) << led.all();
     }
@@ -445,7 +445,7 @@ TEST(WhoTeaches, hears_the_nearest_name_of_what_is_not_there) {
               "No door of this world is called \"Lift dor\". Did you mean \"Lift door\"?");
     EXPECT_EQ(carry_out_order(run, "open Libary door", 1.0),
               "No door of this world is called \"Libary door\". Did you mean \"Library door\"?");
-    EXPECT_EQ(carry_out_order(run, "lead Room 4", 1.0), "Done.");
+    EXPECT_EQ(carry_out_order(run, "lead Room 4", 1.0), "The learner is led to Room 4.");
 }
 
 TEST(WhoTeaches, blocks_a_door_on_the_way_as_the_lesson_does_and_never_the_last_way) {
@@ -456,7 +456,7 @@ TEST(WhoTeaches, blocks_a_door_on_the_way_as_the_lesson_does_and_never_the_last_
     pupil.live(1.0);
     EXPECT_EQ(carry_out_order(pupil.run(), "block Library door", pupil.headless().now_s()),
               "With what is blocked, no way is left for the route \"Library\".");
-    EXPECT_EQ(carry_out_order(pupil.run(), "block Lift door", pupil.headless().now_s()), "Done.");
+    EXPECT_EQ(carry_out_order(pupil.run(), "block Lift door", pupil.headless().now_s()), "Lift door is blocked.");
     const Route round = world->way(world->base().stand_m, {*world->place("Library")}, {*world->door("Lift door")});
     ASSERT_TRUE(pupil.walk(round.points_m)) << pupil.all();
     pupil.live(1.0);
