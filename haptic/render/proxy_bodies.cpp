@@ -30,8 +30,13 @@ double ProxySolver::known_of_body(const Track& track, const Vec3& local_m) const
                : glm::length(local_m - track.frame.position_m) - track.reach_m;
 }
 
+void ProxySolver::spend_on_tracked(int work) noexcept {
+    if (tracked_count_ > kFewBodies && !tracks_all_) spend(static_cast<int>(tracked_count_) * work);
+}
+
 // Those that were looked at by one bound while none of them moves; every other by where it is.
-double ProxySolver::known_of_bodies(const Vec3& at_m, double known) const noexcept {
+double ProxySolver::known_of_bodies(const Vec3& at_m, double known) noexcept {
+    spend_on_tracked(kKnownWork);
     const Vec3 at = anchor_m_ + at_m;
     if (!bodies_moved_) known = std::min(known, bodies_known_m_ - glm::length(at_m));
     for (const std::uint16_t b : tracked_ids()) {
@@ -53,7 +58,9 @@ double ProxySolver::least_distance_m(const HapticScene& scene, const Request& re
     const BodyWays* const ways = request.bodies->ways;
     const BodyPose& to = ways && body < ways->to.size() ? ways->to[body] : from;
     if (!from.present && !to.present) return kNever;
-    const Vec3 begin = from.at.position_m - origin, way = to.at.position_m - from.at.position_m;
+    const Vec3 begin = from.at.position_m - origin;
+    if (&from == &to) return glm::length(begin) - b.reach_m * from.at.scale;
+    const Vec3 way = to.at.position_m - from.at.position_m;
     const double length2 = glm::dot(way, way);
     const double part = length2 > 0.0 ? std::clamp(-glm::dot(begin, way) / length2, 0.0, 1.0) : 0.0;
     return glm::length(begin + way * part) - b.reach_m * std::max(from.at.scale, to.at.scale);
@@ -104,27 +111,31 @@ void ProxySolver::untrack_far(const HapticScene& scene, double far_m) noexcept {
     tracked_count_ = kept;
 }
 
-// Looks at every body of the scene: some 3 ns each, once in 0.2 m of a hand's way at most while nothing moves.
+// Looks at every body of the scene once: on most ticks not, as long as the hand stays within 0.2 m and bodies move on
+// ways that are known. Where more are near than there are tracks, those nearer than half as far are followed, and so
+// on.
 void ProxySolver::track_near(const HapticScene& scene, const Request& request) noexcept {
     far_from_m_ = local_m();
     far_m_ = tracks_all_ ? std::numeric_limits<double>::infinity()
                          : near_m_ + std::max(kLeadMargins * request.margin_m, kLeadRadii * request.radius_m);
-    untrack_far(scene, far_m_);
-    spend(static_cast<int>(body_count_) * kScanWork);
-    for (std::size_t b = 0; b < body_count_; ++b) {
-        if (slots_[b] != kNoSlot || !(least_distance_m(scene, request, b, far_from_m_) < far_m_ || tracks_all_))
-            continue;
-        if (track_body(scene, request, b)) continue;
-        // More than there are tracks: what lies nearer than half as far, and once more until it fits.
-        if (!(far_m_ > 1e-3 * request.radius_m)) {
+    if (body_count_ > kFewBodies && !tracks_all_) spend(static_cast<int>(body_count_) * kGlanceWork);
+    for (std::size_t b = 0; b < body_count_; ++b) least_m_[b] = least_distance_m(scene, request, b, far_from_m_);
+    const auto wants_track = [&](std::size_t b) {
+        return slots_[b] == kNoSlot && (least_m_[b] < far_m_ || tracks_all_);
+    };
+    for (;;) {
+        untrack_far(scene, far_m_);
+        std::size_t wants = 0;
+        for (std::size_t b = 0; b < body_count_; ++b) wants += wants_track(b) ? 1U : 0U;
+        if (tracked_count_ + wants <= tracked_.size() || !(far_m_ > 1e-3 * request.radius_m)) break;
+        far_m_ = tracks_all_ ? near_m_ : 0.5 * far_m_;
+        tracks_all_ = false;
+    }
+    for (std::size_t b = 0; b < body_count_; ++b)
+        if (wants_track(b) && !track_body(scene, request, b)) {
             far_m_ = -1.0;  // nothing is known
             break;
         }
-        far_m_ = tracks_all_ ? near_m_ : 0.5 * far_m_;
-        tracks_all_ = false;
-        untrack_far(scene, far_m_);
-        b = static_cast<std::size_t>(-1);
-    }
 }
 
 // The same for those alone who move on new ways.
@@ -213,23 +224,7 @@ void ProxySolver::drop_body(std::uint16_t body) noexcept {
 }
 
 void ProxySolver::drop_candidates(std::uint16_t body) noexcept {
-    int kept = 0;
-    for (int i = 0; i < count_; ++i) {
-        const auto from = static_cast<std::size_t>(i), to = static_cast<std::size_t>(kept);
-        if (owners_[from] == body) {
-            one_sided_count_ -= sheets_[from] != Sheet::No;
-            continue;
-        }
-        cuts_[to] = cuts_[from];
-        obstacles_[to] = obstacles_[from];
-        owners_[to] = owners_[from];
-        own_cuts_[to] = own_cuts_[from];
-        looked_ahead_[to] = looked_ahead_[from];
-        sheets_[to] = sheets_[from];
-        ++kept;
-    }
-    count_ = kept;
-    basis_.count = 0;
+    drop_candidates_of([body](std::uint16_t owner) { return owner == body; });
 }
 
 // Brings every body to where it is wanted, and the ball out of its way; as far as there is time.
@@ -237,7 +232,7 @@ void ProxySolver::advance_bodies(const HapticScene& scene, const Request& reques
     bodies_number_ = request.bodies ? request.bodies->number : 0;
     const double margin = std::max(request.margin_m, 2.0 * request.path_cap_m);
     if (bodies_unknown_) gather(scene, radius_m + margin, 2.0 * radius_m);
-    if (tracked_count_ > kFewBodies && !tracks_all_) spend(static_cast<int>(tracked_count_) * kSupportWork);
+    spend_on_tracked(kSupportWork);
     double steps = 0.0;
     for (const std::uint16_t id : tracked_ids()) {
         Track& track = track_of(id);
@@ -281,7 +276,6 @@ void ProxySolver::advance_bodies(const HapticScene& scene, const Request& reques
                 track.jumped = false;
                 continue;
             }
-            spend(count_ * kScanWork);
             if (track.present) drop_body(id);
             stand(scene, track, pose.at);
             track.from = track.to = pose.at;
@@ -335,6 +329,7 @@ bool ProxySolver::sub_step(const HapticScene& scene, const Request& request, dou
     }
     if (!any) return true;
     spend(kSubStepWork);
+    spend_on_tracked(kCarryWork);
     const double carried = glm::length(wish - ball_m_);
     const double needed = 2.0 * radius_m + carried;  // a push of half a radius, and the radius itself
     if (known_around(ball_m_) < needed) {

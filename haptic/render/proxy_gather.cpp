@@ -86,6 +86,7 @@ double ProxySolver::gather_nearest(const HapticScene& shape, std::uint16_t body,
             double distance = shape.quick_support(item, at, normal);
             if (distance > reach) return;
             if (distance < needed_m + kExact * (reach - needed_m)) {
+                looks_left_ -= shape.obstacles[item].planes * kPlaneWork / kLookWork;
                 const ClosestPoint found = shape.closest(item, at);
                 distance = -glm::dot(found.normal, found.point_m - at);
                 if (found.distance_m > reach) return;
@@ -167,6 +168,7 @@ void ProxySolver::gather(const HapticScene& scene, double reach_m, double needed
             });
         known_m_ = std::max(known_m_, free_m);
     }
+    spend_on_tracked(kKnownWork);
     bodies_known_m_ = std::numeric_limits<double>::infinity();
     bodies_moved_ = bodies_unknown_ = false;
     std::size_t near = 0;
@@ -245,6 +247,7 @@ void ProxySolver::gather_waiting(const HapticScene& scene, double reach_m, doubl
         drop_candidates(kStill);
         known_m_ = collect(scene, kStill, at, reach_m, needed_m, static_cast<std::size_t>(kMaxCandidates - count_));
     }
+    spend_on_tracked(2 * kKnownWork);
     std::size_t near = 0, left = 0;
     const auto wants_look = [&](const Track& track) {
         if (!track.present) return false;
@@ -254,20 +257,25 @@ void ProxySolver::gather_waiting(const HapticScene& scene, double reach_m, doubl
                 !(track.short_of_room &&
                   glm::length(track.frame.to_own(at) - track.known_from_m) * track.frame.scale <= enough_m));
     };
+    bool any_leaves = false;
     for (const std::uint16_t b : tracked_ids()) {
         Track& track = track_of(b);
-        if (track.present && track.looked_at && glm::length(at - track.frame.position_m) - track.reach_m > reach_m) {
-            drop_candidates(b);
-            track.looked_at = track.unknown = false;
-        }
+        const bool is_far =
+            track.present && track.looked_at && glm::length(at - track.frame.position_m) - track.reach_m > reach_m;
+        track.leaves = is_far;
+        if (is_far) track.looked_at = track.unknown = false;
         near += track.present && track.looked_at;
-        left += wants_look(track);
+        if (wants_look(track)) {
+            ++left;
+            track.leaves = track.leaves || (track.looked_at && !track.unknown);
+        }
+        any_leaves = any_leaves || track.leaves;
     }
+    if (any_leaves) drop_candidates_of([&](std::uint16_t owner) { return owner != kStill && track_of(owner).leaves; });
     for (std::size_t k = 0; left > 0; ++k) {
         const std::uint16_t id = tracked_[k];
         Track& track = track_of(id);
         if (!wants_look(track)) continue;
-        if (track.looked_at && !track.unknown) drop_candidates(id);
         track.looked_at = true;
         if (work_left_ > 0) {
             look_at_body(scene, id, reach_m, needed_m, left);

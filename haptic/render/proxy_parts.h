@@ -10,12 +10,19 @@ namespace handrail::proxy_parts {
 inline constexpr double kTouching_m = 1e-8;     // a cut that is this near to its obstacle touches it
 inline constexpr double kFarthestLook_m = 4.0;  // free-space bounds beyond this save nothing more
 
-// What the parts of a move take, in nanoseconds on a processor of 2020 when nothing is in its caches' way. Only their
-// sum against kMostWork matters.
+// What the parts of a move take, in units of seven instructions, about a nanosecond on a processor of 2020 when nothing
+// is in its caches' way: from what callgrind counts in the worst places (tests/bench/compare.sh, worst), where a unit
+// came to 5 to 9 instructions. Only their sum against kMostWork matters.
 inline constexpr int kLookWork = 50;     // a node or an obstacle looked at while gathering
+inline constexpr int kPlaneWork = 12;    // a plane of a solid, besides that
 inline constexpr int kSupportWork = 60;  // a cut renewed
-inline constexpr int kRoundWork = 200;   // projecting and renewing what holds, besides looking through the candidates
-inline constexpr int kScanWork = 2;      // a body or a cut looked at
+inline constexpr int kRoundWork = 100;   // projecting, besides looking through the candidates
+inline constexpr int kHoldWork = 50;     // renewing what holds, times the square of how many hold
+inline constexpr int kScanWork = 2;      // a cut looked at
+inline constexpr int kDropWork = 6;      // a candidate, when some of all are dropped
+inline constexpr int kGlanceWork = 30;   // a body looked at, to see whether it must be followed
+inline constexpr int kKnownWork = 12;    // how much is known around a body that is followed
+inline constexpr int kCarryWork = 25;    // a body that is followed, in each sub-step
 inline constexpr int kCutsOfAWork =
     2;  // so many candidates a projection looks through in one, four at a time: about a nanosecond each
 inline constexpr int kExchangeWork = 30;       // of a projection, besides that
@@ -50,6 +57,28 @@ void ProxySolver::keep_cut(int candidate, const HalfSpace& cut) noexcept {
     const PlacedFrame& frame = track_of(owners_[i]).frame;
     own_cuts_[i] = {frame.turned_back(cut.normal),
                     (cut.offset_m + glm::dot(cut.normal, anchor_m_ - frame.position_m)) / frame.scale};
+}
+
+template <class Leaves>
+void ProxySolver::drop_candidates_of(const Leaves& leaves) noexcept {
+    spend(count_ * proxy_parts::kDropWork);
+    int kept = 0;
+    for (int i = 0; i < count_; ++i) {
+        const auto from = static_cast<std::size_t>(i), to = static_cast<std::size_t>(kept);
+        if (leaves(owners_[from])) {
+            one_sided_count_ -= sheets_[from] != Sheet::No;
+            continue;
+        }
+        cuts_[to] = cuts_[from];
+        obstacles_[to] = obstacles_[from];
+        owners_[to] = owners_[from];
+        own_cuts_[to] = own_cuts_[from];
+        looked_ahead_[to] = looked_ahead_[from];
+        sheets_[to] = sheets_[from];
+        ++kept;
+    }
+    count_ = kept;
+    basis_.count = 0;
 }
 
 }  // namespace handrail

@@ -20,6 +20,7 @@ ProxySolver::ProxySolver()
       ghosts_(kMaxGhosts),
       tracks_(kMostTracked),
       slots_(HapticScene::kMostBodies, kNoSlot),
+      least_m_(HapticScene::kMostBodies),
       tracked_(kMostTracked),
       free_slots_(kMostTracked) {
     for (std::size_t i = 0; i < free_slots_.size(); ++i)
@@ -94,13 +95,11 @@ void ProxySolver::release_ghosts(const HapticScene& scene) noexcept {
 }
 
 bool ProxySolver::project() noexcept {
+    spend(kRoundWork);
     if (static_cast<unsigned>(count_ - 1) < static_cast<unsigned>(kComfortableCandidates))  // some and not many
         return project_on_half_spaces(goal_m_, std::span(cuts_).first(static_cast<std::size_t>(count_)), radius_m_,
                                       basis_);
-    if (count_ > 0) {
-        spend(kRoundWork);
-        return project_many(goal_m_, basis_);
-    }
+    if (count_ > 0) return project_many(goal_m_, basis_);
     basis_.count = 0;
     basis_.point_m = goal_m_;
     return true;
@@ -180,6 +179,7 @@ bool ProxySolver::renew_holding_cuts(const HapticScene& scene) noexcept {
             ahead[static_cast<std::size_t>(a)] = rest.point_m;
         }
     }
+    spend(kHoldWork * basis_.count * basis_.count);
     const Vec3 pull = goal_m_ - ball_m_;
     bool stale = false;
     for (int a = 0; a < basis_.count; ++a) {
@@ -305,8 +305,6 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
     int stages_left = looks ? kMaxStages : 0;
     while (step_.iterations < most_rounds_) {
         ++step_.iterations;
-        if (Has::kBodies && tracked_count_ > kFewBodies && !tracks_all_)
-            spend(static_cast<int>(tracked_count_) * kTurnWork);
         bool solved = project();
         Vec3 way = basis_.point_m - ball_m_;
         if (!solved) way *= fraction_inside(way);

@@ -38,8 +38,8 @@ public:
     static constexpr int kMostLooks =
         2048;  // nodes and obstacles looked at in one gathering in one shape; what lies farther counts as unknown
     static constexpr double kSmallestRadius_m = 1e-5;
-    // What one move may do, counted and not clocked, so that every machine does the same: in units of one to two
-    // nanoseconds (see kLookWork and its like). Over it what is not known counts as occupied, the cuts that there are
+    // What one move may do, counted and not clocked, so that every machine does the same: in units of about a
+    // nanosecond (see kLookWork and its like). Over it what is not known counts as occupied, the cuts that there are
     // go on, and the ball, or a body that comes at it, waits for the next move.
     static constexpr int kMostWork = 88'000;
     static constexpr int kRoundsWork =
@@ -193,6 +193,7 @@ private:
         int waited = 0;              // moves
         bool unknown = false;        // there was no time yet to look for its candidates
         bool crowded = false;        // had more near than are comfortable when it was looked at last
+        bool leaves = false;         // while gathering: what there is of it goes, to be looked at anew or not at all
         bool looked_at = false;      // some of it may be candidates; else all of it is as far as its sphere
         double reach_m = 0.0;        // of that sphere around its frame's zero, world metres
         Vec3 known_from_m{0.0};      // looked at: own frame; every obstacle nearer to here than known_m is a candidate
@@ -226,16 +227,21 @@ private:
     void drop_body(std::uint16_t body) noexcept;
     // How far around a place every obstacle is a candidate.
     template <class Has = AllFeatures>
-    double known_around(const Vec3& at_m) const noexcept {
+    double known_around(const Vec3& at_m) noexcept {
         const double known = known_m_ - glm::length(at_m);
         return !Has::kBodies || (tracked_count_ == 0 && !far_short_) ? known : known_of_bodies(at_m, known);
     }
-    double known_of_bodies(const Vec3& at_m, double known_m) const noexcept;
+    double known_of_bodies(const Vec3& at_m, double known_m) noexcept;
+    // Something done with each body that is followed. A few need not be counted.
+    void spend_on_tracked(int work) noexcept;
     void gather(const HapticScene& scene, double reach_m, double needed_m) noexcept;
     void gather_waiting(const HapticScene& scene, double reach_m, double needed_m) noexcept;
     void look_at_body(const HapticScene& scene, std::uint16_t body, double reach_m, double needed_m,
                       std::size_t share) noexcept;
     void drop_candidates(std::uint16_t body) noexcept;
+    // leaves(owner): what is of that body goes.
+    template <class Leaves>
+    void drop_candidates_of(const Leaves& leaves) noexcept;
     double known_of_body(const Track& track, const Vec3& local_m) const noexcept;
     // After something costly: over the budget the rounds end.
     void spend(int work) noexcept {
@@ -318,6 +324,7 @@ private:
     static constexpr std::uint16_t kNoSlot = 0xFFFF;
     std::vector<Track> tracks_;           // by slot
     std::vector<std::uint16_t> slots_;    // by body: where its track is, or kNoSlot
+    std::vector<double> least_m_;         // by body: its least_distance_m(), while track_near() works
     std::vector<std::uint16_t> tracked_;  // bodies with a track, in rising order
     std::vector<std::uint16_t> free_slots_;
     std::size_t tracked_count_ = 0;

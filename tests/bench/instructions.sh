@@ -2,7 +2,7 @@
 # Mean instructions per tick, counted by callgrind: of servo_tick, and of touch_tick within it, on the recorded walk through quake-e1m1.map (ball 5 mm,
 # scale 1); with the word spheres, of touch_tick on spheres of 1e3 to 1e6 triangles (mesh_touch); with surfaces, on each way to feel a surface (surface_touch);
 # with bodies, among things that stand or move (bodies_touch); with guidance, of servo_tick while the hand is not guided, pulled, and among 32 grooves.
-#   tests/bench/instructions.sh [BUILD_FOLDER] [TICKS] [MOST] [walk|spheres|surfaces|bodies|worst|guidance]     default build/release 60000 5000 walk; fails above MOST
+#   tests/bench/instructions.sh [BUILD_FOLDER] [TICKS] [MOST] [walk|spheres|surfaces|bodies|guidance]     default build/release 60000 5000 walk; fails above MOST
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=${1:-build/release} ticks=${2:-60000} most=${3:-5000} where=${4:-walk}
@@ -23,7 +23,6 @@ walk) for part in servo touch; do count "${part}_tick" "$build/bin/touch_walk" "
 spheres) for frequency in 7 22 71 224; do count touch_tick "$build/bin/mesh_touch" "$ticks" "$frequency" count; done ;;
 surfaces) for kind in plain slippery weakening damped guarded rounded sheet one-sided friction sine square picture facets shaded; do count "touch_tick on $kind" "$build/bin/surface_touch" "$ticks" "$kind"; done ;;
 bodies) for mode in none still far pushing; do count "touch_tick, bodies $mode" "$build/bin/bodies_touch" "$ticks" "$mode"; done ;;
-worst) for number in 0 1 2 3 4 5 6; do count "touch_tick, worst $number" "$build/bin/worst_touch" "$ticks" "$number" count; done ;;
 guidance) for part in servo pull grooves; do count "servo_tick, $part" "$build/bin/touch_walk" "$ticks" "$part"; done ;;
-*) echo "walk, spheres, surfaces, bodies, worst or guidance, not $where."; exit 2 ;;
+*) echo "walk, spheres, surfaces, bodies or guidance, not $where."; exit 2 ;;
 esac

@@ -2,6 +2,12 @@
 // worst_touch [TICKS [CASE [count]]] Under callgrind, instructions.sh counts what measured_ticks() does; "count" leaves
 // the timing out.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#if __has_include(<valgrind/callgrind.h>)
+#include <valgrind/callgrind.h>
+#else
+#define CALLGRIND_DUMP_STATS
+#endif
 
 #include <algorithm>
 #include <chrono>
@@ -45,6 +51,7 @@ void report(int number, int ticks, bool timed) {
     const WorstCase worst = worst_case(number, ticks);
     std::vector<double> best(worst.goals_m.size(), timed ? 1e18 : 0.0);
     double checksum = 0.0;
+    std::vector<int> work(best.size());
     long truncated = 0, capped = 0, rounds = 0;
     int most_looks = 0;
     {
@@ -52,7 +59,9 @@ void report(int number, int ticks, bool timed) {
         for (std::size_t i = 0; i < best.size(); ++i) {
             run.move(i);
             checksum += measured_ticks(run, i);
+            CALLGRIND_DUMP_STATS;
             most_looks = std::max(most_looks, run.state.solver().looks());
+            work[i] = run.state.solver().work();
         }
     }
     for (int pass = 0; timed && pass < kPasses; ++pass) {
@@ -68,15 +77,20 @@ void report(int number, int ticks, bool timed) {
             rounds += r.contacts.iterations;
         }
     }
+    if (!timed) {
+        std::cout << fmt::format("{}\nwork of each tick: {}\n", worst.name, fmt::join(work, " "));
+        return;
+    }
     double sum = 0.0;
     for (const double t : best) sum += t;
+    const auto worst_at = static_cast<std::size_t>(std::max_element(best.begin(), best.end()) - best.begin());
     std::sort(best.begin(), best.end());
     std::cout << fmt::format(
-        "{}: mean {:.1f} us, 99.9 % {:.1f} us, worst {:.1f} us; {:.2f} rounds, {} looks at most, truncated {}, capped "
-        "{}, checksum {}\n",
+        "{}: mean {:.1f} us, 99.9 % {:.1f} us, worst {:.1f} us in tick {} with {} of work; {} of work at most, {:.2f} "
+        "rounds, {} looks at most, truncated {}, capped {}, checksum {}\n",
         worst.name, 1e-3 * sum / static_cast<double>(best.size()), 1e-3 * best[best.size() * 999 / 1000],
-        1e-3 * best.back(), static_cast<double>(rounds) / static_cast<double>(best.size()), most_looks, truncated,
-        capped, checksum);
+        1e-3 * best.back(), worst_at, work[worst_at], *std::max_element(work.begin(), work.end()),
+        static_cast<double>(rounds) / static_cast<double>(best.size()), most_looks, truncated, capped, checksum);
 }
 
 }  // namespace

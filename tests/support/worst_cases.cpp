@@ -17,7 +17,7 @@ Vec3 in_box(std::mt19937& random, double half_m) {
 
 // Triangles of some 20 mm, a hundred thousand in a cube of 0.7 m; the hand starts in the midst and turns twenty times a
 // second, so that it drags the ball about.
-WorstCase soup(int ticks) {
+WorstCase soup(double ball_m, int ticks) {
     WorstCase out;
     std::mt19937 random(1);
     HapticSceneBuilder builder;
@@ -27,7 +27,7 @@ WorstCase soup(int ticks) {
         builder.add_triangle(at + a, at + b, at + c);
     }
     out.scene = builder.build();
-    out.tuning.radius_m = 0.002;
+    out.tuning.radius_m = ball_m;
     Vec3 at(0.0), way(5e-3, 0.0, 0.0);
     for (int i = 0; i < ticks; ++i) {
         if (i % 50 == 0) way = glm::normalize(in_box(random, 1.0) - at * 2.0) * 5e-3;
@@ -86,6 +86,34 @@ WorstCase meshes(int bodies, int ticks) {
     return out;
 }
 
+// Boxes of 0.1 m in a ball of 0.5 m, each on a circle of its own; the hand goes to and fro through the midst.
+WorstCase boxes(int bodies, int ticks) {
+    WorstCase out;
+    std::mt19937 random(5);
+    HapticSceneBuilder shape;
+    shape.add_box({Vec3(-kBox_m / 2.0), Vec3(kBox_m / 2.0)});
+    const auto box = shape.build();
+    HapticSceneBuilder builder;
+    std::vector<Vec3> middles;
+    for (int b = 0; b < bodies; ++b) {
+        Vec3 at(0.0);
+        do at = in_box(random, 0.5);
+        while (glm::length(at) > 0.5 || glm::length(at) < 0.12);
+        middles.push_back(at);
+        builder.add_body(FeatureId{static_cast<std::uint32_t>(b)}, box, {at, {}, 1.0});
+    }
+    out.scene = builder.build();
+    for (int i = 0; i < ticks; ++i) out.goals_m.emplace_back(0.3 * std::sin(6e-3 * i), 0.02 * std::sin(2e-2 * i), 0.0);
+    out.move = [middles](std::size_t tick, std::vector<BodyPose>& poses) {
+        for (std::size_t b = 0; b < poses.size(); ++b) {
+            const double turn = 4e-3 * static_cast<double>(tick) + static_cast<double>(b);
+            poses[b].at.rotation = rotation_about({0, 0, 1}, turn);
+            poses[b].at.position_m = middles[b] + 0.02 * Vec3(std::cos(turn), std::sin(turn), 0.0);
+        }
+    };
+    return out;
+}
+
 WorstCase sphere(double ball_m, double speed_m_per_s, int ticks) {
     WorstCase out;
     HapticSceneBuilder builder;
@@ -121,14 +149,20 @@ WorstCase worst_case(int number, int ticks) {
                                                  "128 overlapping mesh bodies",
                                                  "a million triangles, ball of 10 cm",
                                                  "a million triangles at 1 m/s",
-                                                 "a mesh body of 1e5 triangles that comes and turns"};
-    WorstCase out = number == 0   ? soup(ticks)
+                                                 "a mesh body of 1e5 triangles that comes and turns",
+                                                 "500 boxes that move",
+                                                 "2,000 boxes that move",
+                                                 "soup of 1e5 triangles, ball of 0.2 mm"};
+    WorstCase out = number == 0   ? soup(0.002, ticks)
                     : number == 1 ? sheets(ticks)
                     : number == 2 ? meshes(20, ticks)
                     : number == 3 ? meshes(128, ticks)
                     : number == 4 ? sphere(0.05, 5.0, ticks)
                     : number == 5 ? sphere(0.005, 1.0, ticks)
-                                  : mesh_that_comes(ticks);
+                    : number == 6 ? mesh_that_comes(ticks)
+                    : number == 7 ? boxes(500, ticks)
+                    : number == 8 ? boxes(2000, ticks)
+                                  : soup(0.0002, ticks);
     out.name = kNames[number];
     out.tuning.rated_stiffness_n_per_m = 1000.0;
     out.tuning.default_stiffness_fraction = 1.0;

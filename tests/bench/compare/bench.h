@@ -49,9 +49,9 @@ struct WorstTicks {
     std::string scene;
     std::size_t ticks = 0;
     double mean_s = 0.0, p999_s = 0.0, worst_s = 0.0;
-    int most_work = 0, most_looks = 0;  // ProxySolver::work() and looks() of one tick
-    std::size_t waits = 0;              // ticks that ended with something left to do
-    double instructions = -1.0;         // mean; < 0: not counted
+    int most_work = 0, most_looks = 0;                      // ProxySolver::work() and looks() of one tick
+    std::size_t waits = 0;                                  // ticks that ended with something left to do
+    double instructions = -1.0, worst_instructions = -1.0;  // mean, and of the worst tick; < 0: not counted
 };
 
 // A ball on a rubber string, pushed to and fro by a hand that is led exactly (bodies_part.cpp).
