@@ -202,6 +202,12 @@ int check(const Recording& recording, std::ostream& out, std::ostream& err, cons
     return 0;
 }
 
+Result<std::shared_ptr<const Scene>> shared_world(const fs::path& file) {
+    auto scene = read_world(file);
+    if (!scene) return tl::unexpected(scene.error());
+    return std::make_shared<const Scene>(std::move(*scene));
+}
+
 }  // namespace
 
 fs::path newest_in(const fs::path& folder) {
@@ -229,10 +235,14 @@ int run_replay(const ReplayArguments& arguments, const Settings& settings, std::
     if (arguments.csv)
         if (const auto written = write_tables(*recording, *arguments.csv); !written) return refuse(written.error());
     if (arguments.scenario) {
-        const auto scenario = scenario_of(*recording, folder.filename().string());
+        auto scenario = scenario_of(*recording, folder.filename().string());
+        progress.at(phrase("progress.scenario", {{"title", folder.filename().string()}}));
+        if (scenario) scenario = as_it_runs(std::move(*scenario), shared_world);
+        progress.done();
         if (!scenario) return refuse(scenario.error());
         for (const std::string& sentence : scenario->left_out) out << sentence << '\n';
-        if (const auto written = write_named_file_atomically(*arguments.scenario, scenario->toml); !written)
+        if (const auto written = write_named_file_atomically(*arguments.scenario, with_expectations(*scenario));
+            !written)
             return refuse(written.error());
     }
     if (arguments.check) return check(*recording, out, err, progress);

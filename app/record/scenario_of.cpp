@@ -6,9 +6,12 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <sstream>
 
+#include "app/core/scenario/scenario_run.h"
 #include "app/record/input_text.h"
 #include "app/record/json_fields.h"
+#include "audio-cues/sinks/recording_sinks.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
@@ -56,12 +59,10 @@ struct Writer {
                 up_s = inputs[i].now_s;
                 break;
             }
-        const std::string word(info(down.command).word);
-        if (up_s - now_s > 0.15)
-            return act(now_s, fmt::format("hold = {}\nfor_s = {:.3f}", in_quotes(word), up_s - now_s));
-        // A count is that many taps, each after the other has ended.
-        act(now_s, fmt::format("press = {}", in_quotes(word)));
-        for (int i = 1; i < down.times; ++i) actions += fmt::format("\n[[do]]\npress = {}\n", in_quotes(word));
+        std::string what =
+            fmt::format("press = {}\nfor_s = {:.3f}", in_quotes(std::string(info(down.command).word)), up_s - now_s);
+        if (down.times > 1) what += fmt::format("\ntimes = {}", down.times);
+        act(now_s, what);
     }
 
     void write(std::size_t at) {
@@ -71,8 +72,7 @@ struct Writer {
         else if (const auto* key = std::get_if<KeyTapped>(&input)) act(now_s, "key = " + in_quotes(key->key));
         else if (const auto* text = std::get_if<TextTyped>(&input)) act(now_s, "type = " + in_quotes(text->utf8));
         else if (const auto* line = std::get_if<LineTyped>(&input)) {
-            if (!line->line.empty()) act(now_s, "type = " + in_quotes(line->line));
-            act(now_s, "key = \"Enter\"");
+            act(now_s, "line = " + in_quotes(line->line));
         } else if (const auto* placed = std::get_if<Placed>(&input)) {
             const Vec3& feet = placed->feet_m;
             act(now_s, fmt::format("place = [{}, {}, {}]\nheading_deg = {}", feet.x, feet.y, feet.z,
@@ -83,6 +83,11 @@ struct Writer {
             leave_out("replay.one_world");
         } else if (std::holds_alternative<Steered>(input) || std::holds_alternative<ItemActed>(input)) {
             leave_out("replay.no_sticks");
+        } else if (const auto* act = std::get_if<TeacherActed>(&input)) {
+            const bool lists = act->kind == TeacherActed::Kind::Offer || act->kind == TeacherActed::Kind::Learners;
+            leave_out(lists ? "replay.no_offers" : "replay.no_lesson");
+        } else if (std::holds_alternative<SettingsChanged>(input)) {
+            leave_out("replay.no_settings");
         }
     }
 };
@@ -108,11 +113,26 @@ std::vector<std::pair<double, std::string>> moves_of(const Recording& recording,
     return moves;
 }
 
+// Without the tables that begin at these lines, each up to the blank line behind it.
+std::string without_actions(const std::string& toml, const std::vector<int>& lines) {
+    std::string kept;
+    bool leaves = false;
+    int number = 0;
+    std::istringstream in(toml);
+    for (std::string line; std::getline(in, line);) {
+        ++number;
+        if (std::find(lines.begin(), lines.end(), number) != lines.end()) leaves = true;
+        else if (line.empty()) leaves = false;
+        if (!leaves) kept += line + "\n";
+    }
+    return kept;
+}
+
 }  // namespace
 
 Result<ScenarioText> scenario_of(const Recording& recording, const std::string& title) {
     Writer writer{recording, 0.0, {}, {}, {}, {}};
-    std::string world, device = "none";
+    std::string world, device = "none", acts_by = "window keys";
     double last_s = 0.0;
     std::vector<std::string> expected;
     std::set<std::string> told_by_program;
@@ -123,6 +143,10 @@ Result<ScenarioText> scenario_of(const Recording& recording, const std::string& 
     for (const RecordedLine& line : recording.lines) {
         if (over) break;
         rooms_known = rooms_known || entered(line);
+        if (line.is == "acts_by" && world.empty()) {
+            const auto who = Json::parse(line.json, nullptr, false).value("number", 0);
+            acts_by = who == 1 ? "terminal keys" : who == 2 ? "lines" : "window keys";
+        }
         if (line.is == "said" && !world.empty() && expects && rooms_known) {
             const Json json = Json::parse(line.json, nullptr, false);
             const std::string text = json.value("text", std::string());
@@ -150,10 +174,10 @@ Result<ScenarioText> scenario_of(const Recording& recording, const std::string& 
             over = true;
         }
         if (world.empty()) continue;
-        // A count is taps in a scenario, which are answered one by one; and it ends by itself.
+        // It ends by itself.
         if (const auto* down = std::get_if<CommandDown>(&input->input)) {
-            expects = down->times == 1 && down->command != Command::Leave;
-            if (down->command == Command::Leave) continue;
+            expects = down->command != Command::Leave;
+            if (!expects) continue;
         }
         last_s = input->now_s;
         writer.inputs.push_back(std::move(*input));
@@ -164,7 +188,7 @@ Result<ScenarioText> scenario_of(const Recording& recording, const std::string& 
 
     std::string toml =
         fmt::format("title = {}\nworld = {}\ndevice = {}\n", in_quotes(title), in_quotes(world), in_quotes(device));
-    toml += fmt::format("tail_s = {}\n", kTail_s);
+    toml += fmt::format("acts_by = {}\ntail_s = {}\n", in_quotes(acts_by), kTail_s);
     const Json settings = Json::parse(settings_text(recording.head.settings), nullptr, false);
     if (const auto set = settings.find("set"); set != settings.end()) {
         toml += "\n[settings]\n";
@@ -186,11 +210,54 @@ Result<ScenarioText> scenario_of(const Recording& recording, const std::string& 
     }
     if (!over) move_until(last_s + kTail_s);
     toml += writer.actions;
-    if (expected.size() > kMostExpected) expected.resize(kMostExpected);
+    return ScenarioText{std::move(toml), std::move(expected), std::move(writer.left_out)};
+}
+
+std::string with_expectations(const ScenarioText& scenario) {
     std::string all;
-    for (const std::string& text : expected) all += (all.empty() ? "" : " | ") + text;
-    toml += fmt::format("\n[[expect]]\nsay_in_order = {}\n", in_quotes(all));
-    return ScenarioText{std::move(toml), std::move(writer.left_out)};
+    for (std::size_t i = 0; i < std::min(scenario.expected.size(), kMostExpected); ++i)
+        all += (all.empty() ? "" : " | ") + scenario.expected[i];
+    return scenario.toml + fmt::format("\n[[expect]]\nsay_in_order = {}\n", in_quotes(all));
+}
+
+std::vector<std::string> said_by_both(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+    // longest[i][j]: of what is common to a from i on and b from j on.
+    std::vector<std::vector<std::size_t>> longest(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+    for (std::size_t i = a.size(); i-- > 0;)
+        for (std::size_t j = b.size(); j-- > 0;)
+            longest[i][j] = a[i] == b[j] ? longest[i + 1][j + 1] + 1 : std::max(longest[i + 1][j], longest[i][j + 1]);
+    std::vector<std::string> both;
+    for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
+        if (a[i] == b[j]) both.push_back(a[i]), ++i, ++j;
+        else if (longest[i + 1][j] >= longest[i][j + 1]) ++i;
+        else ++j;
+    }
+    return both;
+}
+
+Result<ScenarioText> as_it_runs(ScenarioText scenario, const Scenes& read) {
+    const std::filesystem::path file = "recording.toml";
+    const auto parsed = read_scenario_text(with_expectations(scenario), file, {});
+    if (!parsed) return tl::unexpected(parsed.error());
+    const auto scene = read(parsed->world);
+    if (!scene) return tl::unexpected(scene.error());
+    RecordingAudio audio;
+    RecordingSpeech speech;
+    std::vector<int> undone;
+    const auto log = run_scenario(*parsed, *scene, audio, speech, {}, &undone);
+    if (!log) return tl::unexpected(log.error());
+    if (!undone.empty()) {
+        scenario.toml = without_actions(scenario.toml, undone);
+        scenario.left_out.push_back(phrase("replay.undone", {{"count", undone.size()}}));
+    }
+    std::vector<std::string> said;
+    for (const HeardSpeech& line : speech.lines()) said.push_back(line.utterance.text);
+    const std::size_t answers = scenario.expected.size();
+    scenario.expected = said_by_both(scenario.expected, said);
+    if (scenario.expected.empty()) return fail(phrase("replay.answers_otherwise"));
+    if (const std::size_t others = answers - scenario.expected.size(); others > 0)
+        scenario.left_out.push_back(phrase("replay.other_answers", {{"count", others}, {"all", answers}}));
+    return scenario;
 }
 
 }  // namespace handrail

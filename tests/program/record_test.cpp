@@ -1,4 +1,8 @@
 // A session of the program itself that is recorded.
+#include <random>
+#include <regex>
+
+#include "app/core/dialogue/command.h"
 #include "app/record/compute_again.h"
 #include "app/record/recording.h"
 #include "tests/support/map_text.h"
@@ -140,6 +144,54 @@ TEST(RecordedSession, becomes_a_scenario_that_holds) {
     EXPECT_EQ(played.exit_status, 0) << played.out << content_of(scenario);
     EXPECT_THAT(content_of(scenario), HasSubstr("press = \"exits\""));
 }
+
+// What somebody types who knows no rules: any command, numbers, names, keys by their names.
+std::string typed_by_chance(std::uint32_t seed) {
+    std::mt19937 random(seed);
+    const auto below = [&](std::size_t count) { return static_cast<std::size_t>(random() % count); };
+    constexpr std::array kWords{"1",    "2",       "17",     "enter", "escape",   "down", "up",
+                                "list", "kitchen", "stairs", "hall",  "my first", "nan",  "yes"};
+    std::string lines;
+    for (int i = 0; i < scaled(60); ++i) {
+        const CommandInfo& command = command_table()[below(command_table().size())];
+        // Those end the session, or wait for minutes.
+        const bool ends = command.command == Command::Leave || command.command == Command::Calibrate;
+        if (below(3) > 0 && !ends) lines += std::string(command.word) + (below(4) == 0 ? " 3" : "");
+        else lines += kWords[below(kWords.size())];
+        lines += "\n";
+    }
+    return lines;
+}
+
+class RecordedByChance : public testing::TestWithParam<std::uint32_t> {};
+
+TEST_P(RecordedByChance, becomes_a_scenario_that_holds_as_it_stands) {
+    const TemporaryFolder folder;
+    ProgramCall call;
+    call.program = test::built_program("handrail");
+    call.arguments = {test::bundled_world(GetParam() % 2 == 0 ? "house.map" : "school.map"), "--no-window",
+                      "--record-in", folder.path().string()};
+    call.input = typed_by_chance(GetParam());
+    SCOPED_TRACE(call.input);
+    EXPECT_EQ(run_program(call).exit_status, 0);
+    const std::string recording = folders_in(folder.path()).at(0).string();
+    const std::string scenario = (folder.path() / "made.toml").string();
+    ProgramCall replay;
+    replay.program = call.program;
+    replay.arguments = {"replay", recording, "--scenario", scenario};
+    const ProgramRun made = run_program(replay);
+    ASSERT_EQ(made.exit_status, 0) << made.err;
+    // Most answers come again.
+    std::smatch told;
+    if (std::regex_search(made.out, told, std::regex("not expected: ([0-9]+) of ([0-9]+)\\."))) {
+        EXPECT_LE(3 * std::stoi(told[1]), std::stoi(told[2])) << made.out;
+    }
+    replay.arguments = {"scenario", scenario};
+    const ProgramRun played = run_program(replay);
+    EXPECT_EQ(played.exit_status, 0) << played.out << content_of(scenario);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RecordedByChance, testing::Range(1U, 7U));
 
 TEST(ReplayCommand, checks_hears_and_tells_what_differs) {
     const TemporaryFolder folder;

@@ -41,6 +41,7 @@ Command command_named(TomlFields& fields, const char* key) {
 }
 
 constexpr double kLongest_s = 3600.0;
+constexpr std::array<std::string_view, 3> kActsBy{"window keys", "terminal keys", "lines"};  // as in ActsBy
 
 fs::path find_world(const std::string& name, const ScenarioFolders& folders, int line) {
     return find_named_world(name, folders, line);
@@ -68,10 +69,13 @@ ScenarioAction read_action(const TomlValue& table, const ScenarioFolders& folder
     action.line = fields.line();
     int kinds = 0;
     const auto is = [&](const char* key) { return fields.has(key) && (++kinds, true); };
-    if (is("press")) action.step = TapCommand{command_named(fields, "press")};
+    if (is("press"))
+        action.step = TapCommand{command_named(fields, "press"), fields.number_or("for_s", 0.1, 0.0, kLongest_s),
+                                 static_cast<int>(fields.number_or("times", 1.0, 1.0, 1000.0))};
     if (is("hold")) action.step = HoldCommand{command_named(fields, "hold"), fields.number("for_s", 0.0, kLongest_s)};
     if (is("key")) action.step = TapKey{fields.text("key")};
     if (is("type")) action.step = TypeText{fields.text("type")};
+    if (is("line")) action.step = TypeLine{fields.text("line")};
     if (is("wait_s")) action.step = Wait{fields.number("wait_s", 0.0, kLongest_s)};
     if (is("move_to"))
         action.step = MoveHand{fields.vector("move_to"), fields.number_or("speed_m_per_s", 0.1, 1e-6, 100.0), false};
@@ -335,6 +339,11 @@ Scenario read_table(const TomlValue& table, const fs::path& file, const std::vec
         scenario.start_heading_rad = radians_from_degrees(inner.number_or("heading_deg", 0.0, -360.0, 360.0));
         inner.done();
     }
+    if (fields.has("acts_by")) {
+        const std::string word = fields.text("acts_by");
+        must_be_one_of(word, kActsBy, fields.node("acts_by").line, "scenario.no_acts_by");
+        scenario.acts_by = static_cast<ActsBy>(std::find(kActsBy.begin(), kActsBy.end(), word) - kActsBy.begin());
+    }
     if (fields.has("tail_s")) scenario.tail_s = fields.number("tail_s", 0.0, kLongest_s);
     if (fields.has("settings")) {
         const TomlValue::Table* settings = fields.node("settings").table();
@@ -395,8 +404,13 @@ Error no_toml(const Error& error, const std::string& file) {
 Result<Scenario> read_scenario(const fs::path& file, const std::vector<fs::path>& world_folders) {
     const auto text = read_whole_file(file, std::size_t{1} << 24);
     if (!text) return tl::unexpected(text.error());
+    return read_scenario_text(*text, file, world_folders);
+}
+
+Result<Scenario> read_scenario_text(const std::string& text, const fs::path& file,
+                                    const std::vector<fs::path>& world_folders) {
     const std::string name = file.filename().string();
-    const Result<TomlValue> table = toml_of(*text);
+    const Result<TomlValue> table = toml_of(text);
     if (!table) return tl::unexpected(no_toml(table.error(), name));
     try {
         return read_table(*table, file, world_folders);

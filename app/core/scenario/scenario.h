@@ -11,6 +11,7 @@
 
 #include "app/core/dialogue/command.h"
 #include "worlds/base/result.h"
+#include "worlds/base/typist.h"
 #include "worlds/base/vec.h"
 #include "worlds/geometry/placement.h"
 
@@ -18,7 +19,9 @@ namespace handrail {
 
 struct TapCommand {
     Command command;
-};  // press = "forward"
+    double for_s = 0.1;
+    int times = 1;
+};  // press = "forward", for_s = 0, times = 3: as when a count was typed
 struct HoldCommand {
     Command command;
     double for_s;
@@ -29,6 +32,9 @@ struct TapKey {
 struct TypeText {
     std::string text;
 };  // type = "stairs": characters, one after the other
+struct TypeLine {
+    std::string line;
+};  // line = "library": as a terminal has it, to an open list or question
 struct Wait {
     double for_s;
 };  // wait_s = 1
@@ -87,9 +93,9 @@ struct SendThing {
     double speed_m_per_s;
 };  // send = "crate": slides there in a straight line while everything goes on
 
-using ScenarioStep = std::variant<TapCommand, HoldCommand, TapKey, TypeText, Wait, MoveHand, MoveInDevice, PushHand,
-                                  RestHand, ScenarioTrouble, DeviceButton, KeyboardFocus, PlaceBody, ChangeSetting,
-                                  AddThing, RemoveThing, SendThing>;
+using ScenarioStep = std::variant<TapCommand, HoldCommand, TapKey, TypeText, TypeLine, Wait, MoveHand, MoveInDevice,
+                                  PushHand, RestHand, ScenarioTrouble, DeviceButton, KeyboardFocus, PlaceBody,
+                                  ChangeSetting, AddThing, RemoveThing, SendThing>;
 
 struct ScenarioAction {
     std::string name;  // for after/before; may be empty
@@ -163,6 +169,7 @@ struct Scenario {
     std::filesystem::path file;
     std::filesystem::path world;  // as found
     std::string device = "none", left_device = "none";
+    ActsBy acts_by = ActsBy::WindowKeys;  // acts_by: what sentences call keys
     bool has_start = false;
     Vec3 start_feet_m{0.0};
     double start_heading_rad = 0.0;
@@ -177,6 +184,9 @@ struct Scenario {
 
 // Reads one file. World names are looked for beside the file, below it, then in `world_folders`. Any mistake - an
 // unknown key, a wrong type, a name that no action has - fails with its line; nothing is half read.
+// read_scenario_text: of what would stand in `file`.
+Result<Scenario> read_scenario_text(const std::string& text, const std::filesystem::path& file,
+                                    const std::vector<std::filesystem::path>& world_folders);
 Result<Scenario> read_scenario(const std::filesystem::path& file,
                                const std::vector<std::filesystem::path>& world_folders);
 

@@ -13,7 +13,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kTap_s = 0.1;           // how long a tapped key stays down
+constexpr double kTap_s = 0.1;           // how long a key stays down that is tapped by its name, or text is typed
 constexpr double kJumpTrouble_m = 0.05;  // more than a hand can move in a tick
 
 // An action on its way.
@@ -25,8 +25,8 @@ struct Running {
 
 class Player {
 public:
-    Player(const Scenario& scenario, HeadlessSession& session, SettingsStore& settings)
-        : scenario_(scenario), session_(session), settings_(settings) {
+    Player(const Scenario& scenario, HeadlessSession& session, SettingsStore& settings, std::vector<int>* undone)
+        : scenario_(scenario), session_(session), settings_(settings), undone_(undone) {
         for (const ScenarioAction& action : scenario.actions) runs_.push_back({&action, 0.0, 0.0, false, false});
     }
 
@@ -47,8 +47,14 @@ public:
             run.started = true;
             run.start_s = now;
             const auto duration = begin(*run.action);
-            if (!duration) return tl::unexpected(duration.error());
-            run.end_s = now + *duration;
+            if (!duration && !undone_) return tl::unexpected(duration.error());
+            if (!duration) undone_->push_back(run.action->line);
+            run.end_s = now + duration.value_or(0.0);
+            // A key that goes up at once does so before the next action.
+            if (run.end_s <= now) {
+                run.ended = true;
+                if (duration) end(*run.action);
+            }
         }
         return {};
     }
@@ -85,22 +91,26 @@ private:
         const double now = session_.now_s();
         const bool left = action.left;
         if (const auto* tap = std::get_if<TapCommand>(&action.step)) {
-            session_.press(tap->command);
-            return kTap_s;
+            session_.press(tap->command, tap->times);
+            return tap->for_s;
         }
         if (const auto* hold = std::get_if<HoldCommand>(&action.step)) {
             session_.press(hold->command);
             return hold->for_s;
         }
         if (const auto* key = std::get_if<TapKey>(&action.step)) {
-            if (!session_.tap_key(key->key)) return fail(phrase("scenario.no_key", {{"key", key->key}}));
+            if (!session_.tap_key(key->key)) return here(phrase("scenario.no_key", {{"key", key->key}}), action);
             return kTap_s;
         }
         if (const auto* typed = std::get_if<TypeText>(&action.step)) {
             for (const std::string& character : characters_of(typed->text))
                 if (!session_.app().apply(TextTyped{character}, now))
-                    return fail(phrase("scenario.nothing_open", {{"text", typed->text}}));
+                    return here(phrase("scenario.nothing_open", {{"text", typed->text}}), action);
             return kTap_s;
+        }
+        if (const auto* typed = std::get_if<TypeLine>(&action.step)) {
+            if (!session_.app().apply(LineTyped{typed->line}, now))
+                return here(phrase("scenario.nothing_open", {{"text", typed->line}}), action);
         }
         if (const auto* wait = std::get_if<Wait>(&action.step)) return wait->for_s;
         if (const auto* move = std::get_if<MoveHand>(&action.step)) {
@@ -120,9 +130,7 @@ private:
             command.target_m = move->to_m;
             if (!move->control.empty()) {
                 const auto place = session_.app().desk_visit().place_m(move->control);
-                if (!place)
-                    return fail(phrase("scenario.no_control", {{"control", move->control}}),
-                                scenario_.file.filename().string(), action.line);
+                if (!place) return here(phrase("scenario.no_control", {{"control", move->control}}), action);
                 command.target_m = *place + Vec3(move->to_m.x, -move->to_m.y, move->to_m.z);
             }
             command.speed_m_per_s = move->speed_m_per_s;
@@ -184,14 +192,17 @@ private:
             session_.app().apply(Placed{place->feet_m, place->heading_rad}, now);
         if (const auto* change = std::get_if<ChangeSetting>(&action.step)) {
             if (const auto set = settings_.set(change->key, change->value, SettingSource::Live); !set)
-                return fail(set.error().message, scenario_.file.filename().string(), action.line);
+                return here(set.error().message, action);
             session_.change_settings(settings_.values());
         }
         return 0.0;
     }
 
+    tl::unexpected<Error> here(std::string why, const ScenarioAction& action) const {
+        return fail(std::move(why), scenario_.file.filename().string(), action.line);
+    }
     tl::unexpected<Error> here(const Error& why, const ScenarioAction& action) const {
-        return fail(why.file.empty() ? why.message : why.sentence(), scenario_.file.filename().string(), action.line);
+        return here(why.file.empty() ? why.message : why.sentence(), action);
     }
     Result<std::shared_ptr<const Scene>> read_model(const std::filesystem::path& file) {
         auto& known = models_[file.string()];
@@ -221,6 +232,7 @@ private:
     const Scenario& scenario_;
     HeadlessSession& session_;
     SettingsStore& settings_;
+    std::vector<int>* undone_;
     // Of the only or right hand, and of the left one.
     std::array<std::uint32_t, 2> buttons_{};
     std::array<HandCommand, 2> hand_command_{HeadlessSession::still_hand(), HeadlessSession::still_hand()};
@@ -229,6 +241,18 @@ private:
 };
 
 constexpr double kLongestRun_s = 3600.0;
+
+// Sentences are for who acts so, as long as this lives.
+class SpokenTo {
+public:
+    explicit SpokenTo(ActsBy who) : before_(spoken_to()) { speak_to(who); }
+    ~SpokenTo() { speak_to(before_); }
+    SpokenTo(const SpokenTo&) = delete;
+    SpokenTo& operator=(const SpokenTo&) = delete;
+
+private:
+    ActsBy before_;
+};
 
 LoggedTick logged(HeadlessSession& session, std::size_t hand) {
     const ToolState& tool = session.tool(hand);
@@ -249,7 +273,8 @@ LoggedTick logged(HeadlessSession& session, std::size_t hand) {
 }  // namespace
 
 Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<const Scene>& scene, AudioSink& audio,
-                                SpeechSink& speech, const std::function<void(HeadlessSession&)>& each_ms) {
+                                SpeechSink& speech, const std::function<void(HeadlessSession&)>& each_ms,
+                                std::vector<int>* undone) {
     const std::string file = scenario.file.filename().string();
     SettingsStore settings;
     for (const auto& [key, value] : scenario.settings)
@@ -259,6 +284,7 @@ Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<
         settings.values().speech.language;  // English, so that a file means the same everywhere
     if (const auto spoken = speak_language(language == "auto" ? "en" : language); !spoken)
         return fail(spoken.error().message, file);
+    const SpokenTo spoken_to_them(scenario.acts_by);
     std::array<HandFacts, 2> facts;
     for (std::size_t which = 0; which < facts.size(); ++which) {
         const std::string& device = which == 0 ? scenario.device : scenario.left_device;
@@ -278,7 +304,7 @@ Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<
     else session.app().apply(WorldEntered{make_ready(scene)}, 0.0);
 
     SessionLog log;
-    Player player(scenario, session, settings);
+    Player player(scenario, session, settings, undone);
     double last_action_s = 0.0;
     session.app().apply(WorldsKnown{{scenario.world.parent_path(), {}}}, 0.0);
     while (session.now_s() < kLongestRun_s) {

@@ -43,11 +43,11 @@ HandCommand HeadlessSession::still_hand() {
     return still;
 }
 
-void HeadlessSession::press(Command command) {
+void HeadlessSession::press(Command command, int times) {
     contract_pre(static_cast<std::size_t>(command) < command_table().size());
     if (command == Command::StopEverything) switches_.stop();
     app_.apply(Stopped{switches_.stops.load()}, now_s());
-    app_.apply(CommandDown{command}, now_s());
+    app_.apply(CommandDown{command, times}, now_s());
 }
 
 bool HeadlessSession::tap_key(const std::string& name) {

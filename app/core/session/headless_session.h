@@ -34,7 +34,7 @@ public:
     void change_settings(const Settings& settings);
     // A key goes down, and the keyboard comes and goes: as in a real session the servo's switches are set at once, and
     // the app is told.
-    void press(Command command);
+    void press(Command command, int times = 1);
     // A key by name goes down and up: to an open list or question, else the command it stands for. False: it means
     // nothing here.
     bool tap_key(const std::string& name);

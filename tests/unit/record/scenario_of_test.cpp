@@ -4,8 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/core/scenario/scenario_run.h"
 #include "app/record/scenario_of.h"
+#include "audio-cues/sinks/recording_sinks.h"
 #include "tests/support/project_root.h"
+#include "worlds/readers/reader.h"
 
 namespace handrail {
 namespace scenario_of_test {
@@ -49,7 +52,7 @@ std::string scenario_with(const std::string& between) {
     EXPECT_TRUE(read) << read.error().sentence();
     const auto made = scenario_of(*read, "made");
     EXPECT_TRUE(made) << made.error().sentence();
-    return made ? made->toml : "";
+    return made ? with_expectations(*made) : "";
 }
 
 TEST(ScenarioOfRecording, expects_nothing_that_was_answered_before_the_rooms_were_found) {
@@ -60,6 +63,53 @@ TEST(ScenarioOfRecording, expects_nothing_that_was_answered_before_the_rooms_wer
 
 TEST(ScenarioOfRecording, expects_all_answers_where_no_room_is_ever_entered) {
     EXPECT_THAT(scenario_with(""), HasSubstr("say_in_order = \"At the door. | Hall, at the door.\""));
+}
+
+TEST(ScenarioOfRecording, types_lines_as_lines_and_counts_as_one) {
+    const std::string toml = scenario_with(line_at(1500, "line", {{"line", "enter"}}) +
+                                           line_at(1600, "command_down", {{"command", "forward"}, {"times", 3}}) +
+                                           line_at(1600, "command_up", {{"command", "forward"}}));
+    EXPECT_THAT(toml, HasSubstr("line = \"enter\"\n"));
+    EXPECT_THAT(toml, HasSubstr("press = \"forward\"\nfor_s = 0.000\ntimes = 3\n"));
+}
+
+TEST(ScenarioOfRecording, speaks_of_keys_as_the_session_did) {
+    EXPECT_THAT(scenario_with(""), HasSubstr("acts_by = \"window keys\"\n"));
+}
+
+// What the scenario cannot do, and what it says otherwise, is left out and counted; what is left holds.
+TEST(ScenarioOfRecording, is_written_as_it_runs) {
+    ScenarioText text;
+    text.toml =
+        "title = \"t\"\nworld = \"house.map\"\n\n[[do]]\nat_s = 0.5\nline = \"nobody asked\"\n\n[[do]]\nat_s = "
+        "1.0\npress = \"where\"\n";
+    const auto scene = std::make_shared<const Scene>(*read_world(test::bundled_world("house.map")));
+    const auto read = [&](const std::filesystem::path&) -> Result<std::shared_ptr<const Scene>> { return scene; };
+    text.toml.replace(text.toml.find("house.map"), 9, test::bundled_world("house.map"));
+    text.expected = {"Something that it never says."};
+    EXPECT_FALSE(as_it_runs(text, read));
+    const auto log = [&] {
+        RecordingAudio audio;
+        RecordingSpeech speech;
+        std::vector<int> undone;
+        const auto scenario = read_scenario_text(with_expectations(text), "t.toml", {});
+        EXPECT_TRUE(scenario && run_scenario(*scenario, scene, audio, speech, {}, &undone));
+        EXPECT_EQ(undone, std::vector<int>{4});
+        return speech.lines().back().utterance.text;
+    }();
+    text.expected.push_back(log);
+    const auto made = as_it_runs(text, read);
+    ASSERT_TRUE(made) << made.error().sentence();
+    EXPECT_EQ(made->expected, std::vector<std::string>{log});
+    EXPECT_EQ(made->left_out.size(), 2U);
+    EXPECT_THAT(made->toml, testing::Not(HasSubstr("nobody asked")));
+    EXPECT_THAT(made->toml, HasSubstr("press = \"where\""));
+}
+
+TEST(ScenarioOfRecording, keeps_as_many_answers_as_both_have_in_one_order) {
+    using Texts = std::vector<std::string>;
+    EXPECT_EQ(said_by_both({"a", "b", "c", "d"}, {"d", "b", "x", "c", "d"}), (Texts{"b", "c", "d"}));
+    EXPECT_EQ(said_by_both({}, {"a"}), Texts{});
 }
 
 }  // namespace scenario_of_test

@@ -73,7 +73,7 @@ const std::map<std::string, std::vector<std::string>> kMayLink{
     {"app/core/scenario", {"app/core/session", "worlds/readers"}},
     {"app/import", {"worlds/readers", "worlds/stored", "worlds/confine", "settings"}},
     {"app/reader", {"app/import"}},
-    {"app/record", {"app/core/scenario"}},
+    {"app/record", {"app/core/scenario", "audio-cues/sinks"}},
     {"app/learners", {"app/record"}},
     {"app/teaching", {"app/core/scenario", "app/results"}},
     {"app/report", {"worlds/plan"}},
