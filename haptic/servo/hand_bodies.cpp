@@ -132,13 +132,16 @@ bool HandBodies::place(double now_s, const Vec3& hand_m, const BodyFeel& feel, s
             if (Slot* slot = slot_of(words_[i].body)) slot->touched_s = std::max(slot->touched_s, now_s);
             else open(words_[i], now_s);
         }
-    // In the order of the scene, in which carried_m_ adds up.
+    // In the order of the scene, in which carried_m_ adds up. Sorted as they come: GCC 14 wrongly says that std::sort
+    // would reach beyond so few.
     std::array<Slot*, kMost> used{};
     std::size_t used_count = 0;
-    for (Slot& slot : slots_)
-        if (slot.used) used[used_count++] = &slot;
-    std::sort(used.begin(), used.begin() + used_count,
-              [](const Slot* a, const Slot* b) { return a->model.body() < b->model.body(); });
+    for (Slot& slot : slots_) {
+        if (!slot.used) continue;
+        std::size_t at = used_count++;
+        for (; at > 0 && slot.model.body() < used[at - 1]->model.body(); --at) used[at] = used[at - 1];
+        used[at] = &slot;
+    }
     const bool all = !std::exchange(shown_all_, true);
     bool any = all;
     if (all) {

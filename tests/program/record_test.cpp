@@ -207,7 +207,18 @@ TEST(ReplayCommand, checks_hears_and_tells_what_differs) {
     call.arguments = {"replay", recording.string(), "--speed", "4"};
     const ProgramRun heard = run_program(call);
     EXPECT_EQ(heard.exit_status, 0);
-    EXPECT_THAT(heard.out, HasSubstr("At the door, base, facing north."));
+    // A line whose turn had passed was written and not spoken, so it is not heard: on a busy machine the first answer.
+    const auto read = read_recording(recording);
+    ASSERT_TRUE(read) << read.error().sentence();
+    std::size_t at = 0;
+    int voiced = 0;
+    for (const SaidLine& line : said_lines(*read)) {
+        if (!line.voiced) continue;
+        ++voiced;
+        at = heard.out.find("say: " + line.text + "\n", at);
+        ASSERT_NE(at, std::string::npos) << line.text << "\n" << heard.out;
+    }
+    EXPECT_GE(voiced, 2);
     // Another question than was recorded.
     std::string events = content_of(recording / "events.jsonl");
     const std::size_t where = events.find("\"command\":\"where\"");

@@ -8,8 +8,8 @@ make_root() {
     source=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Label: Debian' 'Component: main' | head -n 1)
     [ -n "$source" ] || { echo "apt knows no source of Debian packages; apt-get update may help."; return 1; }
     debootstrap --variant=minbase "$1" "$2" "$source" >"$3" 2>&1 || { echo "debootstrap failed: $(tail -n 1 "$3")"; return 1; }
-    # What this machine needs to reach the source: the proxy, if there is one.
-    apt-config dump | grep -iE '^Acquire::(https?|ftp)::.*proxy' >"$2/etc/apt/apt.conf.d/99proxy" || true
+    # What this machine needs to reach the source: the proxy, if there is one, and whether a mirror may be out of date.
+    apt-config dump | grep -iE '^Acquire::((https?|ftp)::.*proxy|Check-Valid-Until)' >"$2/etc/apt/apt.conf.d/99proxy" || true
     printf '#!/bin/sh\nexit 101\n' >"$2/usr/sbin/policy-rc.d"  # packages start no services
     chmod +x "$2/usr/sbin/policy-rc.d"
 }

@@ -54,7 +54,10 @@ void DeskVisit::furnish() {
     const auto of_setting = [&](const DeskSetting& row) {
         controls.push_back(bound(
             row, [this, &row] { return value_of(row.key); },
-            [this, &row](const std::string& value) { change_setting(row.key, value, context_.tick_s); }));
+            [this, &row](const std::string& value) {
+                // The desk says what the setting is afterwards, so a refused value needs no other answer.
+                static_cast<void>(change_setting(row.key, value, context_.tick_s));
+            }));
     };
     const auto indicator = [&](std::string name, std::function<std::string()> value) {
         DeskControl one;

@@ -199,8 +199,8 @@ Place place_of_room(const BodyWorld& world, const WalkSpace& space, const RoomGr
     place.cell_m = space.cell_m * merged / cut;
     place.origin_m = Vec3(space.origin_m.x + (x0 - margin * merged) * space.cell_m,
                           space.origin_m.y + (y0 - margin * merged) * space.cell_m, graph.rooms[room].floor_m);
-    const auto merged_from = [&](int column, int first) {
-        const int off = column - first;
+    const auto merged_from = [&](int at, int first) {
+        const int off = at - first;
         return ((off >= 0 ? off : off - merged + 1) / merged + margin) * cut;
     };
     const std::size_t cells = static_cast<std::size_t>(place.wide) * static_cast<std::size_t>(place.deep);
