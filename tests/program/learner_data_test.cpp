@@ -56,8 +56,8 @@ protected:
     void SetUp() override {
         EXPECT_EQ(run({"learner", "new", kAlias, "--give", "record"}).exit_status, 0);
         const ProgramRun session =
-            run({test::bundled_world("house.map"), "--no-window", "--device", "none", "--learner", kAlias},
-                std::string("mark\n") + kMark + "\nforward 2\n");
+            run({test::bundled_world("house.map"), "--no-window", "--device", "sim-t", "--learner", kAlias},
+                std::string("mark\n") + kMark + "\nwhere\nforward 2\nwhere\n");
         EXPECT_EQ(session.exit_status, 0) << session.err;
         for (const auto& entry : fs::recursive_directory_iterator(home_.path()))
             if (entry.path().filename() == "events.jsonl") recording_ = entry.path().parent_path();
