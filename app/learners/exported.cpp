@@ -23,20 +23,16 @@ constexpr std::size_t kLongestList_bytes = std::size_t{16} << 20;
 
 fs::path list_in(const fs::path& learner_folder) { return learner_folder / "exports.jsonl"; }
 
-Result<std::string> checksum_of(const fs::path& file) {
-    const auto bytes = read_whole_file(file);
-    if (!bytes) return tl::unexpected(bytes.error());
-    return fmt::format(
-        "{:08x}", ::crc32_z(::crc32_z(0, nullptr, 0), reinterpret_cast<const Bytef*>(bytes->data()), bytes->size()));
+std::string checksum_of(std::string_view bytes) {
+    return fmt::format("{:08x}",
+                       ::crc32_z(::crc32_z(0, nullptr, 0), reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
 }  // namespace
 
-Result<void> note_exported(const fs::path& learner_folder, const fs::path& file) {
+Result<void> note_exported(const fs::path& learner_folder, const fs::path& file, std::string_view content) {
     const FolderLock lock(learner_folder, kLockWait_s);
     if (lock.held_elsewhere()) return fail(phrase("side_file.locked", {{"file", "exports.jsonl"}}));
-    const auto checksum = checksum_of(file);
-    if (!checksum) return tl::unexpected(checksum.error());
     std::string list;
     std::error_code ec;
     if (fs::exists(list_in(learner_folder), ec)) {
@@ -45,7 +41,8 @@ Result<void> note_exported(const fs::path& learner_folder, const fs::path& file)
         list = std::move(*before);
         if (!list.empty() && list.back() != '\n') list += '\n';
     }
-    const nlohmann::json line{{"file", fs::absolute(file, ec).lexically_normal().string()}, {"crc32", *checksum}};
+    const nlohmann::json line{{"file", fs::absolute(file, ec).lexically_normal().string()},
+                              {"crc32", checksum_of(content)}};
     list += line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
     auto written = write_file_atomically(list_in(learner_folder), list);
     if (written) (void)::chmod(list_in(learner_folder).c_str(), 0600);  // its folder keeps others out already
@@ -60,16 +57,18 @@ std::vector<Exported> exported_of(const fs::path& learner_folder, std::vector<Er
         if (!line.is_object() || !line.contains("file") || !line["file"].is_string() || !line.contains("crc32") ||
             !line["crc32"].is_string())
             return faults.push_back({path.string(), number, 0, phrase("learner.no_export")});
-        const Exported one{line["file"].get<std::string>(), line["crc32"]};
-        std::erase_if(all, [&](const Exported& before) { return before.file == one.file; });  // written over
-        all.push_back(one);
+        const std::string file = line["file"];
+        auto one = std::find_if(all.begin(), all.end(), [&](const Exported& known) { return known.file == file; });
+        if (one == all.end()) one = all.insert(all.end(), {file, {}});
+        one->checksums.push_back(line["crc32"]);
     });
     return all;
 }
 
 bool unchanged(const Exported& exported) {
-    const auto checksum = checksum_of(exported.file);
-    return checksum && *checksum == exported.checksum;
+    const auto bytes = read_whole_file(exported.file);
+    return bytes && std::find(exported.checksums.begin(), exported.checksums.end(), checksum_of(*bytes)) !=
+                        exported.checksums.end();
 }
 
 }  // namespace handrail

@@ -62,8 +62,10 @@ Holdings holdings_of(const fs::path& learner_folder) {
     Holdings holdings;
     holdings.recordings = entries_in(learner_folder / "recordings");
     holdings.worlds = std::max(entries_in(learner_folder / "worlds"), entries_in(learner_folder / "learnt"));
+    std::error_code ec;
     for (const Exported& one : exported_of(learner_folder, holdings.faults))
-        (unchanged(one) ? holdings.exported : holdings.exported_other).push_back(one.file);
+        if (unchanged(one)) holdings.exported.push_back(one.file);
+        else if (fs::exists(fs::symlink_status(one.file, ec))) holdings.exported_other.push_back(one.file);
     return holdings;
 }
 

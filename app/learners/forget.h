@@ -14,7 +14,7 @@ namespace handrail {
 struct Holdings {
     std::size_t recordings = 0, worlds = 0;             // folders of sessions; worlds with marks or memories
     std::vector<std::filesystem::path> exported;        // written elsewhere, and still as they were
-    std::vector<std::filesystem::path> exported_other;  // changed since, or gone
+    std::vector<std::filesystem::path> exported_other;  // changed since, and still there
     std::vector<Error> faults;
 };
 Holdings holdings_of(const std::filesystem::path& learner_folder);

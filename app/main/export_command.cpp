@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <memory>
 
+#include "app/core/kept/side_file.h"
 #include "app/core/whereabouts/rooms_of_world.h"
 #include "app/core/world/walker.h"
+#include "app/learners/way_out.h"
 #include "app/main/commands.h"
 #include "app/main/route_cards.h"
 #include "app/main/world_files.h"
@@ -124,15 +126,15 @@ Result<void> add_card(const fs::path& path, const std::vector<CardWay>& ways, Br
 }
 
 // Nothing is written where one of them must stay.
-Result<void> write_all(const std::vector<MadeFile>& files, bool force, std::ostream& out) {
+Result<void> write_all(const WayOut& way_out, const std::vector<MadeFile>& files, bool force, std::ostream& out) {
     std::error_code ec;
     if (!force)
         for (const MadeFile& file : files)
             if (fs::exists(fs::symlink_status(file.path, ec)))
                 return fail(phrase("export.exists", {{"file", file.path.string()}}));
     for (const MadeFile& file : files) {
-        const auto write = file.named ? write_named_file_atomically : write_file_atomically;
-        if (Result<void> written = write(file.path, file.content); !written) return written;
+        const auto how = file.named ? write_named_file_atomically : write_file_atomically;
+        if (Result<void> written = way_out.write(file.path, file.content, how); !written) return written;
         out << file.said << '\n';
     }
     return {};
@@ -151,6 +153,8 @@ int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream
     const Result<fs::path> given = world_given(arguments.world);
     if (!given) return failed(given.error(), 1);
     const fs::path& world = *given;
+    const Result<WayOut> way_out = WayOut::of(Learners(user_data_folder()), world);
+    if (!way_out) return failed(way_out.error(), 1);
     Result<Scene> read = mended_and_valid(imported(world, progress.followed(arguments.common.read_options(world))),
                                           world, arguments.common);
     if (!read) return failed(read.error(), 1);
@@ -185,7 +189,7 @@ int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream
             simplified.push_back(phrase("export.unreached", {{"names", names_list(ways->unreached)}}));
     }
     progress.done();
-    if (const Result<void> written = write_all(files, arguments.force, out); !written)
+    if (const Result<void> written = write_all(*way_out, files, arguments.force, out); !written)
         return failed(written.error(), 1);
     for (const std::string& sentence : simplified) out << sentence << '\n';
     return 0;

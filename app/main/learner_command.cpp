@@ -186,16 +186,18 @@ private:
         if (!agreed(phrase("learner.delete_asked", {{"name", name}}))) return refuse(phrase("learner.delete_not"), 1);
         if (const auto deleted = delete_learner(folder, holdings); !deleted) return refuse(deleted.error());
         out_ << phrase("learner.deleted", {{"name", name}}) << '\n';
-        return search({id, learner ? learner->name : std::string()});
+        return search({id, learner ? learner->name : std::string()}, holdings.exported_other);
     }
 
-    // What is left of a deleted learner.
-    int search(const std::array<std::string, 2>& words) {
+    // What is left of a deleted learner: hits, and files written elsewhere that somebody changed since.
+    int search(const std::array<std::string, 2>& words, const std::vector<fs::path>& changed) {
         std::vector<fs::path> folders = {user_data_folder(), user_settings_path().parent_path()};
         if (const fs::path sessions = sessions_folder(); !sessions.empty()) folders.push_back(sessions.parent_path());
         std::erase_if(folders, [](const fs::path& folder) { return folder.empty(); });
         progress_.at(phrase("progress.search"));
-        const Search left = search_for(words, folders);
+        Search left = search_for(words, folders);
+        for (const fs::path& file : changed)
+            if (std::find(left.hits.begin(), left.hits.end(), file) == left.hits.end()) left.hits.push_back(file);
         progress_.done();
         for (const fs::path& file : left.unread)
             err_ << one_line(phrase("learner.unread", {{"file", file.string()}})) << '\n';

@@ -53,18 +53,16 @@ std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments
     };
     const auto file = lesson_given(arguments.file);
     if (!file) return refused(file.error());
-    if (arguments.protocol) {
-        const auto lesson = read_lesson(*file, {world_folder()}, toml_beside_worlds());
-        if (!lesson) return refused(lesson.error());
-        out << protocol_of(*lesson, learner);
-        return 0;
-    }
     const RoomsKept of_all_pupils;
     progress.at(phrase("progress.lesson"));
     auto world = read_taught_world(*file);
     progress.done();
     if (!world) return refused(world.error());
     if (arguments.check) return check_lesson(*world, progress, out);
+    if (arguments.protocol) {  // of what can be taught: what its world lacks is found before it is printed
+        out << protocol_of((*world)->lesson(), learner);
+        return 0;
+    }
     const LessonFile& lesson = (*world)->lesson();
     if (arguments.session && (*arguments.session < 1 || *arguments.session > lesson.sessions.size())) {
         fmt::print(err, "{}\n", phrase("teaching.sessions_are", {{"count", lesson.sessions.size()}}));

@@ -5,6 +5,7 @@
 #include "app/core/kept/side_file.h"
 #include "app/learners/kept_results.h"
 #include "app/learners/lesson_progress.h"
+#include "app/learners/way_out.h"
 #include "app/main/world_files.h"
 #include "app/teaching/run_words.h"
 #include "worlds/base/files.h"
@@ -126,19 +127,23 @@ void LessonHere::write_draft(const fs::path& world, double now_s) {
     if (!draft) return;
     LessonFile lesson = three_sessions(*draft, world);
     std::error_code ec;
-    if (!fs::equivalent(world_folder() / world.filename(), world, ec)) lesson.world_name = world.string();
+    const fs::path folder = lessons_folder();
+    if (!fs::equivalent(world_folder() / world.filename(), world, ec)) lesson.world_name = named_from(folder, world);
     std::string stem;
     for (const char c : lower_ascii(draft->title))
         if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) stem += c;
         else if (!stem.empty() && stem.back() != '-') stem += '-';
     while (stem.ends_with('-')) stem.pop_back();
     if (stem.empty()) stem = "lesson";
-    const fs::path folder = lessons_folder();
     fs::create_directories(folder, ec);  // what keeps it from being there is told by the write
     fs::path file = folder / (stem + ".lesson.toml");
     for (int number = 2; fs::exists(file, ec); ++number) file = folder / fmt::format("{}-{}.lesson.toml", stem, number);
-    const auto written =
-        folder.empty() ? fail(phrase("files.no_home")) : write_file_atomically(file, lesson_text(lesson));
+    // A learner's own marks and ways may be in it, and it lies where others find it.
+    const fs::path& data = arguments_.common.data_in;
+    const auto way_out = WayOut::of(Learners(user_data_folder()), data.empty() ? folder : data);
+    const auto written = folder.empty() ? fail(phrase("files.no_home"))
+                         : way_out      ? way_out->write(file, lesson_text(lesson), write_file_atomically)
+                                        : tl::unexpected(way_out.error());
     app_.apply(Told{written ? phrase("prepare.saved", {{"title", draft->title}, {"file", file.string()}})
                             : written.error().sentence(),
                     SpeechClass::Answer},

@@ -10,6 +10,7 @@
 #include "app/core/dialogue/command_words.h"
 #include "app/core/kept/side_file.h"
 #include "app/core/kept/spoken_language.h"
+#include "app/learners/way_out.h"
 #include "app/main/commands.h"
 #include "app/main/end_signals.h"
 #include "app/record/compute_again.h"
@@ -158,19 +159,19 @@ private:
 // ---- written ----
 
 template <class Rows>
-Result<void> write_table(const fs::path& file, std::string_view header, const Rows& rows) {
+Result<void> write_table(const WayOut& way_out, const fs::path& file, std::string_view header, const Rows& rows) {
     if (rows.empty()) return {};
     std::string text = std::string(header) + "\r\n";
     for (const auto& row : rows) text += fmt::format("{}\r\n", fmt::join(numbers_of(row), ","));
-    return write_file_atomically(file, text);
+    return way_out.write(file, text, write_file_atomically);
 }
 
-Result<void> write_tables(const Recording& recording, const fs::path& folder) {
-    for (const Result<void>& written : {write_table(folder / "hand.csv", hand_header(), recording.hands[0]),
-                                        write_table(folder / "left.csv", hand_header(), recording.hands[1]),
-                                        write_table(folder / "frames.csv", frame_header(), recording.frames),
-                                        write_table(folder / "cues.csv", cue_header(), recording.cues),
-                                        write_table(folder / "engine.csv", engine_header(), recording.bodies)})
+Result<void> write_tables(const WayOut& way_out, const Recording& recording, const fs::path& folder) {
+    for (const Result<void>& written : {write_table(way_out, folder / "hand.csv", hand_header(), recording.hands[0]),
+                                        write_table(way_out, folder / "left.csv", hand_header(), recording.hands[1]),
+                                        write_table(way_out, folder / "frames.csv", frame_header(), recording.frames),
+                                        write_table(way_out, folder / "cues.csv", cue_header(), recording.cues),
+                                        write_table(way_out, folder / "engine.csv", engine_header(), recording.bodies)})
         if (!written) return written;
     return {};
 }
@@ -226,6 +227,11 @@ int run_replay(const ReplayArguments& arguments, const Settings& settings, std::
         return 1;
     };
     if (folder.empty()) return refuse({{}, 0, 0, phrase("replay.none")});
+    const auto way_out = WayOut::of(Learners(user_data_folder()), folder);
+    if (!way_out) return refuse(way_out.error());
+    for (const auto& file : {arguments.csv, arguments.scenario})
+        if (file)
+            if (const auto allowed = way_out->allows(*file); !allowed) return refuse(allowed.error());
     progress.at(phrase("progress.recording"));
     const auto recording = read_recording(folder);
     progress.done();
@@ -233,7 +239,8 @@ int run_replay(const ReplayArguments& arguments, const Settings& settings, std::
     for (const Error& problem : recording->problems) err << problem.sentence() << '\n';
     if (!recording->ended) out << phrase("replay.ends_early") << '\n';
     if (arguments.csv)
-        if (const auto written = write_tables(*recording, *arguments.csv); !written) return refuse(written.error());
+        if (const auto written = write_tables(*way_out, *recording, *arguments.csv); !written)
+            return refuse(written.error());
     if (arguments.scenario) {
         auto scenario = scenario_of(*recording, folder.filename().string());
         progress.at(phrase("progress.scenario", {{"title", folder.filename().string()}}));
@@ -241,7 +248,8 @@ int run_replay(const ReplayArguments& arguments, const Settings& settings, std::
         progress.done();
         if (!scenario) return refuse(scenario.error());
         for (const std::string& sentence : scenario->left_out) out << sentence << '\n';
-        if (const auto written = write_named_file_atomically(*arguments.scenario, with_expectations(*scenario));
+        if (const auto written =
+                way_out->write(*arguments.scenario, with_expectations(*scenario), write_named_file_atomically);
             !written)
             return refuse(written.error());
     }

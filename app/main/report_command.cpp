@@ -4,8 +4,7 @@
 
 #include "app/core/kept/side_file.h"
 #include "app/core/whereabouts/rooms_kept.h"
-#include "app/learners/exported.h"
-#include "app/learners/learners.h"
+#include "app/learners/way_out.h"
 #include "app/main/commands.h"
 #include "app/main/session_report.h"
 #include "app/record/compute_again.h"
@@ -70,12 +69,6 @@ std::vector<fs::path> folders_in(const fs::path& folder) {
     return found;
 }
 
-bool lies_in(const fs::path& file, const fs::path& folder) {
-    std::error_code ec;
-    const fs::path inside = fs::weakly_canonical(fs::absolute(file, ec), ec), whole = fs::weakly_canonical(folder, ec);
-    return std::mismatch(whole.begin(), whole.end(), inside.begin(), inside.end()).first == whole.end();
-}
-
 // One run of the command.
 class ReportCommand {
 public:
@@ -102,10 +95,13 @@ private:
     int of_session() {
         const fs::path folder = arguments_.folder.value_or(newest_in(user_data_folder("recordings")));
         if (folder.empty()) return refuse({{}, 0, 0, phrase("replay.none")});
+        if (auto way = way_out_of(folder); way) way_out_ = std::move(*way);
+        else return refuse(way.error());
+        if (const auto allowed = allowed_all(); !allowed) return refuse(allowed.error());
         WorldBefore none;
         auto report = report_of_folder(folder, none, progress_, out_, err_);
         if (!report) return refuse(report.error());
-        report->learner = arguments_.learner;
+        report->learner = way_out_.learner() ? way_out_.learner()->name : arguments_.learner;
         const std::span<const SessionReport> one(&*report, 1);
         if (const int status = write(arguments_.html ? report_page(*report) : std::string(), one); status != 0)
             return status;
@@ -113,18 +109,32 @@ private:
         return 0;
     }
 
+    // A recording in a learner's folder is that learner's; of any other one the person says whose it is.
+    Result<WayOut> way_out_of(const fs::path& folder) const {
+        auto way = WayOut::of(learners_, folder);
+        if (!way || arguments_.learner.empty()) return way;
+        auto named = learners_.find(arguments_.learner);
+        if (!way->learner()) return named ? WayOut::of(learners_, std::move(*named)) : way;
+        if (named && named->id == way->learner()->id) return way;
+        return fail(phrase("report.of_another", {{"name", way->learner()->name}}));
+    }
+
+    Result<void> allowed_all() const {
+        for (const auto& file : {arguments_.html, arguments_.csv, arguments_.json})
+            if (file)
+                if (auto allowed = way_out_.allows(*file); !allowed) return allowed;
+        return {};
+    }
+
     // All sessions that can be read; what cannot be is told and left out.
     int of_learner() {
-        const Learners learners(user_data_folder());
-        const auto learner = learners.find(arguments_.learner);
+        const auto learner = learners_.find(arguments_.learner);
         if (!learner) return refuse(learner.error());
-        learner_folder_ = learners.folder_of(learner->id);
-        for (const auto& file : {arguments_.html, arguments_.csv, arguments_.json})
-            if (file && !lies_in(*file, learner_folder_) && !learner->allows(Purpose::Share, today()))
-                return refuse({{}, 0, 0, phrase("learner.not_shared", {{"name", learner->name}})});
+        way_out_ = WayOut::of(learners_, *learner);
+        if (const auto allowed = allowed_all(); !allowed) return refuse(allowed.error());
         std::vector<SessionReport> reports;
         WorldBefore before;
-        for (const fs::path& folder : folders_in(learners.recordings_of(learner->id))) {
+        for (const fs::path& folder : folders_in(learners_.recordings_of(learner->id))) {
             auto report = report_of_folder(folder, before, progress_, out_, err_);
             if (!report) {
                 err_ << report.error().sentence() << '\n';
@@ -134,7 +144,8 @@ private:
         }
         // Sessions of which no more than that was agreed to be kept.
         std::vector<Error> faults;
-        for (const KeptResults& kept : kept_results(learner_folder_, faults)) reports.push_back(report_of(kept));
+        for (const KeptResults& kept : kept_results(learners_.folder_of(learner->id), faults))
+            reports.push_back(report_of(kept));
         for (const Error& fault : faults) err_ << fault.sentence() << '\n';
         std::stable_sort(reports.begin(), reports.end(),
                          [](const SessionReport& a, const SessionReport& b) { return a.started_utc < b.started_utc; });
@@ -170,12 +181,9 @@ private:
             if (!arguments_.force && fs::exists(fs::symlink_status(made.path, ec)))
                 return refuse({{}, 0, 0, phrase("export.exists", {{"file", made.path.string()}})});
         for (const Made& made : files) {
-            const auto write = made.named ? write_named_file_atomically : write_file_atomically;
-            if (const auto written = write(made.path, made.content); !written) return refuse(written.error());
-            // So that deleting the learner can take it away.
-            if (!learner_folder_.empty() && !lies_in(made.path, learner_folder_))
-                if (const auto noted = note_exported(learner_folder_, made.path); !noted)
-                    err_ << noted.error().sentence() << '\n';
+            const auto how = made.named ? write_named_file_atomically : write_file_atomically;
+            if (const auto written = way_out_.write(made.path, made.content, how); !written)
+                return refuse(written.error());
             out_ << phrase("report.wrote", {{"file", made.path.string()}}) << '\n';
         }
         return 0;
@@ -183,7 +191,8 @@ private:
 
     const ReportArguments& arguments_;
     const LongWork& progress_;
-    fs::path learner_folder_;  // of whom it is; empty: of nobody by name
+    const Learners learners_{user_data_folder()};
+    WayOut way_out_;
     std::ostream& out_;
     std::ostream& err_;
 };

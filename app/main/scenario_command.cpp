@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
+#include "app/core/kept/side_file.h"
 #include "app/core/scenario/scenario_run.h"
 #include "app/core/session/headless_session.h"
+#include "app/learners/way_out.h"
 #include "app/main/commands.h"
 #include "app/main/transcript.h"
 #include "app/main/world_files.h"
@@ -56,13 +58,13 @@ void note_heard(const RecordingAudio& audio, const RecordingSpeech& speech, Sess
 }
 
 // Into FOLDER/NAME.txt, NAME being the scenario file's.
-Result<void> write_transcript(const fs::path& folder, const Scenario& scenario, const SessionLog& log) {
-    std::error_code ec;
-    fs::create_directories(folder, ec);  // what keeps it from being there is told by the write
-    return write_file_atomically(folder / scenario.file.filename().replace_extension(".txt"), transcript(log));
+Result<void> write_transcript(const fs::path& folder, const Scenario& scenario, const WayOut& way_out,
+                              const SessionLog& log) {
+    const fs::path file = folder / scenario.file.filename().replace_extension(".txt");
+    return way_out.write(file, transcript(log), write_file_atomically);
 }
 
-Outcome run_one(const Scenario& scenario, const ScenarioArguments& arguments) {
+Outcome run_one(const Scenario& scenario, const WayOut& way_out, const ScenarioArguments& arguments) {
     Outcome outcome{scenario.file.filename().string(), scenario.title, {}, 0.0};
     auto scene = read_world(scenario.world, arguments.common.read_options());
     if (!scene) {
@@ -81,7 +83,7 @@ Outcome run_one(const Scenario& scenario, const ScenarioArguments& arguments) {
     outcome.virtual_s = log->end_s;
     outcome.failures = failures(scenario, *log, *log->scene);
     if (arguments.transcripts) {
-        if (const auto written = write_transcript(*arguments.transcripts, scenario, *log); !written)
+        if (const auto written = write_transcript(*arguments.transcripts, scenario, way_out, *log); !written)
             outcome.failures.push_back(written.error().sentence());
     }
     return outcome;
@@ -109,6 +111,20 @@ std::string junit_xml(const std::vector<Outcome>& outcomes) {
     return xml + "</testsuite>\n";
 }
 
+// One recorded session may be the source of each scenario, so the file belongs to all whose scenarios ran.
+Result<void> write_junit(const fs::path& file, const std::string& xml, const std::vector<WayOut>& ways_out) {
+    Result<void> written = {};
+    bool of_learners = false;
+    for (const WayOut& way_out : ways_out)
+        if (written) written = way_out.allows(file);
+    for (const WayOut& way_out : ways_out) {
+        if (!written || !way_out.learner()) continue;
+        of_learners = true;
+        written = way_out.write(file, xml, write_named_file_atomically);
+    }
+    return of_learners || !written ? written : write_named_file_atomically(file, xml);
+}
+
 }  // namespace
 
 int run_scenarios(const ScenarioArguments& arguments, std::ostream& out, std::ostream& err, const LongWork& progress) {
@@ -119,18 +135,26 @@ int run_scenarios(const ScenarioArguments& arguments, std::ostream& out, std::os
     }
     // All files are read before any runs: a bad one means that nothing was run.
     std::vector<Scenario> scenarios;
+    std::vector<WayOut> ways_out;
+    const Learners learners(user_data_folder());
     for (const fs::path& file : *files) {
         auto scenario = read_scenario(file, {world_folder()});
         if (!scenario) {
             fmt::print(err, "{}\n", scenario.error().sentence());
             return 2;
         }
+        auto way_out = WayOut::of(learners, file);
+        if (!way_out) {
+            fmt::print(err, "{}\n", way_out.error().sentence());
+            return 2;
+        }
         scenarios.push_back(std::move(*scenario));
+        ways_out.push_back(std::move(*way_out));
     }
     std::vector<Outcome> outcomes;
-    for (const Scenario& scenario : scenarios) {
-        progress.at(phrase("progress.scenario", {{"title", scenario.title}}));
-        outcomes.push_back(run_one(scenario, arguments));
+    for (std::size_t i = 0; i < scenarios.size(); ++i) {
+        progress.at(phrase("progress.scenario", {{"title", scenarios[i].title}}));
+        outcomes.push_back(run_one(scenarios[i], ways_out[i], arguments));
         progress.done();
         const Outcome& o = outcomes.back();
         fmt::print(out, "{}\n",
@@ -145,7 +169,7 @@ int run_scenarios(const ScenarioArguments& arguments, std::ostream& out, std::os
                phrase("program.scenarios_hold",
                       {{"hold", outcomes.size() - static_cast<std::size_t>(failed)}, {"all", outcomes.size()}}));
     if (arguments.junit) {
-        if (const auto written = write_named_file_atomically(*arguments.junit, junit_xml(outcomes)); !written) {
+        if (const auto written = write_junit(*arguments.junit, junit_xml(outcomes), ways_out); !written) {
             fmt::print(err, "{}\n", written.error().sentence());
             return 1;
         }

@@ -9,7 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "app/core/kept/side_file.h"
 #include "app/core/world/entering.h"
+#include "app/learners/way_out.h"
 #include "app/main/commands.h"
 #include "app/main/path_csv.h"
 #include "app/main/world_files.h"
@@ -222,6 +224,10 @@ int run_touch(const TouchArguments& arguments, std::ostream&, std::ostream& err,
     Result<Scene> scene =
         imported(*world, progress.followed(options)).map([](ImportedWorld&& one) { return std::move(one.scene); });
     if (!scene) return refuse(scene.error());
+    const Learners learners(user_data_folder());
+    Result<WayOut> way_out = WayOut::of(learners, arguments.path_csv);
+    if (way_out && !way_out->learner()) way_out = WayOut::of(learners, *world);
+    if (!way_out) return refuse(way_out.error());
     const Result<std::string> text = read_whole_file(arguments.path_csv);
     if (!text) return refuse(text.error());
     const Result<std::vector<PathRow>> rows = parse_path(*text, arguments.path_csv.filename().string());
@@ -229,7 +235,7 @@ int run_touch(const TouchArguments& arguments, std::ostream&, std::ostream& err,
     progress.at(phrase("progress.path"));
     const std::string result = replay(std::make_shared<const Scene>(std::move(*scene)), *rows,
                                       tuning_of(arguments, limits ? *limits : ideal_device_spec()), limits);
-    const Result<void> written = write_named_file_atomically(arguments.out_csv, result);
+    const Result<void> written = way_out->write(arguments.out_csv, result, write_named_file_atomically);
     progress.done();
     return written ? 0 : refuse(written.error());
 }

@@ -125,6 +125,10 @@ std::string lesson_text(const LessonFile& lesson);
 // pointing, the way with less help each lap, and the way alone with questions.
 LessonFile three_sessions(const LessonDraft& draft, const std::filesystem::path& world);
 
+// How a lesson in that folder names a world that is none of those that come with the program: by the way from the one
+// to the other, so that both travel together.
+std::string named_from(const std::filesystem::path& folder, const std::filesystem::path& world);
+
 // In which order the steps of a session come for the learner of that number: as they stand, or shuffled, each time
 // alike.
 std::vector<std::size_t> step_order(const TaughtSession& session, std::size_t session_index, std::uint64_t learner);

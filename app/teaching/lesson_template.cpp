@@ -23,19 +23,28 @@ TaughtStep step_of(StepKind kind) {
 
 }  // namespace
 
+std::string named_from(const std::filesystem::path& folder, const std::filesystem::path& world) {
+    std::error_code ec;
+    const auto real = [&](const std::filesystem::path& path) {
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ec), ec);
+    };
+    const std::filesystem::path way = real(world).lexically_relative(real(folder));
+    return (way.empty() ? world.filename() : way).string();
+}
+
 LessonFile three_sessions(const LessonDraft& draft, const std::filesystem::path& world) {
     constexpr int kMinutes = 15;
     LessonFile lesson;
     lesson.title.text = draft.title;
     lesson.world = world;
     lesson.world_name = world.filename().string();
+    lesson.world_checksum = draft.world_checksum;
     lesson.base_feet_m = draft.base_feet_m;
     lesson.base_heading_rad = draft.base_heading_rad;
-    std::vector<std::string> names;
     for (const LessonDraft::Place& landmark : draft.landmarks) {
-        if (std::find(names.begin(), names.end(), landmark.name) != names.end()) continue;
-        lesson.landmarks.push_back(place_of(landmark));
-        names.push_back(landmark.name);
+        const auto named = [&](const LessonPlace& place) { return place.name == landmark.name; };
+        if (std::none_of(lesson.landmarks.begin(), lesson.landmarks.end(), named))
+            lesson.landmarks.push_back(place_of(landmark));
     }
     LessonRoute route;
     route.name = draft.title;
@@ -50,7 +59,7 @@ LessonFile three_sessions(const LessonDraft& draft, const std::filesystem::path&
     }
     TaughtStep point = step_of(StepKind::Point);
     point.from = "base";
-    point.to = names;
+    point.to = draft.asked;
     first.steps.push_back(point);
 
     TaughtSession second{phrase("prepare.second"), kMinutes, false, {}, {}, 0};
@@ -64,11 +73,11 @@ LessonFile three_sessions(const LessonDraft& draft, const std::filesystem::path&
     third.steps.push_back(go);
     TaughtStep distance = step_of(StepKind::Distance);
     distance.from = "base";
-    distance.to = names;
+    distance.to = draft.asked;
     third.steps.push_back(distance);
-    if (names.size() > 1) {
+    if (draft.on_route.size() > 1) {
         TaughtStep order = step_of(StepKind::Order);
-        order.to = names;
+        order.to = draft.on_route;
         order.say.text = phrase("prepare.order");
         third.steps.push_back(order);
     }

@@ -96,7 +96,7 @@ Route TaughtWorld::way(const Vec3& from_m, const std::vector<TaughtPlace>& stops
 
 Result<TaughtPlace> TaughtWorld::look_up(const LessonPlace& place) const {
     Navigation& navigation = rooms_->navigation();
-    TaughtPlace found{place.name, Vec3(0.0), Vec3(0.0)};
+    TaughtPlace found{place.name, Vec3(0.0), Vec3(0.0), {}};
     const auto stand = [&](const Vec3& at_m) -> Result<TaughtPlace> {
         const auto near = navigation.nearest_place(at_m);
         if (!near) return bad(place.line, "teaching.no_place", place.name, {});
@@ -112,7 +112,7 @@ Result<TaughtPlace> TaughtWorld::look_up(const LessonPlace& place) const {
     if (!place.room.empty()) {
         for (const Room& room : rooms_->graph().rooms) {
             if (same_name(room.map_name, place.room) || same_name(own_name(room), place.room))
-                candidates.push_back({place.name, room.middle_m, room.middle_m});
+                candidates.push_back({place.name, room.middle_m, room.middle_m, {}});
             known.push_back(own_name(room));
         }
         if (candidates.empty()) return bad(place.line, "teaching.no_room", place.room, known);
@@ -123,7 +123,7 @@ Result<TaughtPlace> TaughtWorld::look_up(const LessonPlace& place) const {
             same_name(spoken_name(scene_->features[thing.feature.value]), place.thing)) {
             Vec3 foot = thing.bounds_m.centre_m();
             foot.z = thing.bounds_m.min_m.z;
-            candidates.push_back({place.name, foot, thing.bounds_m.centre_m()});
+            candidates.push_back({place.name, foot, thing.bounds_m.centre_m(), thing.bounds_m});
         }
         known.push_back(thing.name);
     }
@@ -131,6 +131,7 @@ Result<TaughtPlace> TaughtWorld::look_up(const LessonPlace& place) const {
     const auto one = one_of(place, candidates);
     if (!one) return one;
     found.middle_m = one->middle_m;
+    found.box_m = one->box_m;
     return stand(one->stand_m);
 }
 
@@ -158,12 +159,48 @@ Result<void> TaughtWorld::know(const LessonPlace& place) {
     return {};
 }
 
+// What a step names need be no landmark: any thing of the world will do.
+Result<void> TaughtWorld::know_asked(const std::string& name, int line) {
+    if (place(name)) return {};
+    LessonPlace thing;
+    thing.name = thing.thing = name;
+    thing.line = line;
+    std::vector<std::string> known = names();
+    for (const NamedThing& one : named_things(*scene_)) {
+        if (same_name(one.name, name) || same_name(spoken_name(scene_->features[one.feature.value]), name))
+            return know(thing);
+        known.push_back(one.name);
+    }
+    return bad(line, "teaching.no_name", name, known);
+}
+
+// What is asked has an answer: nothing under one's feet is in any direction, or far away, or come to, and the ground
+// outside has no walls.
+Result<void> TaughtWorld::check_asked(const TaughtStep& step) const {
+    constexpr double kUnderFeet_m = 0.3, kSameStorey_m = 2.5;
+    const TaughtPlace& from = step.from.empty() ? base_ : *place(step.from);
+    for (const std::string& name : step.to) {
+        const TaughtPlace& asked = *place(name);
+        const Vec3 near =
+            asked.box_m.empty() ? asked.middle_m : glm::clamp(from.stand_m, asked.box_m.min_m, asked.box_m.max_m);
+        const Vec3 off_m = near - from.stand_m;
+        if (std::hypot(off_m.x, off_m.y) < kUnderFeet_m && std::abs(off_m.z) < kSameStorey_m)
+            return bad(step.line, "teaching.under_feet", name, {});
+    }
+    if (step.walls_percent <= 0) return {};
+    for (const Room& room : rooms_->graph().rooms)
+        if (same_name(own_name(room), step.room) && is_outside(room, rooms_->navigation().space(), *rooms_->scene()))
+            return bad(step.line, "teaching.no_walls_outside", step.room, {});
+    return {};
+}
+
 Result<void> TaughtWorld::check_step(const TaughtStep& step) {
     std::vector<std::string> named = step.to;
     if (!step.from.empty()) named.push_back(step.from);
     if (!step.room.empty()) named.push_back(step.room);
     for (const std::string& name : named)
-        if (!place(name)) return bad(step.line, "teaching.no_name", name, names());
+        if (auto known = know_asked(name, step.line); !known) return known;
+    if (auto fits = check_asked(step); !fits) return fits;
     std::vector<FeatureId> blocked;
     for (const std::string& name : step.block) {
         const auto found = door(name);
@@ -212,7 +249,8 @@ Result<std::shared_ptr<TaughtWorld>> TaughtWorld::find(LessonFile lesson, const 
         for (const LessonPlace& stop : route.stops)
             if (auto known = world->know(stop); !known) return tl::unexpected(known.error());
     for (const Room& room : world->rooms_->graph().rooms)
-        world->places_.emplace(lower_ascii(own_name(room)), TaughtPlace{own_name(room), room.middle_m, room.middle_m});
+        world->places_.emplace(lower_ascii(own_name(room)),
+                               TaughtPlace{own_name(room), room.middle_m, room.middle_m, {}});
     for (const TaughtSession& session : file.sessions)
         for (const TaughtStep& step : session.steps)
             if (auto fits = world->check_step(step); !fits) return tl::unexpected(fits.error());

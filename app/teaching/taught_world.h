@@ -19,6 +19,7 @@ struct TaughtPlace {
     std::string name;    // as it is told
     Vec3 stand_m{0.0};   // where one stands there
     Vec3 middle_m{0.0};  // what one points at
+    Aabb box_m{};        // all of a thing; empty: of a room or a place
 };
 
 class TaughtWorld {
@@ -51,6 +52,8 @@ private:
     Result<TaughtPlace> one_of(const LessonPlace& place, const std::vector<TaughtPlace>& candidates) const;
     Result<TaughtPlace> look_up(const LessonPlace& place) const;
     Result<void> know(const LessonPlace& place);
+    Result<void> know_asked(const std::string& name, int line);
+    Result<void> check_asked(const TaughtStep& step) const;
     Result<void> check_step(const TaughtStep& step);
     std::vector<std::string> names() const;
     // Each by its own name, by its kind where it is the only one, and by the rooms that it joins.

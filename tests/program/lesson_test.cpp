@@ -269,5 +269,34 @@ TEST_F(TaughtByTheProgram, is_neither_recorded_without_consent_nor_taught_to_who
               "school.\n");
 }
 
+TEST_F(TaughtByTheProgram, is_checked_and_written_down_alike_where_its_world_lacks_what_it_names) {
+    const std::string good = content_of(test::bundled_world("school.lesson.toml"));
+    const std::vector<std::pair<std::string, std::string>> faults = {
+        {"thing = \"Trophy case\"", "thing = \"Trophy caze\""},
+        {"{ room = \"Library\" }", "{ room = \"Libary\" }"},
+        {"room = \"Entrance hall\"", "room = \"Entrance hal\""},
+        {"to = [\"Trophy case\", \"Drinking fountain\"]", "to = [\"Trophy case\", \"Drinking fontain\"]"},
+        {"block = [\"Lift door\"]", "block = [\"Lift dor\"]"},
+        {"from = \"base\"", "from = \"bass\""},
+    };
+    for (const auto& [right, wrong] : faults) {
+        std::string text = good;
+        ASSERT_NE(text.find(right), std::string::npos) << right;
+        text.replace(text.find(right), right.size(), wrong);
+        const std::string file = home_.write("wrong.lesson.toml", text);
+        const ProgramRun checked = run({"lesson", file, "--check"}), written = run({"lesson", file, "--protocol"});
+        EXPECT_EQ(checked.exit_status, 2) << wrong;
+        EXPECT_EQ(written.exit_status, 2) << wrong;
+        EXPECT_EQ(written.err, checked.err);
+        EXPECT_EQ(written.out, "");
+    }
+    // A world may be named without its ending.
+    std::string named = good;
+    const std::string world = "world = \"school.map\"";
+    named.replace(named.find(world), world.size(), "world = \"school\"");
+    const ProgramRun written = run({"lesson", home_.write("named.lesson.toml", named), "--protocol"});
+    EXPECT_EQ(written.exit_status, 0) << written.err;
+}
+
 }  // namespace lesson_test
 }  // namespace handrail::test

@@ -22,6 +22,15 @@
 namespace handrail {
 namespace {
 
+// The ground outside that a building brings, where a room is on it.
+const Feature* ground_at_middle(const Room& room, const WalkSpace& space, const Scene& scene) {
+    const std::uint32_t s = space.at(room.middle_m);
+    const std::uint32_t ground = s == kNothing ? kNothing : space.spans[s].ground;
+    const Feature* feature =
+        ground < space.obstacle_features.size() ? scene.find(space.obstacle_features[ground]) : nullptr;
+    return feature && is_outer_ground(*feature) ? feature : nullptr;
+}
+
 constexpr double kDoorway_m = 0.35;    // clearance of the body's middle: an opening of at most 1.2 m
 constexpr double kDoorwayShare = 0.6;  // and narrower than this share of what lies on both sides
 constexpr double kWideShare = 0.5;     // a wider opening
@@ -683,7 +692,7 @@ private:
             if (room.kind == RoomKind::Stairs)
                 room.made = grounds[r] ? by_thing(*grounds[r]) : MadeRoomName{.thing = "stairs", .thing_made = true};
             else if (room.kind == RoomKind::Liquid) room.made = liquid_name(r);
-            else if (const Feature* ground = scene_.stated ? ground_at_middle(room) : nullptr)
+            else if (const Feature* ground = scene_.stated ? ground_at_middle(room, space_, scene_) : nullptr)
                 room.made = by_thing(*ground);
             else if (content[r].thing.empty()) room.made = by_size(room, levels[static_cast<std::size_t>(room.level)]);
             else {
@@ -693,15 +702,6 @@ private:
             }
         }
         number_room_names(graph_);
-    }
-
-    // The ground outside that a building brings, where a room is on it.
-    const Feature* ground_at_middle(const Room& room) const {
-        const std::uint32_t s = space_.at(room.middle_m);
-        const std::uint32_t ground = s == kNothing ? kNothing : space_.spans[s].ground;
-        const Feature* feature =
-            ground < space_.obstacle_features.size() ? scene_.find(space_.obstacle_features[ground]) : nullptr;
-        return feature && is_outer_ground(*feature) ? feature : nullptr;
     }
 
     // Of each flight of stairs the first thing with a name that one stands on there.
@@ -835,6 +835,10 @@ std::vector<std::uint32_t> exits_of(const RoomGraph& graph, std::uint32_t room, 
     std::vector<std::uint32_t> found;
     for (const auto& exit : exits) found.push_back(exit.second);
     return found;
+}
+
+bool is_outside(const Room& room, const WalkSpace& space, const Scene& scene) {
+    return ground_at_middle(room, space, scene) != nullptr;
 }
 
 std::vector<Aabb> door_boxes(const Scene& scene, const RoomGraph& graph, FeatureId door) {

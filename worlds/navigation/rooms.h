@@ -83,6 +83,9 @@ void say_room_names(RoomGraph& graph);
 // The room somebody stands in; kNothing where that is no walkable place.
 std::uint32_t room_at(const RoomGraph& graph, const WalkSpace& space, const Vec3& feet_m);
 
+// The room is on the ground that a reader laid around a building: it has no walls of its own.
+bool is_outside(const Room& room, const WalkSpace& space, const Scene& scene);
+
 // What nobody passes where a door is blocked: its leaves as the file has them, and the doorway.
 std::vector<Aabb> door_boxes(const Scene& scene, const RoomGraph& graph, FeatureId door);
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "worlds/base/vec.h"
+#include "worlds/geometry/convex.h"
 
 namespace handrail {
 
@@ -14,13 +14,17 @@ struct LessonDraft {
     struct Place {
         std::string name, thing, room;
         Vec3 place_m{0.0};
+        Aabb box_m{};  // of a landmark: all of it
     };
     std::string title;
     Vec3 base_feet_m{0.0};
     double base_heading_rad = 0.0;
-    std::string base_room;  // as it is called; empty: none
+    std::string base_room;  // as it is called; empty: none, or the ground outside, which has no walls to learn
     std::vector<Place> landmarks;
-    std::vector<Place> stops;  // of the route, in order
+    std::vector<Place> stops;           // of the route, in order
+    std::vector<std::string> asked;     // landmarks that are asked for from the base: all but those under its feet
+    std::vector<std::string> on_route;  // of those the ones that the route comes to, in its order
+    std::string world_checksum;         // empty: unknown
 };
 
 }  // namespace handrail

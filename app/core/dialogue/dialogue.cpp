@@ -123,15 +123,15 @@ std::string Dialogue::back_words() const {
     return where();
 }
 
-DialogueReply Dialogue::key(std::string_view name, double) {
+DialogueReply Dialogue::key(std::string_view name, double now_s) {
     if (!is_open()) return {};
     Part& top = *stack_.back();
     if (name == "Escape") return leave();
-    if (auto* list = std::get_if<ListSpec>(&top)) return list_key(*list, name);
+    if (auto* list = std::get_if<ListSpec>(&top)) return list_key(*list, name, now_s);
     return text_key(std::get<TextSpec>(top), name);
 }
 
-DialogueReply Dialogue::list_key(ListSpec& list, std::string_view name) {
+DialogueReply Dialogue::list_key(ListSpec& list, std::string_view name, double now_s) {
     const std::size_t last = list.items.size() - 1, was = list.at;
     if (name == "Enter") return choose(list);
     if (name == "Left" || name == "Right") {
@@ -143,6 +143,7 @@ DialogueReply Dialogue::list_key(ListSpec& list, std::string_view name) {
     else if (name == "Up") list.at -= list.at > 0 ? 1 : 0;
     else if (name == "Home") list.at = 0;
     else if (name == "End") list.at = last;
+    else if (name == "Space" && search_goes_on(now_s)) return typed(" ", now_s);
     else if (name == "Space") return {true, false, item_words(list)};
     else if (name == "F1") return {true, false, phrase("dialogue.help_list")};
     else return {true, false, {}};  // letters come as typed characters; nothing else reaches the world
@@ -210,11 +211,18 @@ DialogueReply Dialogue::typed(std::string_view utf8, double now_s) {
         question->text += utf8;
         return {true, false, spoken_character(std::string(utf8))};
     }
-    if (utf8 == " ") return {true, false, {}};  // the key has said the item again
     auto& list = std::get<ListSpec>(*stack_.back());
     const std::string letters = lower_ascii(utf8);
-    const bool goes_on = now_s - searched_s_ < kSearchGoesOn_s && search_ != letters;
+    // A blank comes twice: as a key, which has said the item again or gone on with the name, and as a character.
+    if (letters == " " && (!search_goes_on(now_s) || search_.ends_with(' '))) return {true, false, {}};
+    const bool goes_on = search_goes_on(now_s) && search_ != letters;
     search_ = goes_on ? search_ + letters : letters;
+    return search(list, goes_on, now_s);
+}
+
+bool Dialogue::search_goes_on(double now_s) const { return !search_.empty() && now_s - searched_s_ < kSearchGoesOn_s; }
+
+DialogueReply Dialogue::search(ListSpec& list, bool goes_on, double now_s) {
     searched_s_ = now_s;
     // A word that is being typed may stay where it is; a first letter goes on to the next one. Names that begin so come
     // before those in which a later word does.

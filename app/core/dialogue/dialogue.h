@@ -118,7 +118,10 @@ public:
 
 private:
     using Part = std::variant<ListSpec, TextSpec>;
-    DialogueReply list_key(ListSpec& list, std::string_view name);
+    DialogueReply list_key(ListSpec& list, std::string_view name, double now_s);
+    // Whether what is typed next belongs to the name that is being typed.
+    bool search_goes_on(double now_s) const;
+    DialogueReply search(ListSpec& list, bool goes_on, double now_s);
     DialogueReply text_key(TextSpec& question, std::string_view name);
     DialogueReply choose(ListSpec& list);
     template <class Change>

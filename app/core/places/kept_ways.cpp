@@ -107,6 +107,8 @@ std::vector<KeptWays::Offer> KeptWays::untold_offers() const {
     std::vector<Offer> offers;
     if (planned_.stops().size() > 1)
         offers.push_back({phrase("ways.planned"), names_of(planned_.stops()), planned_.stops()});
+    if (planned_.chosen().size() > planned_.stops().size())
+        offers.push_back({phrase("ways.chosen"), names_of(planned_.chosen()), planned_.chosen()});
     const auto offer = [&](std::string name, std::span<const Vec3> trail) {
         const double way_m = length_of(trail);
         if (way_m < kAtStop_m) return;
@@ -129,6 +131,7 @@ std::vector<KeptWays::Offer> KeptWays::untold_offers() const {
 
 std::vector<KeptWays::Offer> KeptWays::offers() const {
     std::vector<Offer> all = untold_offers();
+    if (planned_.chosen().size() > planned_.stops().size()) std::swap(all[0], all[1]);
     for (auto way = ways_.rbegin(); way != ways_.rend(); ++way)
         all.push_back({way->name, names_of(way->stops), way->stops});
     return all;

@@ -3,11 +3,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/core/context/telling.h"
 #include "app/core/kept/room_names.h"
 #include "app/core/wayfinding/stops.h"
+#include "app/core/world/surroundings.h"
 #include "worlds/base/language.h"
+#include "worlds/navigation/way_place.h"
 
 namespace handrail {
 namespace {
@@ -18,14 +21,24 @@ std::string names_of(const std::vector<LessonDraft::Place>& places) {
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
+// Nobody can point to what they stand on, or say when they come to it.
+bool under_feet(const Aabb& box_m, const Vec3& feet_m) {
+    constexpr double kUnderFeet_m = 0.3, kSameStorey_m = 2.5;
+    const Vec3 off_m = nearest_place(box_m, feet_m) - feet_m;
+    return std::hypot(off_m.x, off_m.y) < kUnderFeet_m && std::abs(off_m.z) < kSameStorey_m;
+}
+
 }  // namespace
 
 void PrepareLesson::base_here() {
     draft_.base_feet_m = context_.body.feet_m();
     draft_.base_heading_rad = context_.body.heading_rad;
     draft_.base_room.clear();
+    base_name_.clear();
     if (!rooms_.known() || rooms_.here() == kNothing) return;
-    draft_.base_room = own_name(rooms_.graph().rooms[rooms_.here()]);
+    const Room& room = rooms_.graph().rooms[rooms_.here()];
+    base_name_ = own_name(room);
+    if (!is_outside(room, rooms_.space(), *rooms_.file_scene())) draft_.base_room = base_name_;
 }
 
 void PrepareLesson::open_at(std::size_t at, double now_s) {
@@ -35,16 +48,17 @@ void PrepareLesson::open_at(std::size_t at, double now_s) {
     list.title = phrase("prepare.title");
     list.at = at;
     const std::string nothing = phrase("prepare.none");
-    list.items = {{phrase("prepare.base"), draft_.base_room.empty() ? phrase("prepare.a_place") : draft_.base_room},
+    list.items = {{phrase("prepare.base"), base_name_.empty() ? phrase("prepare.a_place") : base_name_},
                   {phrase("prepare.landmark"), draft_.landmarks.empty() ? nothing : names_of(draft_.landmarks)},
                   {phrase("prepare.route"), draft_.stops.empty() ? nothing : names_of(draft_.stops)},
                   {phrase("prepare.save"), phrase("prepare.three_sessions")}};
+    list.stays_open = true;  // what is refused leaves it where it is
     list.chosen = [this](std::size_t chosen) {
         const double then_s = context_.tick_s;
         switch (chosen) {
             case 0:
                 base_here();
-                return open_at(1, then_s);
+                return open_again(1);
             case 1:
                 return open_landmarks(then_s);
             case 2:
@@ -56,31 +70,38 @@ void PrepareLesson::open_at(std::size_t at, double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
+void PrepareLesson::open_again(std::size_t at) {
+    context_.lists.dialogue.close_all();
+    open_at(at, context_.tick_s);
+}
+
 // Of those of one name the nearest, as a lesson knows things by their names.
 void PrepareLesson::open_landmarks(double now_s) {
+    if (draft_.landmarks.size() >= kMostLandmarks)
+        return context_.answer(phrase("prepare.enough", {{"count", kMostLandmarks}}), now_s);
     ListSpec list;
     list.title = phrase("prepare.which_landmark");
     std::vector<LessonDraft::Place> places;
     for (const Goal& goal : goals(context_)) {
         const auto named = [&](const LessonDraft::Place& place) { return place.name == goal.name; };
         if (std::any_of(places.begin(), places.end(), named) ||
-            std::any_of(draft_.landmarks.begin(), draft_.landmarks.end(), named))
+            std::any_of(draft_.landmarks.begin(), draft_.landmarks.end(), named) ||
+            under_feet(goal.box_m, draft_.base_feet_m))
             continue;
-        LessonDraft::Place place{goal.name, {}, {}, goal.box_m.centre_m()};
+        LessonDraft::Place place{goal.name, {}, {}, goal.box_m.centre_m(), goal.box_m};
         if (goal.feature) place.thing = context_.world.scene->features[goal.feature.value].name;
         list.items.push_back({goal.name, {}, false});
         places.push_back(std::move(place));
     }
     list.chosen = [this, places](std::size_t at) {
-        if (draft_.landmarks.size() < kMostLandmarks) draft_.landmarks.push_back(places[at]);
-        open_at(draft_.landmarks.size() < 3 ? 1 : 2, context_.tick_s);
+        draft_.landmarks.push_back(places[at]);
+        open_again(draft_.landmarks.size() < 3 ? 1 : 2);
     };
-    list.left = [this] { open_at(1, context_.tick_s); };
     context_.open_list(std::move(list), now_s);
 }
 
 LessonDraft::Place PrepareLesson::place_of(const Stop& stop) const {
-    return {stop.name, stop.thing, stop.thing.empty() ? stop.room : std::string(), stop.place_m};
+    return {stop.name, stop.thing, stop.thing.empty() ? stop.room : std::string(), stop.place_m, {}};
 }
 
 void PrepareLesson::open_routes(double now_s) {
@@ -97,10 +118,36 @@ void PrepareLesson::open_routes(double now_s) {
         // Begins at the base; what is passed without a word is no stop of a lesson.
         for (std::size_t i = 1; i < offers[at].stops.size(); ++i)
             if (const Stop& stop = offers[at].stops[i]; !stop.name.empty()) draft_.stops.push_back(place_of(stop));
-        open_at(3, context_.tick_s);
+        open_again(3);
     };
-    list.left = [this] { open_at(2, context_.tick_s); };
     context_.open_list(std::move(list), now_s);
+}
+
+// A landmark that the route never comes near has no place in its order, and two that it comes to at once have none
+// either.
+std::vector<std::string> PrepareLesson::on_route(const std::vector<LessonDraft::Place>& asked) const {
+    constexpr double kComesTo_m = 6.0, kSameStorey_m = 2.5, kAtOnce_m = 1.0;
+    std::vector<Vec3> places;
+    for (const LessonDraft::Place& stop : draft_.stops) places.push_back(stop.place_m);
+    const Route route = plan_through(rooms_.navigation(), draft_.base_feet_m, places);
+    std::vector<std::pair<double, std::string>> met;
+    for (const LessonDraft::Place& landmark : asked) {
+        Vec3 foot = landmark.box_m.centre_m();
+        foot.z = landmark.box_m.min_m.z;
+        if (route.points_m.empty()) break;
+        const WayPlace at = nearest_on_way(route.points_m, foot);
+        const Vec3 there = place_along(route.points_m, at.along_m), near = nearest_place(landmark.box_m, there);
+        if (std::hypot(near.x - there.x, near.y - there.y) < kComesTo_m && std::abs(near.z - there.z) < kSameStorey_m)
+            met.emplace_back(at.along_m, landmark.name);
+    }
+    std::stable_sort(met.begin(), met.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<std::string> names;
+    double last_m = -kAtOnce_m;
+    for (const auto& [along_m, name] : met) {
+        if (along_m - last_m >= kAtOnce_m) names.push_back(name);
+        last_m = along_m;
+    }
+    return names;
 }
 
 void PrepareLesson::save(double now_s) {
@@ -108,10 +155,21 @@ void PrepareLesson::save(double now_s) {
         context_.answer(phrase("prepare.not_yet"), now_s);
         return;
     }
+    // The base may have come to stand on one since it was chosen.
+    std::vector<LessonDraft::Place> asked;
+    for (const LessonDraft::Place& landmark : draft_.landmarks)
+        if (!under_feet(landmark.box_m, draft_.base_feet_m)) asked.push_back(landmark);
+    if (asked.empty())
+        return context_.answer(phrase("prepare.under_feet", {{"names", names_of(draft_.landmarks)}}), now_s);
+    draft_.asked.clear();
+    for (const LessonDraft::Place& landmark : asked) draft_.asked.push_back(landmark.name);
+    draft_.on_route = on_route(asked);
+    draft_.world_checksum = context_.additions.world_checksum();
     TextSpec title;
     title.question = phrase("prepare.ask_title");
     title.text = phrase("prepare.to", {{"name", draft_.stops.back().name}});
     title.done = [this](const std::string& typed) {
+        context_.lists.dialogue.close_all();
         draft_.title = typed;
         context_.requests.lesson_draft = draft_;
     };

@@ -35,14 +35,18 @@ public:
 private:
     void open_at(std::size_t at, double now_s);
     void base_here();
+    void open_again(std::size_t at);  // in place of the lists that are open
     void open_landmarks(double now_s);
     void open_routes(double now_s);
     void save(double now_s);
+    // Names in the order in which the route, from the base on, comes to them.
+    std::vector<std::string> on_route(const std::vector<LessonDraft::Place>& asked) const;
     LessonDraft::Place place_of(const Stop& stop) const;
 
     const SessionContext& context_;
     Rooms& rooms_;
     LessonDraft draft_;
+    std::string base_name_;  // of the room, or of the ground outside; empty: none
     bool begun_ = false;
 };
 

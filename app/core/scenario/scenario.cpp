@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "app/core/kept/world_shelf.h"
 #include "app/core/scenario/scenario_parts.h"
 #include "app/core/scenario/toml_fields.h"
 #include "audio-cues/plan/sound_table.h"
@@ -376,6 +377,14 @@ fs::path find_named_world(const std::string& name, const ScenarioFolders& folder
     places.insert(places.end(), folders.others.begin(), folders.others.end());
     for (const fs::path& folder : places)
         if (std::error_code ec; fs::is_regular_file(folder / name, ec)) return folder / name;
+    // "school" is school.map.
+    for (const fs::path& folder : places)
+        if (!fs::path(name).has_parent_path() && !fs::path(name).has_extension())
+            for (const ShelvedWorld& world : worlds_in(folder))
+                if (world.file.stem() == name) return world.file;
+    // Both files may have come from elsewhere together.
+    if (const fs::path beside = folders.beside / fs::path(name).filename(); fs::path(name).has_parent_path())
+        if (std::error_code ec; fs::is_regular_file(beside, ec)) return beside;
     throw BadField{line, phrase("scenario.no_world", {{"name", name}})};
 }
 

@@ -82,11 +82,15 @@ LessonView Session::lesson_view() {
     view.room = own_name(where_.rooms.graph().rooms[where_.rooms.here()]);
     if (const Room& here = where_.rooms.graph().rooms[where_.rooms.here()]; here.given) view.room = here.name;
     const Progress progress = learn_.place.progress_in(where_.rooms.here());
-    view.perimeter_m = progress.perimeter_m;
-    view.walls_share = progress.perimeter_share();
-    view.walls = static_cast<int>(progress.walls.size());
-    view.walls_done = static_cast<int>(
-        std::count_if(progress.walls.begin(), progress.walls.end(), [](const WallProgress& w) { return w.done(); }));
+    // Walls that one meets outside are those of the building, and nobody goes round all of them.
+    if (!is_outside(where_.rooms.graph().rooms[where_.rooms.here()], where_.rooms.space(),
+                    *where_.rooms.file_scene())) {
+        view.perimeter_m = progress.perimeter_m;
+        view.walls_share = progress.perimeter_share();
+        view.walls = static_cast<int>(progress.walls.size());
+        view.walls_done = static_cast<int>(std::count_if(progress.walls.begin(), progress.walls.end(),
+                                                         [](const WallProgress& w) { return w.done(); }));
+    }
     view.exits = progress.exits;
     view.exits_found = progress.exits_found;
     return view;

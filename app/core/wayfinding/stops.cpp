@@ -14,6 +14,12 @@ namespace {
 
 constexpr double kGoesOn_m = 3.0;  // a way planned from so near the end of the one before goes on with it
 
+void add(std::vector<Stop>& stops, const Stop& stop) {
+    if (stops.back().name == stop.name && near_stop(stops.back(), stop.place_m, kAtStop_m)) return;
+    stops.push_back(stop);
+    if (stops.size() > kMostStops) stops.erase(stops.begin());
+}
+
 }  // namespace
 
 std::vector<Goal> goals(const SessionContext& context) {
@@ -90,13 +96,16 @@ Goal goal_of(const SessionContext& context, const Stop& stop) {
     return goal;
 }
 
-void PlannedStops::note(Stop stop, const Vec3& from_m) {
+void PlannedStops::note(const Stop& stop, const Vec3& from_m) {
     const Vec3 here = rooms_.navigation().nearest_place(from_m).value_or(context_.body.feet_m());
-    if (stops_.empty() || !near_stop(stops_.back(), here, kGoesOn_m))
-        stops_.assign(1, stop_at_place(rooms_, here, phrase("ways.begin")));
-    if (stops_.back().name == stop.name && near_stop(stops_.back(), stop.place_m, kAtStop_m)) return;
-    stops_.push_back(std::move(stop));
-    if (stops_.size() > kMostStops) stops_.erase(stops_.begin());
+    const Stop begin = stop_at_place(rooms_, here, phrase("ways.begin"));
+    const bool goes_on = !stops_.empty() && near_stop(stops_.back(), here, kGoesOn_m);
+    const bool from_there = !chosen_.empty() && glm::length(chosen_at_m_ - here) < kGoesOn_m;
+    if (!goes_on) stops_.assign(1, begin);
+    if (!goes_on && !from_there) chosen_.assign(1, begin);
+    chosen_at_m_ = here;
+    add(stops_, stop);
+    add(chosen_, stop);
 }
 
 }  // namespace handrail

@@ -43,14 +43,17 @@ class PlannedStops : SessionPart {
 public:
     PlannedStops(const SessionContext& context, const Rooms& rooms) : SessionPart(context), rooms_(rooms) {}
 
-    void clear() { stops_.clear(); }
+    void clear() { stops_.clear(), chosen_.clear(); }
     // The person wants to go there, from that place.
-    void note(Stop stop, const Vec3& from_m);
+    void note(const Stop& stop, const Vec3& from_m);
     const std::vector<Stop>& stops() const { return stops_; }
+    // Also those that were chosen one after the other without going there, as an instructor puts a route together.
+    const std::vector<Stop>& chosen() const { return chosen_; }
 
 private:
     const Rooms& rooms_;
-    std::vector<Stop> stops_;
+    std::vector<Stop> stops_, chosen_;
+    Vec3 chosen_at_m_{0.0};  // where the last one was chosen
 };
 
 }  // namespace handrail

@@ -57,6 +57,26 @@ TEST(Dialogue, finds_names_by_their_first_letters) {
     EXPECT_EQ(f.key("Space"), "Blueberry, 3 of 4");
 }
 
+// A keyboard sends a blank as a key and then as a character.
+TEST(Dialogue, finds_names_of_several_words_as_they_are_typed) {
+    Dialogue dialogue;
+    ListSpec doors;
+    doors.title = "Doors";
+    doors.items = {{"Lift door", {}}, {"Library", {}}, {"Library desk", {}}, {"Library door", {}}, {"Old shed", {}}};
+    dialogue.open(doors);
+    double now_s = 10.0;
+    std::string said;
+    for (const char letter : std::string("library door")) {
+        now_s += 0.2;
+        if (letter == ' ') dialogue.key("Space", now_s);
+        said = dialogue.typed(std::string(1, letter), now_s).words;
+    }
+    EXPECT_EQ(said, "Library door, 4 of 5");
+    EXPECT_EQ(dialogue.key("Space", now_s + 5.0).words, "Library door, 4 of 5") << "a pause ends the name";
+    for (const char* part : {"l", "i", "b", " ", "d", "o"}) said = dialogue.typed(part, now_s += 0.2).words;
+    EXPECT_EQ(said, "Nothing begins with lib do.");
+}
+
 TEST(Dialogue, changes_a_value_in_place) {
     Fruit f;
     ListSpec spec = f.list();

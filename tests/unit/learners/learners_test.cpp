@@ -8,6 +8,7 @@
 
 #include "app/learners/exported.h"
 #include "app/learners/forget.h"
+#include "app/learners/way_out.h"
 #include "app/main/commands.h"
 #include "app/record/gzip_pieces.h"
 #include "tests/support/environment.h"
@@ -72,9 +73,9 @@ TEST(Learners, one_damaged_file_hides_nobody_else_and_is_left_as_it_is) {
 TEST(Exported, is_known_as_long_as_it_is_as_it_was_written) {
     const TemporaryFolder data, elsewhere;
     const fs::path page = elsewhere.write("page.html", "<p>One"), table = elsewhere.write("table.csv", "a,b");
-    ASSERT_TRUE(note_exported(data.path(), page));
-    ASSERT_TRUE(note_exported(data.path(), table));
-    ASSERT_TRUE(note_exported(data.path(), page));
+    ASSERT_TRUE(note_exported(data.path(), page, "<p>One"));
+    ASSERT_TRUE(note_exported(data.path(), table, "a,b"));
+    ASSERT_TRUE(note_exported(data.path(), page, "<p>Two, which was noted and could not be written"));
     std::vector<Error> faults;
     const auto all = exported_of(data.path(), faults);
     ASSERT_EQ(all.size(), 2U) << "written over is one file";
@@ -88,8 +89,8 @@ TEST(Exported, is_known_as_long_as_it_is_as_it_was_written) {
 
 TEST(Exported, list_cut_at_every_byte_tells_the_line_and_keeps_those_before) {
     const TemporaryFolder data, elsewhere;
-    ASSERT_TRUE(note_exported(data.path(), elsewhere.write("a", "1")));
-    ASSERT_TRUE(note_exported(data.path(), elsewhere.write("b", "2")));
+    ASSERT_TRUE(note_exported(data.path(), elsewhere.path() / "a", "1"));
+    ASSERT_TRUE(note_exported(data.path(), elsewhere.path() / "b", "2"));
     const std::string whole = test::content_of(data.path() / "exports.jsonl");
     const std::size_t first = whole.find('\n');
     for (std::size_t length = 0; length < whole.size(); ++length) {
@@ -103,6 +104,46 @@ TEST(Exported, list_cut_at_every_byte_tells_the_line_and_keeps_those_before) {
             EXPECT_EQ(faults[0].line, length < first ? 1 : 2) << length;
         }
     }
+}
+
+TEST(WayOut, knows_whose_data_it_is_by_its_folder_links_followed) {
+    const TemporaryFolder data, elsewhere;
+    const Learners learners(data.path());
+    const auto owl = learners.make("Oak Owl", ""), finch = learners.make("Fig Finch", "");
+    ASSERT_TRUE(owl && finch);
+    const fs::path recording = learners.recordings_of(owl->id) / "one", link = elsewhere.path() / "link",
+                   out = elsewhere.path() / "out.csv";
+    fs::create_directories(recording);
+    fs::create_directory_symlink(recording, link);
+    EXPECT_FALSE(WayOut::of(learners, elsewhere.path())->learner());
+    EXPECT_FALSE(WayOut::of(Learners({}), recording)->learner()) << "without a home there are no learners";
+    for (const fs::path& from : {recording, link, link / "events.jsonl", recording / "../one"}) {
+        const auto way = WayOut::of(learners, from);
+        ASSERT_TRUE(way && way->learner()) << from;
+        EXPECT_EQ(way->learner()->id, owl->id);
+        EXPECT_FALSE(way->allows(out));
+        EXPECT_FALSE(way->write(out, "1", write_file_atomically));
+        EXPECT_FALSE(fs::exists(out));
+        EXPECT_FALSE(way->allows(learners.folder_of(finch->id) / "out.csv")) << "another learner's folder is elsewhere";
+        EXPECT_TRUE(way->allows(recording / "../out.csv")) << "in the learner's own folder nobody else looks";
+    }
+    ASSERT_TRUE(learners.change(owl->id, [](Learner& one) { one.consent(Purpose::Share) = Consent{today(), {}, {}}; }));
+    EXPECT_TRUE(WayOut::of(learners, link)->write(out, "1", write_file_atomically));
+    EXPECT_EQ(holdings_of(learners.folder_of(owl->id)).exported, std::vector{out});
+    ASSERT_TRUE(write_file_atomically(learners.folder_of(owl->id) / "learner.toml", "name = "));
+    EXPECT_FALSE(WayOut::of(learners, link)) << "nobody knows what was agreed to";
+}
+
+TEST(WayOut, writes_nothing_that_it_cannot_note) {
+    const TemporaryFolder data, elsewhere;
+    const Learners learners(data.path());
+    const auto owl = learners.make("Oak Owl", "");
+    ASSERT_TRUE(owl);
+    ASSERT_TRUE(learners.change(owl->id, [](Learner& one) { one.consent(Purpose::Share) = Consent{today(), {}, {}}; }));
+    fs::create_directory(learners.folder_of(owl->id) / "exports.jsonl");
+    const fs::path out = elsewhere.path() / "out.csv";
+    EXPECT_FALSE(WayOut::of(learners, learners.folder_of(owl->id))->write(out, "1", write_file_atomically));
+    EXPECT_FALSE(fs::exists(out));
 }
 
 TEST(Search, finds_words_in_names_in_texts_and_in_what_is_packed) {
@@ -205,7 +246,7 @@ TEST_F(LearnerCommand, deletes_asked_and_searches_and_finds_nothing) {
     ASSERT_TRUE(write_file_atomically(folder / "recordings/one/frames.csv.gz", gzip_piece("Oak Owl")));
     ASSERT_TRUE(write_file_atomically(folder / "worlds/house.map.toml", "x = 1\n"));
     ASSERT_TRUE(write_file_atomically(page, "<p>Oak Owl</p>"));
-    ASSERT_TRUE(note_exported(folder, page));
+    ASSERT_TRUE(note_exported(folder, page, "<p>Oak Owl</p>"));
     EXPECT_EQ(run({.action = "delete", .name = "Oak Owl"}, "no\n").status, 1);
     EXPECT_TRUE(fs::exists(page));
     const Said deleted = run({.action = "delete", .name = "Oak Owl"}, "yes\n");

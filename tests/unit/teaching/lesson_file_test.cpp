@@ -124,6 +124,41 @@ TEST(LessonFileRead, is_whole_or_refused_in_one_sentence_wherever_it_is_cut) {
     EXPECT_LT(taken, text.size() / 2);
 }
 
+TEST(LessonFileRead, finds_its_world_by_name_or_beside_it_where_both_have_travelled) {
+    const Given given;
+    for (const char* world : {"box", "../elsewhere/box.map", "box.map"}) {
+        std::string text = given.seed();
+        const std::string written = "world = \"box.map\"";
+        text.replace(text.find(written), written.size(), "world = \"" + std::string(world) + "\"");
+        const auto lesson = given.read(text);
+        ASSERT_TRUE(lesson) << world << ": " << lesson.error().sentence();
+        EXPECT_EQ(lesson->world.filename(), "box.map") << world;
+    }
+    EXPECT_NE(given.refused("world = \"box.map\"", "world = \"bax\"").find("bax"), std::string::npos);
+}
+
+// A lesson that the program saves finds its world from its own folder, wherever that folder is put.
+TEST(LessonFileRead, made_by_the_program_names_its_world_from_its_own_folder) {
+    const test::TemporaryFolder home;
+    const auto lessons = home.path() / "data/lessons", worlds = home.path() / "worlds";
+    std::filesystem::create_directories(lessons);
+    std::filesystem::create_directories(worlds);
+    home.write("worlds/flat.map", "{\n\"classname\" \"worldspawn\"\n}\n");
+    const std::string named = named_from(lessons, worlds / "flat.map");
+    EXPECT_EQ(named, "../../worlds/flat.map");
+    EXPECT_EQ(named_from(worlds, worlds / "flat.map"), "flat.map");
+    const Given given;
+    std::string text = given.seed();
+    const std::string written = "world = \"box.map\"";
+    text.replace(text.find(written), written.size(), "world = \"" + named + "\"");
+    const std::filesystem::path moved = home.path() / "elsewhere";
+    std::filesystem::create_directories(moved);
+    for (const char* folder : {"data", "worlds"}) std::filesystem::rename(home.path() / folder, moved / folder);
+    const auto lesson = read_lesson_text(text, moved / "data/lessons/a.lesson.toml", {});
+    ASSERT_TRUE(lesson) << lesson.error().sentence();
+    EXPECT_TRUE(std::filesystem::equivalent(lesson->world, moved / "worlds/flat.map"));
+}
+
 TEST(LessonFileRead, makes_the_last_lap_free) {
     const Given given;
     std::string text = given.seed();

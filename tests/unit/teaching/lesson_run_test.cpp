@@ -323,7 +323,7 @@ TEST(Learning, that_is_done_at_once_is_stated_as_nothing_and_else_as_it_was_in_t
     pupil.live(0.5);
     pupil.answer();
     ASSERT_EQ(pupil.run().results().size(), 2U) << pupil.all();
-    EXPECT_EQ(pupil.run().results()[0].measures.at("walls_percent"), 0.0);
+    EXPECT_FALSE(pupil.run().results()[0].measures.contains("walls_percent")) << "nobody was in the room";
     EXPECT_GT(pupil.run().results()[1].measures.at("walls_percent"), 2.0);
     EXPECT_TRUE(pupil.run().results()[1].measures.contains("exits_percent"));
 }
@@ -516,6 +516,50 @@ TEST(LessonInItsWorld, is_refused_where_it_names_what_is_not_there) {
     wrong = lesson;
     wrong.sessions[0].steps[1].to = {"Trophy caze"};
     EXPECT_NE(refused(wrong).find("Trophy case"), std::string::npos) << refused(wrong);
+}
+
+TEST(LessonInItsWorld, may_ask_for_any_thing_of_it_and_for_nothing_that_is_under_the_learners_feet) {
+    LessonFile lesson = *read_lesson(kWorlds / "school.lesson.toml", {});
+    lesson.sessions[0].steps[1].to = {"Lift door"};  // which is neither a landmark nor a stop
+    const auto world = TaughtWorld::find(lesson, school()->scene());
+    ASSERT_TRUE(world) << world.error().sentence();
+    ASSERT_TRUE((*world)->place("lift door"));
+    EXPECT_FALSE((*world)->place("lift door")->box_m.empty());
+    LessonPlace here;
+    here.name = "Mat";
+    here.place_m = (*world)->base().stand_m;
+    lesson.landmarks.push_back(here);
+    lesson.sessions[0].steps[1].to = {"Trophy case", "Mat"};
+    const auto under_feet = TaughtWorld::find(lesson, school()->scene());
+    ASSERT_FALSE(under_feet);
+    EXPECT_NE(under_feet.error().sentence().find("\"Mat\" is where the learner stands"), std::string::npos)
+        << under_feet.error().sentence();
+    lesson.sessions[0].steps[1].to = {"Trophy case"};
+    lesson.sessions[2].steps[2].to = {"Mat", "Trophy case"};
+    EXPECT_FALSE(TaughtWorld::find(lesson, school()->scene())) << "nobody comes to it on the route";
+}
+
+// The reader of a building lays ground around it: a base there begins no session of walls.
+TEST(LessonInItsWorld, has_no_percent_of_walls_outside_and_prepares_no_learning_of_it) {
+    const auto file = test::project_root() / "tests/fuzz/inputs/ifc/seeds/small_house.ifc";
+    const auto scene = test::world_once(file);
+    LessonFile lesson = *read_lesson(kWorlds / "school.lesson.toml", {});
+    lesson.base_feet_m.reset();
+    lesson.landmarks.clear();
+    lesson.routes.clear();
+    TaughtStep learn;
+    learn.kind = StepKind::Learn;
+    learn.room = "Living room";
+    learn.walls_percent = 90;
+    lesson.sessions = {{"Walls", 0, false, {}, {learn}, 1}};
+    const auto inside = TaughtWorld::find(lesson, scene);
+    EXPECT_TRUE(inside) << inside.error().sentence();
+    lesson.sessions[0].steps[0].room = "ground outside";
+    const auto outside = TaughtWorld::find(lesson, scene);
+    ASSERT_FALSE(outside);
+    EXPECT_NE(outside.error().sentence().find("no walls of its own"), std::string::npos) << outside.error().sentence();
+    lesson.sessions[0].steps[0].walls_percent = 0;
+    EXPECT_TRUE(TaughtWorld::find(lesson, scene)) << "it may be got to know without a number";
 }
 
 }  // namespace lesson_run_test

@@ -82,6 +82,8 @@ TEST(PreparingALesson, takes_under_60_keys_and_5_minutes_in_our_school_and_the_f
     EXPECT_LT(instructor.headless().now_s(), 300.0);
     RecordProperty("keys", instructor.pressed());
     EXPECT_EQ(draft->landmarks.size(), 3U);
+    ASSERT_EQ(draft->stops.size(), 2U) << "all that were chosen one after the other";
+    EXPECT_EQ(draft->stops[0].name, "Lower corridor");
 
     const std::string text = lesson_text(three_sessions(*draft, kSchool));
     const auto lesson = read_lesson_text(text, kSchool.parent_path() / "made.lesson.toml", {});
@@ -103,6 +105,61 @@ TEST(PreparingALesson, saves_nothing_that_has_no_landmark_or_no_route) {
     instructor.key("Enter");
     EXPECT_FALSE(instructor.headless().app().requests().take_lesson_draft());
     EXPECT_FALSE(instructor.headless().app().dialogue().typing());
+    // And the list stays open: the next keys are for it, and do not move the person.
+    const Vec3 stood = instructor.headless().app().feet_m();
+    EXPECT_NE(instructor.at().find("Save"), std::string::npos) << instructor.at();
+    instructor.key("Up");
+    EXPECT_NE(instructor.at().find("Route"), std::string::npos) << instructor.at();
+    instructor.key("Enter");
+    EXPECT_NE(instructor.at().find("Route"), std::string::npos) << "no way was planned: " << instructor.at();
+    EXPECT_EQ(instructor.headless().app().feet_m(), stood);
+}
+
+// Whatever the order in which landmarks are chosen, the question has that of the route; and nobody is asked for what
+// they stand on.
+TEST(PreparingALesson, asks_for_the_order_in_which_the_route_comes_to_landmarks) {
+    const auto scene = test::world_once(kSchool);
+    const auto order_after = [&](const std::vector<const char*>& landmarks) {
+        Instructor instructor(scene);
+        instructor.key("Shift+4");
+        instructor.type("lower c");
+        instructor.key("Enter");
+        instructor.key("Shift+4");
+        instructor.type("lib");
+        instructor.key("Enter");
+        for (const char* key : {"Alt+F9", "End", "Enter"}) instructor.key(key);
+        for (const char* landmark : landmarks) {
+            instructor.key("Home");
+            for (const char* key : {"Down", "Enter"}) instructor.key(key);
+            instructor.type(landmark);
+            instructor.key("Enter");
+        }
+        instructor.key("Home");
+        for (const char* key : {"Down", "Down", "Enter", "Enter", "End", "Enter", "Enter"}) instructor.key(key);
+        const auto draft = instructor.headless().app().requests().take_lesson_draft();
+        EXPECT_TRUE(draft) << instructor.at();
+        return draft ? draft->on_route : std::vector<std::string>();
+    };
+    const std::vector<std::string> there = order_after({"trop", "drin", "library d"});
+    EXPECT_GE(there.size(), 2U);
+    EXPECT_EQ(order_after({"library d", "drin", "trop"}), there);
+    EXPECT_EQ(order_after({"drin", "library d", "trop"}), there);
+    EXPECT_EQ(there.back(), "Library door");
+}
+
+TEST(PreparingALesson, offers_nothing_as_a_landmark_that_is_under_the_base) {
+    auto standing = std::make_shared<Scene>(*test::world_once(kSchool));
+    const auto stands = [&](const Feature& feature) { return feature.name == "Trophy case"; };
+    const auto found = std::find_if(standing->features.begin(), standing->features.end(), stands);
+    ASSERT_NE(found, standing->features.end());
+    const auto base =
+        std::find_if(standing->starts.begin(), standing->starts.end(), [](const Start& s) { return s.base; });
+    const Vec3 at = (base == standing->starts.end() ? standing->starts.front() : *base).feet_m;
+    found->bounds_m = {at - Vec3(0.5, 0.5, 0.1), at + Vec3(0.5, 0.5, 0.0)};
+    Instructor instructor(standing);
+    for (const char* key : {"Alt+F9", "End", "Enter", "Down", "Enter"}) instructor.key(key);
+    instructor.type("trop");
+    EXPECT_EQ(instructor.at().find("Trophy"), std::string::npos) << instructor.at();
 }
 
 }  // namespace prepare_lesson_test

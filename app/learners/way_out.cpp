@@ -1,0 +1,64 @@
+#include "app/learners/way_out.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include "app/learners/exported.h"
+#include "worlds/base/language.h"
+
+namespace handrail {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path real_path(const fs::path& path) {
+    std::error_code ec;
+    return fs::weakly_canonical(fs::absolute(path, ec), ec);
+}
+
+// What of `inside` is below `whole`; empty: it is elsewhere.
+fs::path below(const fs::path& inside, const fs::path& whole) {
+    const auto [of_whole, of_inside] = std::mismatch(whole.begin(), whole.end(), inside.begin(), inside.end());
+    fs::path rest;
+    if (of_whole == whole.end())
+        for (auto part = of_inside; part != inside.end(); ++part) rest /= *part;
+    return rest;
+}
+
+}  // namespace
+
+Result<WayOut> WayOut::of(const Learners& learners, const fs::path& data) {
+    if (learners.folder().empty()) return WayOut();
+    const fs::path rest = below(real_path(data), real_path(learners.folder()));
+    if (rest.empty()) return WayOut();
+    const std::string id = learners.id_of(rest.begin()->string());
+    if (id.empty()) return WayOut();
+    auto learner = learners.find(id);
+    if (!learner) return tl::unexpected(std::move(learner.error()));
+    return of(learners, std::move(*learner));
+}
+
+WayOut WayOut::of(const Learners& learners, Learner learner) {
+    WayOut way;
+    way.folder_ = learners.folder_of(learner.id);
+    way.learner_ = std::move(learner);
+    return way;
+}
+
+bool WayOut::leaves(const fs::path& file) const {
+    return learner_ && below(real_path(file), real_path(folder_)).empty();
+}
+
+Result<void> WayOut::allows(const fs::path& file) const {
+    if (!leaves(file) || learner_->allows(Purpose::Share, today())) return {};
+    return fail(phrase("learner.not_shared", {{"name", learner_->name}}));
+}
+
+Result<void> WayOut::write(const fs::path& file, std::string_view content, Writer how) const {
+    if (auto allowed = allows(file); !allowed) return allowed;
+    if (leaves(file))
+        if (auto noted = note_exported(folder_, file, content); !noted) return noted;
+    return how(file, content);
+}
+
+}  // namespace handrail
