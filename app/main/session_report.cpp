@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
 
 #include "app/core/whereabouts/rooms_of_world.h"
 #include "app/core/world/body_heights.h"
@@ -160,7 +161,7 @@ ReportTask task_of(const RecordedTask& done) {
                                                                             {"point", ReportTaskKind::Point},
                                                                             {"distance", ReportTaskKind::Distance},
                                                                             {"order", ReportTaskKind::Order},
-                                                                            {"ask", ReportTaskKind::Free}}};
+                                                                            {"ask", ReportTaskKind::Ask}}};
     ReportTask task{.kind = ReportTaskKind::Free, .name = done.name, .reached = {}, .measures = {}};
     for (const auto& [word, kind] : kKinds)
         if (done.kind == word) task.kind = kind;
@@ -188,6 +189,21 @@ void add_rooms(SessionReport& report, std::span<const WayPoint> walk, const Room
         std::vector<Vec2>& way = report.ways_m.back();
         if (way.empty() || glm::length(at - way.back()) >= kWaySpacing_m) way.push_back(at);
     }
+}
+
+// What was said, without the items of lists that were looked through: of each list what was told first.
+std::vector<ReportEvent> course_of(const Recording& recording, const RecordedEvents& events) {
+    std::vector<ReportEvent> course;
+    std::size_t list = 0;
+    bool first = true;
+    for (const SaidLine& line : said_lines(recording)) {
+        if (!line.voiced || line.t_s < events.from_s || line.t_s > events.to_s) continue;
+        for (; list < events.lists.size() && events.lists[list].to_s <= line.t_s; ++list) first = true;
+        const bool in_list = list < events.lists.size() && line.t_s >= events.lists[list].from_s;
+        if (in_list && line.speech_class == "answer" && !std::exchange(first, false)) continue;
+        if (course.size() < kMostLines) course.push_back({line.t_s - events.from_s, line.text});
+    }
+    return course;
 }
 
 ReportTask whole(const RecordedEvents& events, std::span<const WayPoint> walk) {
@@ -225,9 +241,7 @@ Result<SessionReport> report_of(const Recording& recording, const RecordedEvents
     if (!walk.empty())
         report.strategies =
             strategies_of(samples_of(walk, events, rooms.scene()), walk.front().place_m, walk.back().t_s);
-    for (const SaidLine& line : said_lines(recording))
-        if (line.voiced && line.t_s >= events.from_s && line.t_s <= events.to_s && report.course.size() < kMostLines)
-            report.course.push_back({line.t_s - events.from_s, line.text});
+    report.course = course_of(recording, events);
     report.contacts = contacts_of(events, *scene);
     for (const RecordedNote& note : events.notes)
         if (note.t_s >= events.from_s && note.t_s <= events.to_s)

@@ -24,7 +24,7 @@ public:
             if (!recording.frames.empty())
                 events_.to_s = std::max(events_.to_s, recording.frames.back().now_s - recording.head.begun_s);
         }
-        if (list_since_s_) events_.busy.push_back({*list_since_s_, events_.to_s});
+        if (list_since_s_) list_ended(events_.to_s);
         add_speaking(recording);
         return std::move(events_);
     }
@@ -57,7 +57,7 @@ private:
         if (line.is == "teleported") events_.leaps_s.push_back(line.t_s);
         if (line.is == "list_shown") {
             const bool open = json.at("open").get<bool>();
-            if (!open && list_since_s_) events_.busy.push_back({*list_since_s_, line.t_s});
+            if (!open && list_since_s_) list_ended(line.t_s);
             if (!open) list_since_s_.reset();
             else if (!list_since_s_) list_since_s_ = line.t_s;
         }
@@ -87,6 +87,10 @@ private:
                 task.measures[item.substr(0, equals)] = value;
         }
         events_.tasks.push_back(std::move(task));
+    }
+    void list_ended(double t_s) {
+        events_.lists.push_back({*list_since_s_, t_s});
+        events_.busy.push_back(events_.lists.back());
     }
     void enter(const RecordedLine& line) {
         if (events_.world) {

@@ -60,7 +60,8 @@ struct RecordedEvents {
     std::vector<RecordedWay> ways;
     std::vector<double> help_s, home_s, leaps_s;  // help asked; back to the base by its key; put elsewhere
     std::vector<RecordedNote> notes;
-    std::vector<RecordedSpan> busy;  // a list was open, or somebody spoke
+    std::vector<RecordedSpan> busy;   // a list was open, or somebody spoke
+    std::vector<RecordedSpan> lists;  // a list was open
 };
 RecordedEvents events_of(const Recording& recording);
 

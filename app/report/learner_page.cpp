@@ -90,7 +90,7 @@ std::string goals_html(std::span<const SessionReport> reports) {
             html += row_of(session_words(reports[went.session - 1], went.session),
                            {cell(*went.task, "time"), cell(*went.task, "path_ratio"), cell(*went.task, "turns_missed"),
                             cell(*went.task, "turns_early"), cell(*went.task, "help_asked")});
-        html += "</tbody>\n</table>\n";
+        html += std::string(kTableEnd);
     }
     return html.empty() ? html : heading("progress", phrase("report.progress")) + html;
 }
@@ -101,7 +101,7 @@ std::string sessions_html(std::span<const SessionReport> reports) {
                        {phrase("report.column_session"), phrase("report.column_place"), phrase("report.column_time")});
     for (std::size_t i = 0; i < reports.size(); ++i)
         html += row_of(session_words(reports[i], i + 1), {reports[i].world, duration_words(reports[i].seconds)});
-    return html + "</tbody>\n</table>\n";
+    return html + std::string(kTableEnd);
 }
 
 }  // namespace
@@ -138,6 +138,7 @@ std::string learner_page(std::span<const SessionReport> reports) {
     for (std::size_t i = 0; i < reports.size(); ++i) {
         html += heading(fmt::format("session-{}", i + 1), session_words(reports[i], i + 1));
         list(report_words(reports[i]));
+        html += plan_html(reports[i], fmt::format("plan-{}", i + 1));
     }
     return html + std::string(kPageEnd);
 }

@@ -16,11 +16,11 @@ constexpr std::string_view kStyle =
     R"(:root{color-scheme:light dark;--paper:#fff;--ink:#16181d;--soft:#4a4f59;--line:#6b7280;--way:#9a1f1f}
 @media(prefers-color-scheme:dark){:root{--paper:#14161a;--ink:#f1f2f4;--soft:#c3c8d0;--line:#9aa1ad;--way:#ff9b8f}}
 body{background:var(--paper);color:var(--ink);font:1.1rem/1.5 sans-serif;max-width:46rem;
-margin:0 auto;padding:1rem;overflow-wrap:anywhere}
+margin:0 auto;padding:1rem;overflow-wrap:break-word}
 h1{font-size:1.6rem}h2{font-size:1.25rem;margin-top:2rem}
 table{border-collapse:collapse;width:100%}caption{text-align:left;color:var(--soft)}
-th,td{text-align:left;vertical-align:top;padding:.3rem .5rem;border-bottom:1px solid var(--line);overflow-wrap:anywhere}
-td:nth-child(2){overflow-wrap:break-word}
+th,td{text-align:left;vertical-align:top;padding:.3rem .5rem;border-bottom:1px solid var(--line)}
+.wide{overflow-x:auto}@media(max-width:30rem){table{font-size:.9rem}th,td{padding:.3rem .25rem}}
 svg{width:100%;height:auto;max-height:80vh}
 .wall{fill:var(--ink)}.way{fill:none;stroke:var(--way)}.spot{fill:var(--paper);stroke:var(--way)}.name{fill:var(--ink)}
 @media print{:root{--paper:#fff;--ink:#000;--soft:#333;--line:#555;--way:#7a1414}table,svg{break-inside:avoid}})";
@@ -48,8 +48,8 @@ std::string value_words(const ReportMeasureInfo& info, double value) {
 }
 
 std::string task_words(const ReportTask& task) {
-    constexpr std::array kTasks{"report.task_go",    "report.task_learn",    "report.task_free",
-                                "report.task_point", "report.task_distance", "report.task_order"};  // as ReportTaskKind
+    constexpr std::array kTasks{"report.task_go",       "report.task_learn", "report.task_free", "report.task_point",
+                                "report.task_distance", "report.task_order", "report.task_ask"};  // as ReportTaskKind
     return phrase(kTasks.at(static_cast<std::size_t>(task.kind)), {{"name", task.name}});
 }
 
@@ -64,7 +64,10 @@ std::string heading(std::string_view id, const std::string& text) {
 }
 
 std::string table_head(const std::string& caption, std::initializer_list<std::string> columns) {
-    std::string html = fmt::format("<table>\n<caption>{}</caption>\n<thead><tr>", markup_text(caption));
+    std::string html = fmt::format(
+        "<div class=\"wide\" role=\"group\" tabindex=\"0\" "
+        "aria-label=\"{}\">\n<table>\n<caption>{}</caption>\n<thead><tr>",
+        markup_text(caption), markup_text(caption));
     for (const std::string& column : columns) html += fmt::format("<th scope=\"col\">{}</th>", markup_text(column));
     return html + "</tr></thead>\n<tbody>\n";
 }
@@ -90,7 +93,7 @@ std::string strategies_html(std::span<const ReportStrategy> strategies) {
                        {phrase("report.in_percent", {{"value", number_words(static_cast<double>(percent), 0)}}),
                         phrase("report.strategy_means_" + strategy.key)});
     }
-    return html + "</tbody>\n</table>\n";
+    return html + std::string(kTableEnd);
 }
 
 std::string page_begin(const std::string& title) {

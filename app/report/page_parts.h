@@ -13,6 +13,7 @@ namespace handrail {
 
 // From the doctype to the page's one first heading; kPageEnd ends it.
 std::string page_begin(const std::string& title);
+inline constexpr std::string_view kTableEnd = "</tbody>\n</table>\n</div>\n";
 inline constexpr std::string_view kPageEnd = "</main>\n</body>\n</html>\n";
 
 std::string heading(std::string_view id, const std::string& text);
@@ -29,5 +30,8 @@ std::string value_words(const ReportMeasureInfo& info, double value);
 std::string task_words(const ReportTask& task);
 // "3:05", from the start.
 std::string clock_of(double seconds);
+
+// The plan, the words for it, and what was touched most; nothing without a plan. id: of its parts, once on a page.
+std::string plan_html(const SessionReport& report, std::string_view id);
 
 }  // namespace handrail

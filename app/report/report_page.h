@@ -28,10 +28,10 @@ struct ReportMeasure {
     double value = 0.0;
 };
 
-enum class ReportTaskKind : std::uint8_t { Go, Learn, Free, Point, Distance, Order };
+enum class ReportTaskKind : std::uint8_t { Go, Learn, Free, Point, Distance, Order, Ask };
 struct ReportTask {
     ReportTaskKind kind = ReportTaskKind::Go;
-    std::string name;             // what is gone to or learnt; may be empty
+    std::string name;             // what is gone to or learnt, or a question with its answer; may be empty
     std::optional<bool> reached;  // of Go
     std::vector<ReportMeasure> measures;
 };

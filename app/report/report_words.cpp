@@ -20,7 +20,7 @@ constexpr std::array kMeasures{
     ReportMeasureInfo{"led_time", "s", 0},        ReportMeasureInfo{"detour_time", "s", 0},
     ReportMeasureInfo{"pointing_off", "deg", 0},  ReportMeasureInfo{"pointing_side", "deg", 0},
     ReportMeasureInfo{"pointing_passed", "%", 0}, ReportMeasureInfo{"distance_judged", "1", 2},
-    ReportMeasureInfo{"order_kept", "1", 2},
+    ReportMeasureInfo{"order_kept", "1", 2},      ReportMeasureInfo{"answer", "1", 0},
 };
 
 std::optional<double> value_of(const ReportTask& task, std::string_view key) {
@@ -80,6 +80,12 @@ public:
         if (const auto kept = value("order_kept")) say(*kept > 0.99 ? "report.order_all" : "report.order_some", {});
     }
 
+    void ask() {
+        if (const auto answer = value("answer"))
+            say("report.asked", {{"question", fmt::format("{} {}", task_.name, std::lround(*answer))}});
+        else say("report.asked", {{"question", task_.name}});
+    }
+
 private:
     std::optional<double> value(std::string_view key) const { return value_of(task_, key); }
     void say(std::string_view key, std::initializer_list<TextValue> values) { said_.push_back(phrase(key, values)); }
@@ -109,6 +115,7 @@ std::vector<std::string> report_words(const SessionReport& report) {
         else if (task.kind == ReportTaskKind::Point) words.point();
         else if (task.kind == ReportTaskKind::Distance) words.distance();
         else if (task.kind == ReportTaskKind::Order) words.order();
+        else if (task.kind == ReportTaskKind::Ask) words.ask();
     }
     const auto most =
         std::max_element(report.strategies.begin(), report.strategies.end(),

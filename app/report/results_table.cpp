@@ -18,7 +18,7 @@ constexpr int kSchema = 1;
 constexpr std::array kColumns{"learner", "lesson", "session", "started", "task", "measure", "value", "unit"};
 
 std::string kind_word(ReportTaskKind kind) {
-    constexpr std::array kWords{"go", "learn", "free", "point", "distance", "order"};
+    constexpr std::array kWords{"go", "learn", "free", "point", "distance", "order", "ask"};
     return kWords[static_cast<std::size_t>(kind)];
 }
 

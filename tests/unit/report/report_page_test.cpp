@@ -61,7 +61,15 @@ SessionReport sample() {
                      "Library",
                      false,
                      {{"path_ratio", 2.5}, {"time", 300.0}, {"help_asked", 0.0}, {"turns_missed", 0.0}}};
-    report.tasks = {go, learn, point, distance, order, again, {ReportTaskKind::Free, "", std::nullopt, {}}};
+    report.tasks = {go,
+                    learn,
+                    point,
+                    distance,
+                    order,
+                    again,
+                    {ReportTaskKind::Free, "", std::nullopt, {}},
+                    {ReportTaskKind::Ask, "How sure are you?", std::nullopt, {{"answer", 4.0}}},
+                    {ReportTaskKind::Ask, "What helped? The clock", std::nullopt, {}}};
     report.strategies = {{"perimeter", 300.0}, {"grid", 40.0},  {"object", 60.0},
                          {"base", 20.0},       {"mixed", 30.0}, {"none", 5.0}};
     report.course = {{0.0, "You are in the entrance hall."}, {65.4, "Door <open> & \"wide\"."}};
@@ -107,6 +115,7 @@ TEST(ReportWords, tell_what_happened_and_nothing_that_was_not_measured) {
           "You know 82 percent of its walls.", "You know all its exits.", "When you point, you are 24 degrees off.",
           "You point a bit too far left.", "You judge things to be nearer than they are.",
           "You did not get to Library this time.", "Your way was 2.5 times as long as it had to be.",
+          "You were asked: How sure are you? 4.", "You were asked: What helped? The clock.",
           "You mostly went along the walls."})
         EXPECT_NE(text.find(sentence), std::string::npos) << sentence << "\n" << text;
     for (const char* praise : {"You did it with no help.", "You made all the turns."})
@@ -129,6 +138,38 @@ TEST(ReportWords, tell_the_way_through_the_rooms) {
     EXPECT_THAT(in_a_row(plan_words(still)), testing::HasSubstr("No way was walked."));
     still.storey.reset();
     EXPECT_TRUE(plan_words(still).empty());
+}
+
+// Small rooms side by side and one upon another, with long names, and things that were touched in one place.
+TEST(ReportPage, writes_no_name_over_another_on_the_plan) {
+    SessionReport report = sample();
+    for (int i = 0; i < 30; ++i) {
+        StoreyRoom room;
+        room.name = fmt::format("Storeroom number {}", i);
+        room.middle_m = {1.0 + 0.3 * (i % 6), 0.5 + 0.2 * (i / 6)};
+        report.storey->rooms.push_back(room);
+        report.contacts.push_back({{4.0 + 0.05 * i, 2.0}, "shelf", 1});
+    }
+    const std::string page = report_page(report);
+    static const std::regex kText(R"re(<text class="name" x="([-0-9.]+)" y="([-0-9.]+)">([^<]*)</text>)re"),
+        kLetter(R"re(font-size="([0-9.]+)")re");
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(page, found, kLetter));
+    const double letter = std::stod(found[1]);
+    struct Name {
+        double x, y, half;
+    };
+    std::vector<Name> names;
+    for (auto it = std::sregex_iterator(page.begin(), page.end(), kText); it != std::sregex_iterator(); ++it)
+        names.push_back(
+            {std::stod((*it)[1]), std::stod((*it)[2]), 0.3 * letter * static_cast<double>((*it)[3].length())});
+    EXPECT_GT(names.size(), 6U);
+    EXPECT_LT(names.size(), 64U) << "not all of them have room";
+    for (std::size_t i = 0; i < names.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            EXPECT_TRUE(std::abs(names[i].y - names[k].y) >= letter ||
+                        std::abs(names[i].x - names[k].x) >= names[i].half + names[k].half)
+                << i << " and " << k;
 }
 
 TEST(ReportPage, keeps_every_rule_in_both_languages_and_with_anything_missing) {
