@@ -16,7 +16,7 @@
 namespace handrail {
 
 // What TOML can say where a setting is expected; a whole number is kept apart from a decimal one.
-using SettingValue = Variant<bool, std::int64_t, double, std::string>;
+using SettingValue = CopyableVariant<bool, std::int64_t, double, std::string>;
 
 struct NumberField {
     double& (*at)(Settings&);

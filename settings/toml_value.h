@@ -30,7 +30,7 @@ struct TomlValue {
     using Array = std::vector<TomlValue>;
     using Table = std::vector<TomlMember>;  // each key once, in their order
 
-    Variant<bool, std::int64_t, double, std::string, TomlMoment, Array, Table> value;
+    CopyableVariant<bool, std::int64_t, double, std::string, TomlMoment, Array, Table> value;
     std::int32_t line = 0, column = 0;  // 0: from no file
     bool in_line = false;               // a table that is written in braces
 

@@ -59,7 +59,7 @@ void fields(A& a, T& v) {
     auto& [value, line, column, in_line] = v;
     if constexpr (A::kReads)
         if (!a.descend(kDeepestToml)) return;
-    a(value, line, column, in_line);
+    a(value.plain(), line, column, in_line);
     if constexpr (A::kReads) a.ascend();
 }
 template <class A, Is<TomlAnswer> T>

@@ -10,20 +10,23 @@
 namespace handrail {
 
 template <class... T>
-struct Variant : std::variant<T...> {
+struct CopyableVariant : std::variant<T...> {
     using Plain = std::variant<T...>;
     using Plain::Plain;
     using Plain::operator=;
 
-    Variant() = default;
-    ~Variant() = default;
-    Variant(Variant&&) noexcept = default;
-    Variant& operator=(Variant&&) noexcept = default;
-    Variant(const Variant& from) : Plain(copied(from)) {}
-    Variant& operator=(const Variant& from) {
+    CopyableVariant() = default;
+    ~CopyableVariant() = default;
+    CopyableVariant(CopyableVariant&&) noexcept = default;
+    CopyableVariant& operator=(CopyableVariant&&) noexcept = default;
+    CopyableVariant(const CopyableVariant& from) : Plain(copied(from)) {}
+    CopyableVariant& operator=(const CopyableVariant& from) {
         Plain::operator=(copied(from));
         return *this;
     }
+
+    Plain& plain() { return *this; }
+    const Plain& plain() const { return *this; }
 
 private:
     static Plain copied(const Plain& from) {

@@ -26,7 +26,7 @@ namespace handrail {
 struct SideTable;
 // The last is what none of the others is: kept and written back as it was.
 using SideValue =
-    Variant<bool, std::int64_t, double, std::string, std::vector<double>, std::vector<SideTable>, TomlValue>;
+    CopyableVariant<bool, std::int64_t, double, std::string, std::vector<double>, std::vector<SideTable>, TomlValue>;
 using SideEntry = std::map<std::string, SideValue>;
 // One of the tables of a list inside an entry: the [[way.stop]] of a [[way]].
 struct SideTable {

@@ -16,7 +16,7 @@ struct CannotBeCopied {
     CannotBeCopied& operator=(const CannotBeCopied&) { throw 1; }
     ~CannotBeCopied() = default;
 };
-using Held = Variant<bool, std::string, std::vector<CannotBeCopied>>;
+using Held = CopyableVariant<bool, std::string, std::vector<CannotBeCopied>>;
 
 // std::variant ends in a jump to a random address here.
 TEST(Variant, stays_whole_if_what_it_holds_cannot_be_copied) {
@@ -28,7 +28,7 @@ TEST(Variant, stays_whole_if_what_it_holds_cannot_be_copied) {
 }
 
 TEST(Variant, is_copied_moved_compared_and_visited_as_any_variant) {
-    Variant<bool, double, std::string> one(std::string("word"));
+    CopyableVariant<bool, double, std::string> one(std::string("word"));
     const auto two = one;
     EXPECT_EQ(one, two);
     const auto three = std::move(one);
