@@ -48,9 +48,9 @@ Result<CardPlace> base_of(const Scene& scene) {
 }
 
 // Somebody who stands at the start of a way and asks how it goes.
-class Asker {
+class AtStart {
 public:
-    Asker(const std::shared_ptr<const Scene>& scene, const Settings& settings) : session_(settings, HandFacts{}) {
+    AtStart(const std::shared_ptr<const Scene>& scene, const Settings& settings) : session_(settings, HandFacts{}) {
         session_.apply(WorldEntered{make_ready(scene)}, now_s_);
     }
 
@@ -70,7 +70,8 @@ private:
     double now_s_ = 0.0;
 };
 
-std::optional<CardWay> way_between(Asker& asker, Navigation& navigation, const CardPlace& from, const CardPlace& to) {
+std::optional<CardWay> way_between(AtStart& at_start, Navigation& navigation, const CardPlace& from,
+                                   const CardPlace& to) {
     const Vec3 start_m = navigation.nearest_place(from.at_m).value_or(from.at_m);
     double heading_rad = from.heading_rad.value_or(0.0);
     if (!from.heading_rad) {
@@ -81,7 +82,7 @@ std::optional<CardWay> way_between(Asker& asker, Navigation& navigation, const C
         }
     }
     heading_rad = notch_heading_rad(nearest_notch(heading_rad));  // as the card can say it
-    const std::vector<std::string> legs = asker.legs(start_m, heading_rad, to);
+    const std::vector<std::string> legs = at_start.legs(start_m, heading_rad, to);
     if (legs.empty()) return std::nullopt;
     CardWay way{phrase("export.card_title", {{"from", from.name}, {"to", to.name}}),
                 phrase("export.card_face", {{"direction", fine_compass_word(heading_rad)}})};
@@ -106,10 +107,10 @@ Result<CardWays> card_ways(const std::shared_ptr<const Scene>& scene, const Room
             goals.push_back({room.name, graph.rooms[room.room].middle_m, std::nullopt, true});
         std::sort(goals.begin(), goals.end(), [](const CardPlace& a, const CardPlace& b) { return a.name < b.name; });
     }
-    Asker asker(scene, wish.settings);
+    AtStart at_start(scene, wish.settings);
     CardWays made;
     for (const CardPlace& to : goals) {
-        if (auto way = way_between(asker, navigation, *from, to)) made.ways.push_back(std::move(*way));
+        if (auto way = way_between(at_start, navigation, *from, to)) made.ways.push_back(std::move(*way));
         else made.unreached.push_back(to.name);
     }
     if (made.ways.empty())

@@ -29,7 +29,7 @@ constexpr double kHollowFrom_mm = 6.0, kHollowLong_mm = 15.0, kLeastPiece_mm = 4
 constexpr std::array kScales{20.0,  25.0,  30.0,  40.0,  50.0,  60.0,  75.0,  90.0,  100.0,
                              110.0, 125.0, 150.0, 175.0, 200.0, 225.0, 250.0, 275.0, 300.0,
                              350.0, 400.0, 450.0, 500.0, 600.0, 700.0, 800.0, 900.0, 1000.0};
-constexpr double kShared_mm = 25.0;                       // of neighbouring sheets
+constexpr double kShared_mm = 35.0;                       // of neighbouring sheets: more than a sign needs
 constexpr double kPartHead_mm = 8.0, kPartFoot_mm = 8.0;  // more of them, for marks
 constexpr double kMark_mm = 4.0;
 constexpr int kScalesTried = 4;
@@ -233,8 +233,11 @@ private:
             Result<BrailleCells> cells = braille_of(title_of(name), table_);
             if (!cells || cells->size() <= width) return cells;
             if (name.empty()) return braille_lines(*cells, width, 0).front();
-            const std::size_t blank = name.find_last_of(' ');
-            name.resize(blank == std::string::npos ? 0 : blank);
+            // By words, and within the only one by letters.
+            std::size_t shorter = name.find_last_of(' ');
+            if (shorter == std::string::npos) shorter = name.size() - 1;
+            while (shorter > 0 && (static_cast<unsigned char>(name[shorter]) & 0xC0U) == 0x80U) --shorter;
+            name.resize(shorter);
         }
     }
 
@@ -544,9 +547,12 @@ std::vector<std::string> unsigned_on_all(const Storey& storey, const SheetWish& 
 // none at `finest` either are not waited for.
 double scale_of_signs(const Storey& storey, const SheetWish& wish, double finest) {
     double one_to = kScales.back();
-    const Vec2 sign = braille_size_mm(2);
-    for (const StoreyRoom& room : storey.rooms) {
+    const std::vector<RoomSign> signs = room_signs(storey);
+    for (std::size_t i = 0; i < signs.size(); ++i) {
+        const StoreyRoom& room = storey.rooms[i];
         if (room.kind == RoomKind::Stairs || (wish.coarse && room.area_m2 < kCoarseRoom_m2)) continue;
+        const Result<BrailleCells> cells = braille_signs(signs[i].sign, wish.table);
+        const Vec2 sign = braille_size_mm(cells ? cells->size() : 2);
         // The floor begins a body's radius inside the walls.
         const Vec2 size = (room.max_m - room.min_m + Vec2(0.5)) * 1000.0;
         const double needed = std::min(size.x / (sign.x + 2.0 * kClear_mm), size.y / (sign.y + 2.0 * kClear_mm));

@@ -204,15 +204,18 @@ std::optional<BaseArrow> arrow_of_base(const StoreyBase& base, const OnPaper& on
 
 namespace {
 
-bool in_doorway(const Storey& storey, const OnPaper& on_paper, const PlanBox& box) {
-    constexpr double kBeside_mm = 2.0;
+// The sign of the ground outside keeps away from a door: it has all the ground to stand on.
+constexpr double kBeforeDoor_mm = 2.0, kBeforeHouse_mm = 12.0;
+
+// `clear_mm`: so far from the middle of a doorway's wall is its own.
+bool in_doorway(const Storey& storey, const OnPaper& on_paper, const PlanBox& box, double clear_mm) {
     return std::any_of(storey.gaps.begin(), storey.gaps.end(), [&](const StoreyGap& gap) {
         const Vec2 off = box.middle_m - on_paper(gap.place_m), across(-gap.along.y, gap.along.x);
         const auto extent = [&](const Vec2& way) {
             return std::abs(way.x) * box.half_m.x + std::abs(way.y) * box.half_m.y;
         };
         return std::abs(glm::dot(off, gap.along)) < 0.5 * gap.width_m * on_paper.mm_per_m + extent(gap.along) &&
-               std::abs(glm::dot(off, across)) < kBeside_mm + extent(across);
+               std::abs(glm::dot(off, across)) < clear_mm + extent(across);
     });
 }
 
@@ -232,7 +235,7 @@ std::optional<Vec2> place_of_sign(const Storey& storey, std::size_t room, const 
     const auto in_room = [&](const Vec2& p) {
         const std::vector<Vec2> corners = corners_of(box_at(p));
         return is_mine(p) && std::all_of(corners.begin(), corners.end(), is_mine) &&
-               !in_doorway(storey, on_paper, box_at(p));
+               !in_doorway(storey, on_paper, box_at(p), mine.outside ? kBeforeHouse_mm : kBeforeDoor_mm);
     };
     const Vec2 middle = on_paper(mine.middle_m);
     std::optional<Vec2> place = beside_things.nearest_fit(middle, reach, box_at, in_room);
