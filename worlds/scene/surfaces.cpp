@@ -1,5 +1,6 @@
 #include "worlds/scene/surfaces.h"
 
+#include <algorithm>
 #include <map>
 
 #include "worlds/base/contract.h"
@@ -218,7 +219,7 @@ private:
                           static_cast<int>(seen_m2[1] > 0.6 * size.y * height_m) +
                           static_cast<int>(seen_m2[2] > 0.6 * size.x * height_m) +
                           static_cast<int>(seen_m2[3] > 0.6 * size.x * height_m);
-        if (shown < 3) return;
+        if (shown < 3 || continues_a_wall(solids)) return;
         Feature thing;
         thing.kind = FeatureKind::Object;
         Aabb felt = box;
@@ -232,6 +233,31 @@ private:
             scene_.solids[s].feature = id;
             scene_.solids[s].face_features.assign(scene_.solids[s].shape.planes.size(), id);
         }
+    }
+
+    // A short piece next to a doorway, or over one, shows three sides as a thing does. It is part of the wall that it
+    // touches if one of its upright faces goes on in one of that wall's, in the same material.
+    bool continues_a_wall(const std::vector<std::uint32_t>& solids) {
+        for (const std::uint32_t s : solids) {
+            index_.find(grown(scene_.solids[s].shape.bounds_m, 0.01 * unit_m_), near_);
+            for (const std::uint32_t other : near_)
+                if (is_building(other) && std::find(solids.begin(), solids.end(), other) == solids.end() &&
+                    share_an_upright_plane(scene_.solids[s], scene_.solids[other]))
+                    return true;
+        }
+        return false;
+    }
+
+    bool share_an_upright_plane(const Solid& a, const Solid& b) const {
+        for (std::size_t i = 0; i < a.shape.planes.size(); ++i)
+            for (std::size_t k = 0; k < b.shape.planes.size(); ++k) {
+                const Plane &one = a.shape.planes[i], &other = b.shape.planes[k];
+                if (std::abs(one.normal.z) <= kSteep && glm::dot(one.normal, other.normal) > 1.0 - 1e-6 &&
+                    a.face_materials[i] == b.face_materials[k] &&
+                    std::abs(one.offset_m - other.offset_m) < 4e-3 * unit_m_)
+                    return true;
+            }
+        return false;
     }
 
     FaceLook look_of(const ExposedPiece& piece) const { return looks_[piece.solid][piece.face]; }

@@ -69,6 +69,21 @@ bool Guide::act(Command command, double now_s) {
     return true;
 }
 
+std::vector<std::string> Guide::legs_to(std::uint32_t room, double now_s) {
+    const bool leads = ear_.follow_to_room(room, {}, now_s);
+    std::vector<std::string> legs = leads ? ear_.rest_of_way() : std::vector<std::string>{};
+    ear_.stop();
+    return legs;
+}
+
+std::vector<std::string> Guide::legs_to(const Vec3& goal_m, const std::string& name, double now_s) {
+    ear_.follow_to(goal_m, name, {}, now_s);
+    const bool leads = ear_.following() && !ear_.to_nearest();
+    std::vector<std::string> legs = leads ? ear_.rest_of_way() : std::vector<std::string>{};
+    ear_.stop();
+    return legs;
+}
+
 // ---- every tick ----
 
 void Guide::follow(double now_s) {

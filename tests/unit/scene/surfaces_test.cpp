@@ -128,6 +128,18 @@ TEST(Surfaces, what_stands_free_and_is_small_is_a_thing) {
         << "four sides and the top; it stands on its bottom";
 }
 
+// A wall across the room with a doorway next to its end: what is left there, and what hangs over the doorway, shows
+// three sides.
+TEST(Surfaces, short_pieces_next_to_a_doorway_are_part_of_their_wall) {
+    const std::string wall = box_brush(128, 64, 0, 136, 192, 96) + box_brush(128, 32, 70, 136, 64, 96);
+    for (const std::string& piece : {std::string(), box_brush(128, 20, 0, 136, 32, 96)}) {
+        const Scene scene = building(kRoom + wall + piece);
+        for (const Feature& each : scene.features)
+            EXPECT_EQ(each.kind == FeatureKind::Object ? each.name : std::string(), std::string());
+        EXPECT_EQ(met(scene, {1, 1.5, 2.5}, {4.1, 1.5, 2.5}), met(scene, {1, 3, 1.5}, {4.1, 3, 1.5}));
+    }
+}
+
 TEST(Surfaces, treads_and_risers_are_steps) {
     std::string stairs;
     for (int i = 0; i < 3; ++i)
