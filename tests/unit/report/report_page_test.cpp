@@ -6,8 +6,11 @@
 
 #include <random>
 #include <regex>
+#include <sstream>
 
+#include "tests/support/project_root.h"
 #include "tests/support/spoken_language.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/unit/report/page_rules.h"
 
 namespace handrail::test {
@@ -47,13 +50,11 @@ SessionReport sample() {
     report.world = "School";
     report.seconds = 754.0;
     ReportTask go{ReportTaskKind::Go, "Library", true, {}};
-    go.measures = {{"path_ratio", 1.31}, {"time", 95.0},       {"turns_missed", 1.0},  {"turns_early", 1.0},
-                   {"pauses", 3.0},      {"pause_time", 12.5}, {"contacts_body", 4.0}, {"help_asked", 2.0},
-                   {"led_time", 8.0},    {"detour_time", 30.0}};
-    ReportTask learn{ReportTaskKind::Learn,
-                     "Entrance hall",
-                     std::nullopt,
-                     {{"walls_percent", 82.0}, {"floor_percent", 60.0}, {"exits_percent", 100.0}}};
+    go.measures = {{"path_ratio", 1.31}, {"time", 95.0},    {"turns_missed", 1.0},
+                   {"turns_early", 1.0}, {"pauses", 3.0},   {"pause_time", 12.5},
+                   {"help_asked", 2.0},  {"led_time", 8.0}, {"detour_time", 30.0}};
+    ReportTask learn{
+        ReportTaskKind::Learn, "Entrance hall", std::nullopt, {{"walls_percent", 82.0}, {"exits_percent", 100.0}}};
     ReportTask point{ReportTaskKind::Point, "", std::nullopt, {{"pointing_off", 24.0}, {"pointing_side", -14.0}}};
     ReportTask distance{ReportTaskKind::Distance, "", std::nullopt, {{"distance_judged", 0.7}}};
     ReportTask order{ReportTaskKind::Order, "", std::nullopt, {{"order_kept", 0.33}}};
@@ -170,6 +171,16 @@ TEST(ReportPage, writes_no_name_over_another_on_the_plan) {
             EXPECT_TRUE(std::abs(names[i].y - names[k].y) >= letter ||
                         std::abs(names[i].x - names[k].x) >= names[i].half + names[k].half)
                 << i << " and " << k;
+}
+
+TEST(MeasuresPage, explains_every_measure_and_every_column) {
+    const std::string page = content_of(project_root() / "docs" / "measures.md");
+    for (const ReportMeasureInfo& info : report_measures())
+        EXPECT_NE(page.find(fmt::format("\n| `{}` | {} | ", info.key, info.unit)), std::string::npos) << info.key;
+    const std::string head = results_csv({});
+    std::istringstream columns(head.substr(0, head.find('\r')));
+    for (std::string column; std::getline(columns, column, ',');)
+        EXPECT_NE(page.find("\n| `" + column + "` | "), std::string::npos) << column;
 }
 
 TEST(ReportPage, keeps_every_rule_in_both_languages_and_with_anything_missing) {
