@@ -339,7 +339,7 @@ private:
             made_.broken.push_back(
                 phrase("export.doors_narrow", {{"names", names_list(walls_.narrow_doors)}, {"mm", kLeastSymbol_mm}}));
         if (const GapCheck gaps = check_gaps(made_.plan, kLeastGap_mm); !gaps.narrow_mm.empty())
-            made_.broken.push_back(phrase("export.too_near", {{"mm", gaps.least_mm}}));
+            made_.broken.push_back(phrase("export.too_near"));
         std::vector<std::string> lacking, leaking;
         const OpeningCheck openings = check_openings(walls_.ink, storey_, on_paper_);
         const auto both = [&](const WrongOpening& wrong) {
