@@ -232,7 +232,11 @@ private:
         for (;;) {
             Result<BrailleCells> cells = braille_of(title_of(name), table_);
             if (!cells || cells->size() <= width) return cells;
-            if (name.empty()) return braille_lines(*cells, width, 0).front();
+            if (name.empty())
+                return made_.part ? braille_of(phrase("export.part_title_short",
+                                                      {{"storey", storey_.number}, {"sheet", made_.part->number}}),
+                                               table_)
+                                  : braille_lines(*cells, width, 0).front();
             // By words, and within the only one by letters.
             std::size_t shorter = name.find_last_of(' ');
             if (shorter == std::string::npos) shorter = name.size() - 1;
