@@ -59,7 +59,7 @@ public:
         // Until the body stands.
         for (int i = 0; i < 30 && (i < 2 || !session_.standing()); ++i)
             session_.tick(now_s_ += 1.0 / 60.0, ToolState{});
-        std::vector<std::string> legs = session_.legs_to(to.at_m, to.name, to.room, now_s_);
+        std::vector<std::string> legs = session_.guide().legs_to(to.at_m, to.name, to.room, now_s_);
         session_.take_cues();
         session_.take_events();
         return legs;

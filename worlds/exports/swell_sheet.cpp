@@ -232,7 +232,11 @@ private:
         for (;;) {
             Result<BrailleCells> cells = braille_of(title_of(name), table_);
             if (!cells || cells->size() <= width) return cells;
-            if (name.empty()) return braille_lines(*cells, width, 0).front();
+            if (name.empty())
+                return made_.part ? braille_of(phrase("export.part_title_short",
+                                                      {{"storey", storey_.number}, {"sheet", made_.part->number}}),
+                                               table_)
+                                  : braille_lines(*cells, width, 0).front();
             // By words, and within the only one by letters.
             std::size_t shorter = name.find_last_of(' ');
             if (shorter == std::string::npos) shorter = name.size() - 1;
@@ -339,7 +343,7 @@ private:
             made_.broken.push_back(
                 phrase("export.doors_narrow", {{"names", names_list(walls_.narrow_doors)}, {"mm", kLeastSymbol_mm}}));
         if (const GapCheck gaps = check_gaps(made_.plan, kLeastGap_mm); !gaps.narrow_mm.empty())
-            made_.broken.push_back(phrase("export.too_near", {{"mm", gaps.least_mm}}));
+            made_.broken.push_back(phrase("export.too_near"));
         std::vector<std::string> lacking, leaking;
         const OpeningCheck openings = check_openings(walls_.ink, storey_, on_paper_);
         const auto both = [&](const WrongOpening& wrong) {

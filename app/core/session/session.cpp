@@ -481,11 +481,4 @@ ViewState Session::view(const ToolState& tool, const std::string& last_spoken) c
     return view;
 }
 
-std::vector<std::string> Session::legs_to(const Vec3& goal_m, const std::string& name, bool by_room, double now_s) {
-    if (!where_.rooms.known()) return {};
-    if (!by_room) return guide_.legs_to(goal_m, name, now_s);
-    const std::uint32_t room = room_at(where_.rooms.graph(), where_.rooms.space(), goal_m);
-    return room == kNothing ? std::vector<std::string>{} : guide_.legs_to(room, now_s);
-}
-
 }  // namespace handrail

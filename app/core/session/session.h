@@ -85,7 +85,8 @@ public:
     // Its `entered` rises when another world was entered; scene() may be another one without that, when something was
     // added, moved or removed.
     const WorldState& world() const { return state_.world; }
-    const Guide& guide() const { return guide_; }
+    // Not const for who asks it for a way (Guide::legs_to).
+    Guide& guide() { return guide_; }
     const Bodies& free_bodies() const { return bodies_; }
     // What is free to move goes on, in virtual time: each millisecond where a hand feels it.
     void step_bodies(double now_s) { bodies_.step_engine(now_s); }
@@ -120,11 +121,6 @@ public:
 
     // What is done beside has not come to its end.
     bool works_beside() const { return hand_.touch_view.busy() || settled_.busy(); }
-
-    // The way from where the body stands to a place, as RestOfWay tells it where it is followed: a leg each. To the
-    // room around it where `by_room`, else to a thing of that name there. Empty: no way leads there. Nobody is led
-    // afterwards; what was to be said meanwhile is among take_cues().
-    std::vector<std::string> legs_to(const Vec3& goal_m, const std::string& name, bool by_room, double now_s);
 
     // The answer to "where am I", also used on entering.
     std::string where_am_i() const { return where_.asking.where_am_i(); }

@@ -198,9 +198,10 @@ TEST(SwellSheet, of_an_upper_storey_shows_the_stairs_that_arrive) {
 TEST(SwellSheet, names_a_thing_in_the_room_in_which_it_is_drawn) {
     Storey storey = two_rooms();
     // Where it stands, next to the wall, no body comes: the nearest floor is that of the kitchen, behind the wall.
-    storey.rooms[1].loops_m = {{{8.0, 0.25}, {8.95, 0.25}, {8.95, 3.75}, {8.0, 3.75}}};
+    storey.rooms[1].loops_m = {{{7.8, 0.25}, {8.95, 0.25}, {8.95, 3.75}, {7.8, 3.75}},
+                               {{6.45, 1.5}, {8.0, 1.5}, {8.0, 2.2}, {6.45, 2.2}}};
     lay_floor(storey);
-    storey.things.push_back({FeatureId{2}, "Board", {{6.6, 3.0}, {0.0, 1.0}, {0.7, 0.35}}, true});
+    storey.things.push_back({FeatureId{2}, "Board", {{6.6, 3.3}, {0.0, 1.0}, {0.35, 0.35}}, true});
     const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
     ASSERT_TRUE(sheet);
     EXPECT_NE(sheet->plan.text.find("r12  Room 12. Drawn there: Board."), std::string::npos) << sheet->plan.text;
