@@ -73,10 +73,17 @@ bool Desktop::start_orca(const Environment& braille) {
     environment.merge(speech->environment());
     for (const auto& [name, value] : braille) environment[name] = value;
     environment["PATH"] = without_other_orcas() + ":/usr/bin:/bin";  // the system's Python has what Orca needs
-    orca_ = ChildProcess::start(
-        {"orca", braille.empty() ? "-d" : "-e", "braille", "-e", "speech", "-u", (folder_ / "orca").string()},
-        environment, folder_ / "orca.out");
+    int starts = 0;
+    const auto start = [&] {
+        ++starts;
+        orca_ = ChildProcess::start(
+            {"orca", braille.empty() ? "-d" : "-e", "braille", "-e", "speech", "-u", (folder_ / "orca").string()},
+            environment, folder_ / "orca.out");
+    };
+    start();
     return eventually([&] {
+        // Orca 43 ends itself if it has not started within 30 s, which a busy machine takes.
+        if (orca_ && !orca_->running() && starts < 5) start();
         const auto all = speech->recorded();
         return std::any_of(all.begin() + began, all.end(), [](const Recorded& entry) {
             return entry.words.find("Screen reader on") != std::string::npos;
