@@ -54,7 +54,7 @@ TEST(Dialogue, finds_names_by_their_first_letters) {
     EXPECT_EQ(f.dialogue.typed("B", 20.0).words, "Banana, 3; 2 of 4");
     EXPECT_EQ(f.dialogue.typed("l", 20.3).words, "Blueberry, 3 of 4") << "letters that follow are one word";
     EXPECT_TRUE(f.dialogue.typed("z", 30.0).denied);
-    EXPECT_EQ(f.key("Space"), "Blueberry, 3 of 4");
+    EXPECT_EQ(f.dialogue.key("Space", 40.0).words, "Blueberry, 3 of 4");
 }
 
 // A keyboard sends a blank as a key and then as a character.
@@ -73,6 +73,7 @@ TEST(Dialogue, finds_names_of_several_words_as_they_are_typed) {
     }
     EXPECT_EQ(said, "Library door, 4 of 5");
     EXPECT_EQ(dialogue.key("Space", now_s + 5.0).words, "Library door, 4 of 5") << "a pause ends the name";
+    now_s += 10.0;
     for (const char* part : {"l", "i", "b", " ", "d", "o"}) said = dialogue.typed(part, now_s += 0.2).words;
     EXPECT_EQ(said, "Nothing begins with lib do.");
 }
