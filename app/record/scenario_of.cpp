@@ -132,7 +132,7 @@ std::string without_actions(const std::string& toml, const std::vector<int>& lin
 
 Result<ScenarioText> scenario_of(const Recording& recording, const std::string& title) {
     Writer writer{recording, 0.0, {}, {}, {}, {}};
-    std::string world, device = "none", acts_by = "window keys";
+    std::string world, device = "none", acts_by = "window-keys";
     double last_s = 0.0;
     std::vector<std::string> expected;
     std::set<std::string> told_by_program;
@@ -145,7 +145,7 @@ Result<ScenarioText> scenario_of(const Recording& recording, const std::string& 
         rooms_known = rooms_known || entered(line);
         if (line.is == "acts_by" && world.empty()) {
             const auto who = Json::parse(line.json, nullptr, false).value("number", 0);
-            acts_by = who == 1 ? "terminal keys" : who == 2 ? "lines" : "window keys";
+            acts_by = who == 1 ? "terminal-keys" : who == 2 ? "lines" : "window-keys";
         }
         if (line.is == "said" && !world.empty() && expects && rooms_known) {
             const Json json = Json::parse(line.json, nullptr, false);

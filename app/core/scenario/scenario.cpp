@@ -42,7 +42,7 @@ Command command_named(TomlFields& fields, const char* key) {
 }
 
 constexpr double kLongest_s = 3600.0;
-constexpr std::array<std::string_view, 3> kActsBy{"window keys", "terminal keys", "lines"};  // as in ActsBy
+constexpr std::array<std::string_view, 3> kActsBy{"window-keys", "terminal-keys", "lines"};  // as in ActsBy
 
 fs::path find_world(const std::string& name, const ScenarioFolders& folders, int line) {
     return find_named_world(name, folders, line);

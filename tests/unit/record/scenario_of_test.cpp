@@ -74,7 +74,7 @@ TEST(ScenarioOfRecording, types_lines_as_lines_and_counts_as_one) {
 }
 
 TEST(ScenarioOfRecording, speaks_of_keys_as_the_session_did) {
-    EXPECT_THAT(scenario_with(""), HasSubstr("acts_by = \"window keys\"\n"));
+    EXPECT_THAT(scenario_with(""), HasSubstr("acts_by = \"window-keys\"\n"));
 }
 
 // What the scenario cannot do, and what it says otherwise, is left out and counted; what is left holds.

@@ -89,6 +89,7 @@ const std::map<std::string, std::vector<std::string>>& not_said() {
         {"worlds/drawn/plan_scene.cpp", {"about this place"}},
         {"worlds/osm/osm_things.cpp", {"tactile paving"}},
         {"app/report/report_page.cpp", {"<", "content=", "initial-scale", "class=", "{"}},  // HTML and its style
+        {"app/report/plan_part.cpp", {"<", "class=", "{"}},
         {"app/report/page_parts.cpp", {"<", "content=", "initial-scale", "class=", "{", ":root"}},
         {"worlds/exports/sheet.cpp",
          {"svg", "aria-", "<title", "<rect", "<circle", "<<", "0 R", " n\\n", " f\\n"}},  // SVG and PDF
