@@ -1,5 +1,7 @@
 #include "app/main/command_line.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <iostream>
 

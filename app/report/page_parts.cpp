@@ -1,5 +1,7 @@
 #include "app/report/page_parts.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

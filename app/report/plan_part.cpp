@@ -1,4 +1,6 @@
 // The plan of a page: where one walked and what was touched, with the same in words.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>

@@ -383,7 +383,7 @@ fs::path find_named_world(const std::string& name, const ScenarioFolders& folder
             for (const ShelvedWorld& world : worlds_in(folder))
                 if (world.file.stem() == name) return world.file;
     // Both files may have come from elsewhere together.
-    if (const fs::path beside = folders.beside / fs::path(name).filename(); fs::path(name).has_parent_path())
+    if (fs::path beside = folders.beside / fs::path(name).filename(); fs::path(name).has_parent_path())
         if (std::error_code ec; fs::is_regular_file(beside, ec)) return beside;
     throw BadField{line, phrase("scenario.no_world", {{"name", name}})};
 }

@@ -1,5 +1,7 @@
 #include "app/core/session/session.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
