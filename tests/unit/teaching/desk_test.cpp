@@ -82,10 +82,14 @@ public:
         ready_.count_down();
     }
     ~OtherDesk() {
-        serving_.join();
+        if (serving_.joinable()) serving_.join();
         ::close(listening_);
     }
-    const std::string& told() const { return told_; }
+    // All that it was told; waits until the other side has gone. Once.
+    const std::string& told() {
+        serving_.join();
+        return told_;
+    }
 
 private:
     void serve(const std::string& title) {
