@@ -113,7 +113,7 @@ std::vector<std::pair<double, std::string>> moves_of(const Recording& recording,
     return moves;
 }
 
-// Without the tables that begin at these lines, each up to the blank line behind it.
+// The text without the tables that begin at these lines. A table ends at the next blank line.
 std::string without_actions(const std::string& toml, const std::vector<int>& lines) {
     std::string kept;
     bool leaves = false;

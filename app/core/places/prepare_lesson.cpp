@@ -123,7 +123,7 @@ void PrepareLesson::open_routes(double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
-// A landmark that the route never comes near has no place in its order, and two that it comes to at once have none
+// A landmark far from the whole route has no place in its order, and two that the route passes at one spot have none
 // either.
 std::vector<std::string> PrepareLesson::on_route(const std::vector<LessonDraft::Place>& asked) const {
     constexpr double kComesTo_m = 6.0, kSameStorey_m = 2.5, kAtOnce_m = 1.0;
