@@ -116,7 +116,6 @@ void TeachingRun::see(const SessionEvent& event) {
                            std::find(laps_.blocked.begin(), laps_.blocked.end(), e.feature) != laps_.blocked.end();
                        if (blocked && !laps_.met_s) laps_.met_s = laps_.left_s = event.time_s;
                    },
-                   [&](const Teleported&) { task_.leap = true; },
                    [&](const Answered& e) {
                        if (!asked_.text.empty() && e.question == asked_.text) answered(e.text);
                    },
@@ -170,6 +169,8 @@ void TeachingRun::follow_room() {
 
 void TeachingRun::tick(double now_s, const LessonView& view, bool speaking) {
     now_s_ = now_s;
+    // The view is of now, and what happened is seen a frame later: a jump must not look like a walk until then.
+    if (view.times_put != view_.times_put) task_.leap = true;
     view_ = view;
     if (!speaking) end_busy(speaks_since_s_);
     else if (!speaks_since_s_) speaks_since_s_ = now_s;

@@ -11,6 +11,7 @@ namespace handrail {
 
 struct LessonView {
     Vec3 feet_m{0.0};
+    int times_put = 0;  // how often the body was put there instead of walking
     double heading_rad = 0.0;
     double wall_m = 1e9;       // from the body's middle to the nearest wall
     bool trails = false;       // is led along what is at its side

@@ -82,7 +82,7 @@ void Sitting::frame() {
     if (!hurries_) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     const double now_s = in_whole_microseconds(clock_.now_s());
     worlds_->change(now_s);
-    lesson_->turn(worlds_->path(), false, now_s);
+    lesson_->turn(worlds_->path(), sound_->speaking(), now_s);
     if (beside_ && now_s - taught_s_ >= kTurn_s - 1e-6) {
         taught_s_ = now_s;
         teach_on(*beside_, app_, std::exchange(beside_events_, {}), now_s);

@@ -3,27 +3,19 @@
 // reads back, the recordings say the same lines again, and the pupil is forgotten. Scenario 20 of the design.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/socket.h>
-#include <sys/un.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <sstream>
 
 #include "app/core/kept/side_file.h"
 #include "app/learners/forget.h"
-#include "app/learners/learners.h"
-#include "app/main/learner_start.h"
 #include "app/main/world_files.h"
 #include "app/record/compute_again.h"
 #include "app/report/report_page.h"
-#include "tests/support/environment.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
-#include "tests/support/temporary_folder.h"
-#include "tests/unit/whole_lesson/sitting.h"
+#include "tests/unit/whole_lesson/lesson_home.h"
 #include "worlds/readers/reader.h"
 
 namespace handrail::test {
@@ -31,38 +23,6 @@ namespace whole_lesson_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-constexpr const char* kPupil = "Oak Owl";
-
-// Orders to the desk of the lesson that goes on, as `handrail lesson watch` sends them.
-class DeskLine {
-public:
-    DeskLine() : socket_(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
-        sockaddr_un address{};
-        address.sun_family = AF_UNIX;
-        const std::string path = (desk_folder() / fmt::format("{}.sock", ::getpid())).string();
-        std::strncpy(static_cast<char*>(address.sun_path), path.c_str(), sizeof address.sun_path - 1);
-        connected_ = ::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
-    }
-    ~DeskLine() { ::close(socket_); }
-    DeskLine(const DeskLine&) = delete;
-    DeskLine& operator=(const DeskLine&) = delete;
-    bool connected() const { return connected_; }
-    // What the desk has told since the last time, with the answer to this order.
-    std::string order(Sitting& sitting, const std::string& words) const {
-        const std::string line = words + "\n";
-        if (::send(socket_, line.data(), line.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(line.size())) return {};
-        sitting.live(0.5);
-        std::string told(4096, '\0');
-        const ssize_t got = ::recv(socket_, told.data(), told.size(), MSG_DONTWAIT);
-        told.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
-        return told;
-    }
-
-private:
-    int socket_;
-    bool connected_ = false;
-};
 
 // Where it is taught, and what is said and typed of it.
 struct Building {
@@ -75,14 +35,10 @@ struct Building {
     bool base_has_walls = true;
 };
 
-class WholeLesson : public testing::Test {
+class WholeLesson : public LessonHome {
 protected:
     void whole(const Building& at);
 
-    void SetUp() override {
-        for (const char* name : {"data", "state", "config", "run"}) fs::create_directories(home_.path() / name);
-        fs::permissions(home_.path() / "run", fs::perms::owner_all);
-    }
     // An instructor at the keys; the file that was saved.
     fs::path prepared(const Building& at) {
         ExploreArguments arguments;
@@ -113,20 +69,6 @@ protected:
         for (const auto& entry : fs::directory_iterator(lessons)) files.push_back(entry.path());
         EXPECT_EQ(files.size(), 1U);
         return files.empty() ? fs::path() : files[0];
-    }
-
-    // `handrail lesson FILE --learner NAME --session N`.
-    ExploreArguments taught(const fs::path& file, std::size_t session) {
-        LessonCall call;
-        call.arguments.file = file;
-        call.arguments.session = session;
-        call.arguments.learner = kPupil;
-        call.explore.arguments.program_version = "1.0";
-        if (const auto begun = begin_as_learner(call); !begun) ADD_FAILURE() << begun.error().sentence();
-        SettingsStore settings;
-        std::ostringstream out, err;
-        EXPECT_FALSE(run_lesson(call.arguments, call.explore.arguments, settings, out, err)) << err.str();
-        return call.explore.arguments;
     }
 
     // Follows the walls, which are a task where the base is in a room, then points at each landmark.
@@ -209,12 +151,6 @@ protected:
         ASSERT_TRUE(sitting.hears("Alone is over.")) << sitting.all();
         sitting.live(3.0);
     }
-
-    TemporaryFolder home_;
-    WithEnvironment data_{"XDG_DATA_HOME", (home_.path() / "data").c_str()},
-        state_{"XDG_STATE_HOME", (home_.path() / "state").c_str()},
-        config_{"XDG_CONFIG_HOME", (home_.path() / "config").c_str()},
-        run_{"XDG_RUNTIME_DIR", (home_.path() / "run").c_str()};
 };
 
 // ---- walks of one kind, by somebody who sways ----
@@ -354,11 +290,7 @@ void WholeLesson::whole(const Building& at) {
     const fs::path file = prepared(at);
     ASSERT_FALSE(file.empty());
     Learners learners(user_data_folder());
-    const auto pupil = learners.make(kPupil, {});
-    ASSERT_TRUE(pupil) << pupil.error().sentence();
-    ASSERT_TRUE(learners.change(pupil->id, [](Learner& one) {
-        for (const Purpose purpose : kPurposes) one.consent(purpose) = Consent{today(), {}, {}};
-    }));
+    const Learner pupil = LessonHome::pupil();
 
     first_session(at, file);
     ASSERT_FALSE(HasFatalFailure());
@@ -369,7 +301,7 @@ void WholeLesson::whole(const Building& at) {
 
     // The same lines in the same order.
     std::vector<fs::path> folders;
-    for (const auto& entry : fs::directory_iterator(learners.recordings_of(pupil->id))) folders.push_back(entry.path());
+    for (const auto& entry : fs::directory_iterator(learners.recordings_of(pupil.id))) folders.push_back(entry.path());
     ASSERT_EQ(folders.size(), 3U);
     std::sort(folders.begin(), folders.end());
     for (const fs::path& folder : folders) {
@@ -438,7 +370,7 @@ void WholeLesson::whole(const Building& at) {
     EXPECT_EQ(run_learner({.action = "delete", .name = kPupil, .yes = true}, nobody, deleted, err), 0) << err.str();
     EXPECT_THAT(deleted.str(), HasSubstr("0 hits"));
     EXPECT_FALSE(fs::exists(page) || fs::exists(csv) || fs::exists(json));
-    const std::vector<std::string> words = {kPupil, pupil->id};
+    const std::vector<std::string> words = {kPupil, pupil.id};
     const std::vector<fs::path> everywhere = {home_.path()};
     const Search search = search_for(words, everywhere);
     EXPECT_THAT(search.hits, testing::IsEmpty());
