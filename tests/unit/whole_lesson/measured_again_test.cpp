@@ -526,6 +526,52 @@ TEST_F(JumpMeasured, counts_as_no_walk_in_whichever_frame_it_comes) {
         EXPECT_LE(events.tasks[i].measures.at("path_ratio"), again[i].second.at("path_ratio").most) << i;
 }
 
+using ListInReport = LessonHome;
+
+TEST_F(ListInReport, is_quoted_by_what_was_said_of_it_first_and_by_none_of_its_items) {
+    home_.write("library.rooms", kLibrary);
+    home_.write("library.lesson.toml", kLesson);
+    const Learner learner = pupil(kAgreed);
+    const ExploreArguments arguments = taught(home_.path() / "library.lesson.toml", 1);
+    std::vector<std::string> said;
+    {
+        Sitting sitting(arguments);
+        ASSERT_TRUE(sitting.know_rooms());
+        ASSERT_TRUE(sitting.hears("Get to know")) << sitting.all();
+        sitting.live(8.0);
+        for (const char* key : {"Shift+4", "Down", "Down", "Down"}) {
+            const std::string before = sitting.all();
+            sitting.key(key);
+            sitting.live(4.0);
+            said.push_back(sitting.all().substr(before.size()));
+            said.back() = said.back().substr(0, said.back().find('\n'));
+        }
+        sitting.key("Escape");
+        sitting.live(1.0);
+        sitting.hold(Command::WhereAmI, 0.5);
+        ASSERT_TRUE(sitting.hears("Hall")) << sitting.all();
+        sitting.live(3.0);
+    }
+    const auto recording = recording_of(learner);
+    ASSERT_TRUE(recording) << recording.error().sentence();
+    const auto scene = std::make_shared<const Scene>(*read_world(home_.path() / "library.rooms"));
+    const auto report = report_of(*recording, events_of(*recording), scene);
+    ASSERT_TRUE(report) << report.error().sentence();
+    const auto quoted = [&](const std::string& text) {
+        return std::any_of(report->course.begin(), report->course.end(),
+                           [&](const ReportEvent& event) { return event.text == text; });
+    };
+    EXPECT_TRUE(quoted(said[0])) << said[0];
+    for (std::size_t i = 1; i < said.size(); ++i) {
+        EXPECT_FALSE(said[i].empty()) << i;
+        EXPECT_FALSE(quoted(said[i])) << said[i];
+    }
+    EXPECT_EQ(std::count_if(report->course.begin(), report->course.end(),
+                            [](const ReportEvent& event) { return event.text.starts_with("Hall, at the base"); }),
+              1)
+        << "what is said after the list stands in the course";
+}
+
 TEST_P(MeasuredAgain, from_the_recording_of_a_lesson_alone_everything_is_as_it_was_told) {
     home_.write("library.rooms", kLibrary);
     home_.write("library.lesson.toml", kLesson);

@@ -413,5 +413,22 @@ TEST_F(WholeLesson, is_taught_in_a_house_that_architects_drew_from_its_making_to
            .base_has_walls = false});
 }
 
+// Five storeys of a faculty, from its main entrance, with another entrance round the corner.
+TEST_F(WholeLesson, is_taught_in_a_faculty_of_476_rooms_that_was_mapped_by_volunteers) {
+    if (kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the lesson in our school is enough";
+    const auto file = test::real_world("apb-tu-dresden.osm");
+    if (!file) GTEST_SKIP() << test::needs_real_world("apb-tu-dresden.osm");
+    const fs::path copy = home_.path() / file->filename();
+    fs::copy_file(*file, copy);
+    whole({.world = copy,
+           .stops = {"foyer"},
+           .landmarks = {"e002", "e008", "e023"},
+           .destination = "Foyer E100",
+           .door = "main entrance",
+           .misspelt = "main entrence",
+           .before_m = {20.9, 6.4, 0.0},
+           .base_has_walls = false});
+}
+
 }  // namespace whole_lesson_test
 }  // namespace handrail::test
