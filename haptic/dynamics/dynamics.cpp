@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 #include "haptic/dynamics/bullet_shapes.h"
@@ -138,6 +139,7 @@ struct Body {
     bool forced = false;       // there are forces of the step below
     bool told = false;         // its place was told since it moved last
     Vec3 kept_m_per_s{0.0}, kept_rad_per_s{0.0};
+    std::optional<btTransform> sleeps_at;  // since it fell asleep
     // Forces of the step.
     std::array<Vec3, 2> hand_n{Vec3(0.0), Vec3(0.0)}, hand_nm{Vec3(0.0), Vec3(0.0)};
     std::array<double, 2> pushed_s{-1e9, -1e9};  // last time each hand pushed
@@ -551,6 +553,13 @@ void Dynamics::Impl::limit_awake(DynamicsFrame& out) {
     for (std::size_t i = world->bodies.size(); i-- > 0 && active > kMostAwake;) {
         btRigidBody& r = rigid(i);
         if (r.getActivationState() != WANTS_DEACTIVATION || wanted(i)) continue;
+        // Woken for one step again and again it would creep: contacts lift it by what gravity has no time to take back.
+        constexpr double kCreep_m = 2e-4;
+        if (const auto& slept_at = world->bodies[i].sleeps_at;
+            slept_at && r.getWorldTransform().getOrigin().distance2(slept_at->getOrigin()) < kCreep_m * kCreep_m) {
+            r.setWorldTransform(*slept_at);
+            r.setInterpolationWorldTransform(*slept_at);
+        }
         r.setLinearVelocity({0, 0, 0});
         r.setAngularVelocity({0, 0, 0});
         r.forceActivationState(ISLAND_SLEEPING);
@@ -569,6 +578,9 @@ void Dynamics::Impl::limit_awake(DynamicsFrame& out) {
     }
     for (std::size_t i = 0; i < world->bodies.size() && active < kMostAwake; ++i)
         if (world->bodies[i].waiting) go_on(world->bodies[i]);
+    for (Body& body : world->bodies)
+        if (body.rigid->getActivationState() != ISLAND_SLEEPING) body.sleeps_at.reset();
+        else if (!body.sleeps_at) body.sleeps_at = body.rigid->getWorldTransform();
     out.awake = static_cast<std::uint32_t>(active);
     out.waiting = static_cast<std::uint32_t>(
         std::count_if(world->bodies.begin(), world->bodies.end(), [](const Body& body) { return body.waiting; }));
