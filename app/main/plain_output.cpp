@@ -19,9 +19,9 @@ bool steers(char c) {
 
 }  // namespace
 
-PlainOutput::int_type PlainOutput::overflow(int_type byte) {
-    if (traits_type::eq_int_type(byte, traits_type::eof())) return traits_type::not_eof(byte);
-    const char c = traits_type::to_char_type(byte);
+int PlainOutput::overflow(int byte) {
+    if (std::char_traits<char>::eq_int_type(byte, std::char_traits<char>::eof())) return std::char_traits<char>::not_eof(byte);
+    const char c = std::char_traits<char>::to_char_type(byte);
     held_ += c;
     if (begins_with_direction_control(held_)) {
         held_.clear();
@@ -31,7 +31,7 @@ PlainOutput::int_type PlainOutput::overflow(int_type byte) {
         if (!steers(c)) held_ += c;
         if (!may_become_one(held_)) let_go();
     }
-    return to_ ? byte : traits_type::eof();
+    return to_ ? byte : std::char_traits<char>::eof();
 }
 
 int PlainOutput::sync() {

@@ -18,7 +18,7 @@ public:
     PlainOutput& operator=(const PlainOutput&) = delete;
 
 private:
-    int_type overflow(int_type byte) override;
+    int overflow(int byte) override;
     int sync() override;
     void let_go();
 
