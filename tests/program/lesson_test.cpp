@@ -288,8 +288,8 @@ TEST_F(TaughtByTheProgram, is_checked_and_written_down_alike_where_its_world_lac
         EXPECT_EQ(checked.exit_status, 2) << wrong;
         EXPECT_EQ(written.exit_status, 2) << wrong;
         // On a busy machine words of how far it is come before.
-        const auto last_line = [](const std::string& text) {
-            return text.substr(text.rfind('\n', text.size() - 2) + 1);
+        const auto last_line = [](const std::string& told) {
+            return told.substr(told.rfind('\n', told.size() - 2) + 1);
         };
         EXPECT_EQ(last_line(written.err), last_line(checked.err));
         EXPECT_THAT(written.err, HasSubstr("line"));
