@@ -80,7 +80,7 @@ private:
         }
         if (text) return text = false, "225-1\r\n225 OK MESSAGE QUEUED\r\n";
         if (line.find(refused_) != std::string::npos) return "409 ERR PARAMETER NOT KNOWN\r\n";
-        if (line == "SPEAK") return text = true, "230 OK RECEIVING DATA\r\n";
+        if (line == "speak" || line == "SPEAK") return text = true, "230 OK RECEIVING DATA\r\n";
         if (line.starts_with("HISTORY GET")) return "245-1\r\n245 OK CLIENT ID SENT\r\n";
         return "208 OK DONE\r\n";
     }
