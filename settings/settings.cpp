@@ -243,7 +243,7 @@ struct SettingsStore::Impl {
             const std::string word = key.substr(kKeysPrefix.size());
             const bool known = std::find(command_words.begin(), command_words.end(), word) != command_words.end();
             if (known || (command_words.empty() && is_command_word(word)))
-                return short_text(key, value).map([&](const std::string& text) { target.keys[word] = text; });
+                return key_text(key, value).map([&](const std::string& text) { target.keys[word] = text; });
         }
         return fail(phrase("settings_file.unknown", {{"key", key}, {"nearest", nearest_key(key)}}));
     }
@@ -379,6 +379,7 @@ Result<void> SettingsStore::set(std::string_view key, std::string_view value, Se
     if (const SettingInfo* info = find_setting(name)) parsed = value_from_word(*info, value);
     else if (const auto device = split_device_key(name)) parsed = value_from_word(*device->field->plain, value);
     else if (const auto profile = split_profile_key(name)) parsed = value_from_word(*profile->field, value);
+    else if (name.starts_with(kKeysPrefix)) parsed = without_quotes(value);
     if (const Result<void> checked = impl_->check(name, parsed, source); !checked) return checked;
     impl_->layers[source][name] = {std::move(parsed), source == SettingSource::CommandLine ? "--set" : ""};
     impl_->rebuild();

@@ -2,6 +2,7 @@
 
 #include <fmt/ranges.h>
 
+#include "settings/key_names.h"
 #include "worlds/base/language.h"
 #include "worlds/base/overloaded.h"
 #include "worlds/base/text.h"
@@ -279,6 +280,15 @@ Result<std::string> short_text(std::string_view key, const SettingValue& value) 
     return *text;
 }
 
+Result<std::string> key_text(std::string_view key, const SettingValue& value) {
+    Result<std::string> text = short_text(key, value);
+    if (!text) return text;
+    if (const auto wrong = misnamed_key(*text))
+        return fail(
+            phrase("setting_error.no_key", {{"key", key}, {"word", *wrong}, {"nearest", nearest_key_name(*wrong)}}));
+    return text;
+}
+
 Result<void> apply(const SettingInfo& info, const SettingValue& value, Settings& settings) {
     return std::visit(
         Overloaded{[&](const NumberField& f) -> Result<void> {
@@ -321,9 +331,13 @@ SettingValue current_value(const SettingInfo& info, const Settings& settings) {
                       info.field);
 }
 
+std::string without_quotes(std::string_view word) {
+    const bool quoted = word.size() >= 2 && word.front() == '"' && word.back() == '"';
+    return std::string(quoted ? word.substr(1, word.size() - 2) : word);
+}
+
 SettingValue value_from_word(const SettingInfo& info, std::string_view word) {
-    if (word.size() >= 2 && word.front() == '"' && word.back() == '"')
-        return std::string(word.substr(1, word.size() - 2));
+    if (const std::string bare = without_quotes(word); bare.size() < word.size()) return bare;
     if (std::holds_alternative<ChoiceField>(info.field) || std::holds_alternative<TextField>(info.field))
         return std::string(word);
     if (word == "true" || word == "on") return true;

@@ -85,6 +85,10 @@ Result<double> number_in_range(std::string_view key, const SettingInfo& plain, c
 bool is_short_text(std::string_view text);
 // Fails unless `value` is 1 to 64 printable characters.
 Result<std::string> short_text(std::string_view key, const SettingValue& value);
+// A text as it was typed or as a list of settings shows it, without quotes around it.
+std::string without_quotes(std::string_view word);
+// The same as short_text for names of keys: each must be one that can be pressed.
+Result<std::string> key_text(std::string_view key, const SettingValue& value);
 // The value as it now is.
 SettingValue current_value(const SettingInfo& info, const Settings& settings);
 // A word from a command line as the kind of value this setting takes; what does not fit comes back as text and is

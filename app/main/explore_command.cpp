@@ -100,7 +100,7 @@ private:
     // From what is there to the welcome. When that was asked for.
     double begin() {
         news_.insert(news_.begin(), arguments_.news.begin(), arguments_.news.end());
-        for (const Diagnostic& problem : arguments_.settings_problems) news_.push_back(problem.sentence());
+        take_settings_faults();
         open_window();
         if (!window_) open_terminal();
         recording_.note("acts_by", static_cast<std::uint64_t>(spoken_to()));
@@ -116,6 +116,17 @@ private:
         news_.push_back(worlds_.crash_words(!speaks_to_typist(), asked_s));
         say_(first ? joined(news_) : phrase("program.welcome", {{"news", joined(news_)}}), asked_s);
         return asked_s;
+    }
+
+    // One fault is said in full; of several the first, for all of them at once took minutes. The menu lists them.
+    void take_settings_faults() {
+        std::vector<std::string> faults;
+        for (const Diagnostic& problem : arguments_.settings_problems) faults.push_back(problem.sentence());
+        if (faults.empty()) return;
+        news_.push_back(faults.size() == 1
+                            ? faults.front()
+                            : phrase("program.settings_faults", {{"count", faults.size()}, {"first", faults.front()}}));
+        app_.apply(SettingsFaultsKnown{std::move(faults)}, clock_.now_s());
     }
 
     void open_window() {

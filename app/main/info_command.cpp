@@ -26,6 +26,7 @@
 #include "worlds/navigation/rooms.h"
 #include "worlds/scene/honest_report.h"
 #include "worlds/scene/lint.h"
+#include "worlds/scene/outer_ground.h"
 #include "worlds/scene/stated_building.h"
 
 namespace handrail {
@@ -212,7 +213,8 @@ void tell_honestly(const Scene& scene, std::ostream& out) {
 // Sentences to be heard one after another, the important first.
 void tell(const Scene& scene, const TouchModel& touch, const Cost& cost, std::ostream& out) {
     const ReadReport& report = scene.report;
-    const Vec3 size = scene.bounds_m.empty() ? Vec3{0.0} : scene.bounds_m.size_m();
+    const Aabb building = building_bounds_m(scene);
+    const Vec3 size = building.empty() ? Vec3{0.0} : building.size_m();
     const auto line = [&out](const std::string& sentence) { out << one_line(sentence) << '\n'; };
     line(phrase("info.world", {{"world", spoken_name(scene)}, {"file", scene.source_file}}));
     line(phrase("info.size",
@@ -398,7 +400,7 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
     }
     if (arguments.as_words) return tell_as_words(*read, arguments.language, progress, out, err);
     std::optional<double> scale;
-    if (!arguments.scale.empty() && !(scale = scale_of(arguments.scale, read->bounds_m))) {
+    if (!arguments.scale.empty() && !(scale = scale_of(arguments.scale, building_bounds_m(*read)))) {
         progress.done();
         err << phrase("program.info_scale", {{"scale", arguments.scale}}) << '\n';
         return 2;

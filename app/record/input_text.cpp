@@ -197,6 +197,9 @@ Json fields_of(const SessionInput& input) {
             [](const CrashReportKnown& in) {
                 return Json{{"is", "crash_report"}, {"file", in.file}, {"lines", in.lines}};
             },
+            [](const SettingsFaultsKnown& in) {
+                return Json{{"is", "settings_faults"}, {"faults", in.faults}};
+            },
             [](const DevicesFound& in) {
                 return Json{{"is", "devices"}, {"sentences", in.sentences}};
             },
@@ -274,6 +277,10 @@ const std::map<std::string, ReadFields, std::less<>>& readers() {
         {"crash_report",
          [](const Json& j) -> SessionInput {
              return CrashReportKnown{j.at("file").get<std::string>(), j.at("lines").get<std::vector<std::string>>()};
+         }},
+        {"settings_faults",
+         [](const Json& j) -> SessionInput {
+             return SettingsFaultsKnown{j.at("faults").get<std::vector<std::string>>()};
          }},
         {"devices",
          [](const Json& j) -> SessionInput { return DevicesFound{j.at("sentences").get<std::vector<std::string>>()}; }},

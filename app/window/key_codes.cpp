@@ -3,6 +3,8 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "app/window/key_labels.h"
+
 namespace handrail {
 
 unsigned modifier_bits(int glfw_modifiers) {
@@ -17,9 +19,13 @@ int glfw_modifiers(unsigned modifier_bits) {
 
 KeysByCode keys_by_code() {
     KeysByCode keys{};
+    const std::map<int, int> named = keys_by_label(key_labels());
     for (int key = GLFW_KEY_SPACE; key < GLFW_KEY_LEFT_SHIFT; ++key) {
         const int code = glfwGetKeyScancode(key);
-        if (code > 0 && code < static_cast<int>(keys.size())) keys[static_cast<std::size_t>(code)] = key;
+        if (code > 0 && code < static_cast<int>(keys.size())) {
+            const auto name = named.find(key);
+            keys[static_cast<std::size_t>(code)] = name == named.end() ? key : name->second;
+        }
     }
     return keys;
 }

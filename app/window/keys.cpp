@@ -117,12 +117,6 @@ constexpr auto kKeys = std::to_array<NamedKey>({
     {GLFW_KEY_LEFT_ALT, "Alt"},
 });
 
-constexpr auto kNames = [] {
-    std::array<std::string_view, kKeys.size()> names{};
-    for (std::size_t i = 0; i < kKeys.size(); ++i) names[i] = kKeys[i].name;
-    return names;
-}();
-
 // Left and right modifiers are one key.
 int without_side(int glfw_key) {
     switch (glfw_key) {
@@ -142,8 +136,6 @@ bool is_modifier(int glfw_key) {
 }
 
 }  // namespace
-
-std::span<const std::string_view> key_names() { return kNames; }
 
 std::optional<std::string> key_name(int glfw_key, int glfw_modifiers) {
     const int key = without_side(glfw_key);

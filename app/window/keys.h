@@ -1,9 +1,8 @@
-// Keys by name. A key is bound by its place on the keyboard (GLFW's key token comes from the scancode), so a layout
-// with other letters keeps the same fingers. Names are those a settings file takes. Pure values; app thread.
+// Keys by name. Letters are bound by what is printed on their keys (key_labels.h), all others by their place: GLFW's
+// key token comes from the scancode. Names are those a settings file takes. Pure values; app thread.
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,16 +11,14 @@ namespace handrail {
 
 enum class KeyAction { Press, Repeat, Release };
 
-// `key` is a name of key_names(), with held modifiers before it in this order: "Control+Alt+Shift+F1".
+// `key` is a name of key_names() (settings/key_names.h), with held modifiers before it in this order:
+// "Control+Alt+Shift+F1".
 struct KeyEvent {
     std::string key;
     KeyAction action = KeyAction::Press;
 
     bool operator==(const KeyEvent&) const = default;
 };
-
-// Every name without modifiers, in a fixed order: "A", "1", "F1", "Up", "PageUp", "Grave", "Control" ...
-std::span<const std::string_view> key_names();
 
 // The name of a GLFW key token with GLFW's modifier bits, or nothing for keys we have no name for. Lock keys do not
 // count as modifiers.

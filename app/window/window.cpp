@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>
 
 #include "app/window/key_codes.h"
+#include "app/window/key_labels.h"
 #include "app/window/renderer.h"
 #include "app/window/window_system.h"
 #include "worlds/base/language.h"
@@ -130,7 +131,21 @@ private:
         return size;
     }
 
-    void take_key(int key, int code, int action, int mods) {
+    // A held key keeps its name, whatever becomes of the layout meanwhile. Layouts change without a word from GLFW, so
+    // its table is read with each key that goes down.
+    int named_key(int key, int action) {
+        if (key < GLFW_KEY_SPACE || key > GLFW_KEY_WORLD_2) return key;
+        if (action == GLFW_PRESS) {
+            const std::map<int, int> named = keys_by_label(key_labels());
+            const auto name = named.find(key);
+            held_as_[key] = name == named.end() ? key : name->second;
+        }
+        const auto held = held_as_.find(key);
+        return held == held_as_.end() ? key : held->second;
+    }
+
+    void take_key(int place, int code, int action, int mods) {
+        const int key = named_key(place, action);
         if (!never_waits_) return act_on_key(key, action, mods);
         if (const auto name = key_name(key, mods); name && never_waits_(*name)) return act_on_key(key, action, mods);
         KeySymbol symbol = system_->symbol_of(code, (mods & GLFW_MOD_SHIFT) != 0);
@@ -203,6 +218,7 @@ private:
     std::unique_ptr<KeyWatch> watch_;
     std::unique_ptr<Renderer> renderer_;
     KeyTracker keys_;
+    std::map<int, int> held_as_;  // the key by its place -> by its label
     KeyGate gate_;
     std::function<bool(const std::string&)> never_waits_;  // empty: no reader is asked
     std::vector<WindowEvent> events_;

@@ -41,9 +41,10 @@ std::string spoken_side(const std::string& side) {
 std::string size_sentence(const Feature& feature) {
     const Vec3 size = feature.bounds_m.max_m - feature.bounds_m.min_m;
     const double x = to_decimetre(size.x), y = to_decimetre(size.y), height = to_decimetre(size.z);
-    if (feature.kind == FeatureKind::Floor || feature.kind == FeatureKind::Ceiling)
+    // Nothing is "0 metres high": a rug is flat, and a poster has no depth.
+    if (feature.kind == FeatureKind::Floor || feature.kind == FeatureKind::Ceiling || height == 0.0)
         return phrase("touched.flat", {{"width", x}, {"depth", y}});
-    if (feature.kind == FeatureKind::Object)
+    if (feature.kind == FeatureKind::Object && std::min(x, y) > 0.0)
         return phrase("touched.object", {{"width", std::max(x, y)}, {"depth", std::min(x, y)}, {"height", height}});
     return phrase("touched.upright", {{"width", std::max(x, y)}, {"height", height}});
 }

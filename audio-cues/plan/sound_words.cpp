@@ -36,9 +36,9 @@ std::string material_word(SoundClass material) {
 }
 
 std::string side_of(const Vec3& place_m, const Listener& ears) {
-    constexpr std::array kSides{"direction.ahead",        "direction.ahead_right", "direction.right",
-                                "direction.behind_right", "direction.behind",      "direction.behind_left",
-                                "direction.left",         "direction.ahead_left"};
+    constexpr std::array kSides{"direction.ahead",        "direction.half_right", "direction.right",
+                                "direction.behind_right", "direction.behind",     "direction.behind_left",
+                                "direction.left",         "direction.half_left"};
     const Vec3 way = place_m - ears.ears_m;
     if (std::hypot(way.x, way.y) < 0.3) return {};
     return phrase(kSides[nearest_eighth(std::atan2(way.x, way.y) - ears.heading_rad)]);

@@ -115,14 +115,16 @@ struct SpeechdSpeech::Worker {
         }
         const bool told = call([&] { return spd_set_notification_on(connection.get(), SPD_END); }) == 0 &&
                           call([&] { return spd_set_notification_on(connection.get(), SPD_CANCEL); }) == 0;
-        // The words are in this language, whatever the person's default voice speaks; which voice that is they have set
-        // up.
-        return told && speak(wanted_language);
+        if (told) speak(wanted_language);
+        return told;
     }
 
-    bool speak(const std::string& wanted_language) {
+    // The words are in this language, whatever the person's default voice speaks; which voice that is they have set up.
+    // A server without a voice for it refuses, and the words in the accent of another voice are better than none. A
+    // server that has gone is noticed by the next call.
+    void speak(const std::string& wanted_language) {
         language = wanted_language;
-        return call([&] { return spd_set_language(connection.get(), language.c_str()); }) == 0;
+        call([&] { return spd_set_language(connection.get(), language.c_str()); });
     }
 
     void close() {
@@ -165,7 +167,7 @@ struct SpeechdSpeech::Worker {
             number = shared.said;
             wanted_language = shared.language;
         }
-        if (job && wanted_language != language && !speak(wanted_language)) return false;
+        if (job && wanted_language != language) speak(wanted_language);
         if (job) return say(*job, number);
         return !silence || call([&] { return spd_cancel(connection.get()); }) == 0;
     }

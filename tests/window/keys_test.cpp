@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/core/dialogue/command.h"
+#include "settings/key_names.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

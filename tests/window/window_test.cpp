@@ -47,6 +47,7 @@ protected:
     void SetUp() override {
         display_ = VirtualDisplay::start();
         if (!display_) GTEST_SKIP() << "Xvfb or xdotool is not installed, so no window can be tried";
+        if (!layout().empty() && !display_->run("setxkbmap " + layout())) GTEST_SKIP() << "setxkbmap is not installed";
         auto opened = Window::open();
         ASSERT_TRUE(opened.has_value()) << opened.error().sentence();
         window_ = std::move(*opened);
@@ -54,6 +55,8 @@ protected:
         ASSERT_TRUE(display_->xdotool("search --sync --onlyvisible --name '^Handrail$' windowfocus --sync"));
         window_->poll();
     }
+
+    virtual std::string layout() const { return {}; }
 
     // Collects events until the condition holds; what a person would wait for comes within a moment, 20 s are for a
     // machine under load.
@@ -340,5 +343,25 @@ TEST_F(WindowTest, outlives_its_display_and_asks_to_close) {
     window_.reset();
 }
 
+class WindowOnALayout : public WindowTest, public ::testing::WithParamInterface<const char*> {
+protected:
+    std::string layout() const override { return GetParam(); }
+};
+
+// They acted by where an American keyboard has them, while help and documents name letters.
+TEST_P(WindowOnALayout, takes_letters_by_what_is_printed_on_their_keys_and_digits_by_their_place) {
+    ASSERT_TRUE(display_->xdotool("key a q z y w m s F2"));
+    ASSERT_TRUE(wait_for([&] { return keys().size() >= 16; }));
+    std::vector<KeyEvent> wanted;
+    for (const char* key : {"A", "Q", "Z", "Y", "W", "M", "S", "F2"})
+        for (const KeyEvent& event : {press(key), release(key)}) wanted.push_back(event);
+    EXPECT_EQ(keys(), wanted);
+    events_.clear();
+    ASSERT_TRUE(display_->run("xdotool key 10"));  // the code of the key left of the 2, whatever is printed on it
+    ASSERT_TRUE(wait_for([&] { return keys().size() >= 2; }));
+    EXPECT_EQ(keys().front(), press("1"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Layouts, WindowOnALayout, ::testing::Values("fr", "de", "us -variant dvorak"));
 }  // namespace window_test
 }  // namespace handrail::test

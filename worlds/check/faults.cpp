@@ -49,6 +49,8 @@ std::string candidate_words(const Scene& scene, const WorldFault& fault) {
     return list;
 }
 
+constexpr double kWideDoorway_m = 0.8;  // as the advice says: a wider one is no reason that nobody gets through
+
 std::string say(const Scene& scene, const WorldFault& fault, std::string_view key) {
     const std::string name = capitalised(one_line(fault.name)), other = one_line(fault.other),
                       candidates = candidate_words(scene, fault);
@@ -61,6 +63,9 @@ std::string say(const Scene& scene, const WorldFault& fault, std::string_view ke
                         {"needed", fault.needed_m},
                         {"lack", std::string(word_of(fault.lack))},
                         {"known", fault.amount > 0.0 ? "yes" : "no"},
+                        {"doorway", fault.amount >= kWideDoorway_m ? "wide"
+                                    : fault.amount > 0.0           ? "narrow"
+                                                                   : "no"},
                         {"candidates", candidates},
                         {"any", candidates.empty() ? "no" : "yes"}});
 }

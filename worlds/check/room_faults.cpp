@@ -137,15 +137,17 @@ std::vector<WorldFault> out_of_reach(const Examined& world, std::optional<std::u
                          room.room == kNothing ? world.ground_source(room.at_m) : world.room_source(room.room)};
         fault.room = room.room;
         fault.name = room.name;
-        if (room.room != kNothing) {
-            const std::vector<MissingDoor> doors =
-                missing_doors(world.scene, *world.space, *world.graph, room.room, std::nullopt, 1);
-            if (!doors.empty()) fault.other = world.room_name(doors[0].to);
-        }
         found.push_back(std::move(fault));
     }
     constexpr std::array kKinds{Lack::Headroom, Lack::Step, Lack::Width};
     tell_lacks(world, found, kKinds, stop);
+    // Only where no gap or low opening is the reason: most of those are in a wall that a door could also go through.
+    for (WorldFault& fault : found) {
+        if (fault.lack != Lack::Nothing || fault.room == kNothing || stop.stop_requested()) continue;
+        const std::vector<MissingDoor> doors =
+            missing_doors(world.scene, *world.space, *world.graph, fault.room, std::nullopt, 1);
+        if (!doors.empty()) fault.other = world.room_name(doors[0].to);
+    }
     return found;
 }
 

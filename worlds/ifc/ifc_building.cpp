@@ -10,6 +10,15 @@
 namespace handrail {
 namespace {
 
+// Some programs write where the file lay as the name of the building: "D:\temp\file.ifc" is said as "file".
+std::string without_path(std::string name) {
+    if (name.find('\\') == std::string::npos && !name.starts_with('/')) return name;
+    name.erase(0, name.find_last_of("\\/") + 1);
+    if (const std::size_t dot = name.rfind('.'); dot != std::string::npos && dot > 0) name.erase(dot);
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+}
+
 constexpr double kFarAway_m = 10'000.0;  // numbers further from zero are an origin elsewhere
 constexpr double kThrough_m = 1.0;       // how far an opening is lengthened through its wall
 
@@ -124,7 +133,7 @@ private:
                 if (instance.name != wanted) continue;
                 const Values v = model_.file().values_of(instance);
                 for (const std::size_t i : {std::size_t{wanted == "IFCBUILDING" ? 7U : 5U}, std::size_t{2}}) {
-                    const std::string name = text_at(v, i);
+                    const std::string name = without_path(text_at(v, i));
                     const bool word = std::count_if(name.begin(), name.end(),
                                                     [](char c) { return (c < '0' || c > '9') && c != ' '; }) >= 3;
                     if (building_.name.empty() && word) building_.name = name;

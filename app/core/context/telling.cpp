@@ -35,7 +35,7 @@ std::string told_place(const SessionContext& context, double distance_m, double 
 
 double scale(const SessionContext& context) {
     if (!context.hands.named_scale) return context.settings.workspace.scale;
-    return world_m_per_hand_m(*context.hands.named_scale, context.world.scene->bounds_m,
+    return world_m_per_hand_m(*context.hands.named_scale, context.world.building_m,
                               context.hands.right.spec.workspace_radius_m);
 }
 

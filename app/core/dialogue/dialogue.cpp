@@ -13,6 +13,12 @@
 namespace handrail {
 namespace {
 
+// With a full stop at its end, unless the text ends its sentence already.
+std::string as_sentence(std::string text) {
+    if (text.empty() || std::string_view(".?!").find(text.back()) == std::string_view::npos) text += '.';
+    return text;
+}
+
 constexpr double kSearchGoesOn_s = 1.0;  // letters that follow each other this fast are one word
 
 std::string_view without_blanks(std::string_view text) {
@@ -119,7 +125,7 @@ std::string Dialogue::where() const {
 std::string Dialogue::back_words() const {
     if (!is_open()) return {};
     if (const auto* list = std::get_if<ListSpec>(stack_.back().get()))
-        return fmt::format("{}. {}", list->title, item_words(*list));
+        return fmt::format("{} {}", as_sentence(list->title), item_words(*list));
     return where();
 }
 
@@ -255,7 +261,7 @@ DialogueReply Dialogue::line(std::string_view text, double now_s) {
         for (const std::string_view name : kKeys)
             if (key_word == lower_ascii(name)) return key(name, now_s);
         if (key_word != "list") return std::nullopt;
-        std::string all = list->title + ".";
+        std::string all = as_sentence(list->title);
         for (std::size_t i = 0; i < list->items.size(); ++i) {
             const ListItem& item = list->items[i];
             all += fmt::format(" {}: {}{}{}.", i + 1, item.name, item.value.empty() ? "" : ", ", item.value);

@@ -109,7 +109,7 @@ WorkspacePose Workspace::pose_beside(const Vec3& others_shift_m) const {
 // Where the middle belongs, before anything has moved it.
 Vec3 Workspace::origin_m() const {
     const Settings::Workspace& workspace = context_.settings.workspace;
-    const Aabb& bounds_m = context_.world.scene->bounds_m;
+    const Aabb& bounds_m = context_.world.building_m;
     Vec3 origin = workspace.follows_walk ? context_.body.feet_m() : anchor_feet_m_;
     if (hands_.named_scale == NamedScale::Building && !bounds_m.empty()) {
         const Vec3 centre = bounds_m.centre_m();

@@ -408,7 +408,10 @@ void PlaceLearning::guide(double now_s) {
         room.to_base = false;
         const Vec3 base = *room.base_m - context_.body.feet_m();
         const std::string where = where_words(context_, glm::length(base), std::atan2(base.x, base.y));
-        context_.answer(phrase("learning.walls_done", {{"time", time_words(room.spent_s)}, {"where", where}}), now_s);
+        context_.answer(phrase("learning.walls_done", {{"left", static_cast<int>(progress.walls.size()) - done},
+                                                       {"time", time_words(room.spent_s)},
+                                                       {"where", where}}),
+                        now_s);
     }
     const std::vector<Lane> lanes = lanes_of(learnt);
     std::size_t walked = 0;

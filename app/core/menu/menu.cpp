@@ -36,6 +36,8 @@ void Menu::open(double now_s) {
     add(phrase("menu.sounds"), [this] { open_sounds(context_.tick_s); });
     add(phrase("menu.devices"), [this] { reports_.ask_for_devices(context_.tick_s); });
     if (reports_.has_crash()) add(phrase("menu.crash_report"), [this] { reports_.open_crash(context_.tick_s); });
+    if (reports_.has_settings_faults())
+        add(phrase("menu.settings_faults"), [this] { reports_.open_settings_faults(context_.tick_s); });
     for (const auto& [key, command] :
          {std::pair{"menu.learners", Command::Learners}, std::pair{"menu.input_help", Command::InputHelp},
           std::pair{"menu.set_up", Command::Calibrate}, std::pair{"menu.leave", Command::Leave}})

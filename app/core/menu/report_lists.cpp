@@ -20,6 +20,8 @@ void ReportLists::open_devices(const std::vector<std::string>& sentences, double
 
 void ReportLists::open_crash(double now_s) { open(phrase("crash_report.title"), crash_, now_s); }
 
+void ReportLists::open_settings_faults(double now_s) { open(phrase("menu.settings_faults"), faults_, now_s); }
+
 void ReportLists::open(std::string title, const std::vector<std::string>& lines, double now_s) {
     ListSpec list;
     list.title = std::move(title);

@@ -1,5 +1,5 @@
-// What is told of the program itself, as lists that are read line by line: what is plugged in, and what is known of a
-// session that broke off. App thread only.
+// Reports on the program itself, as lists that are read line by line: what is plugged in, what is known of a session
+// that broke off, and what is wrong in the person's settings. App thread only.
 #pragma once
 
 #include <string>
@@ -24,6 +24,9 @@ public:
     void know_crash(std::vector<std::string> lines) { crash_ = std::move(lines); }
     bool has_crash() const { return !crash_.empty(); }
     void open_crash(double now_s);
+    void know_settings_faults(std::vector<std::string> faults) { faults_ = std::move(faults); }
+    bool has_settings_faults() const { return !faults_.empty(); }
+    void open_settings_faults(double now_s);
 
 private:
     // Enter says a line again. A list ends no item with a stop of its own.
@@ -31,7 +34,7 @@ private:
 
     static constexpr double kAnswered_s = 3.0;
 
-    std::vector<std::string> crash_;
+    std::vector<std::string> crash_, faults_;
     double asked_s_ = -1e9;  // for devices that have not been told yet
 };
 

@@ -16,6 +16,7 @@
 #include "worlds/scene/honest_report.h"
 #include "worlds/scene/lint.h"
 #include "worlds/scene/models.h"
+#include "worlds/scene/outer_ground.h"
 #include "worlds/scene/surfaces.h"
 
 namespace handrail {
@@ -54,6 +55,7 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     if (hand_.touch_view.beside())
         settled_.begin([left = std::move(left)](const std::stop_token&) { return std::shared_ptr<const Scene>(); });
     state_.world.scene = std::move(world.scene);
+    state_.world.building_m = building_bounds_m(*state_.world.scene);
     state_.world.thing_of_mover = std::move(world.thing_of_mover);
     where_.far.enter_world();
     where_.climbs.enter_world();
@@ -116,7 +118,7 @@ void Session::set_hand(const HandFacts& hand, const Settings& settings, double n
 // What it is, how large, where one is and which way one faces, what to try: at most kMostOnEntering words.
 std::string Session::entering_text() const {
     constexpr std::size_t kMostOnEntering = 35;
-    const Vec3 size = state_.world.scene->bounds_m.empty() ? Vec3(0.0) : state_.world.scene->bounds_m.size_m();
+    const Vec3 size = state_.world.building_m.empty() ? Vec3(0.0) : state_.world.building_m.size_m();
     const std::string world = sentence_case(spoken_name(*state_.world.scene));
     const bool named_large = size.x >= 0.5 && size.y >= 0.5;
     std::string first = named_large

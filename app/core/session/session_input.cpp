@@ -42,6 +42,7 @@ bool Session::apply(SessionInput input, double now_s) {
                    [&](LastPlaceKnown& in) { given_.last_place = std::move(in.place); },
                    [&](const WentOnAt& in) { go_on_at(in.place, now_s); },
                    [&](CrashReportKnown& in) { menu_.reports().know_crash(std::move(in.lines)); },
+                   [&](SettingsFaultsKnown& in) { menu_.reports().know_settings_faults(std::move(in.faults)); },
                    [&](const DevicesFound& in) { menu_.reports().open_devices(in.sentences, now_s); },
                    [&](const TeacherActed& in) { teach(in, now_s); },
                    [&](WorldsKnown& in) {

@@ -130,6 +130,10 @@ struct CrashReportKnown {
     std::string file;
     std::vector<std::string> lines;
 };
+// Every fault of the settings files, each in a sentence; the menu lists them.
+struct SettingsFaultsKnown {
+    std::vector<std::string> faults;
+};
 // What is plugged in, in sentences, where the session had asked its owner for it: opened as a list.
 struct DevicesFound {
     std::vector<std::string> sentences;
@@ -139,9 +143,10 @@ struct WorldsKnown {
     WorldShelf shelf;
 };
 
-using SessionInput = std::variant<CommandDown, CommandUp, KeyTapped, TextTyped, LineTyped, ItemActed, Steered,
-                                  FocusChanged, Stopped, HandMoved, SettingsChanged, HandChanged, LeftHandChanged,
-                                  HandOffered, WorldEntered, Placed, Told, FirstMinutesBegun, LessonLeft, SetUpOver,
-                                  LastPlaceKnown, WentOnAt, CrashReportKnown, DevicesFound, WorldsKnown, TeacherActed>;
+using SessionInput =
+    std::variant<CommandDown, CommandUp, KeyTapped, TextTyped, LineTyped, ItemActed, Steered, FocusChanged, Stopped,
+                 HandMoved, SettingsChanged, HandChanged, LeftHandChanged, HandOffered, WorldEntered, Placed, Told,
+                 FirstMinutesBegun, LessonLeft, SetUpOver, LastPlaceKnown, WentOnAt, CrashReportKnown,
+                 SettingsFaultsKnown, DevicesFound, WorldsKnown, TeacherActed>;
 
 }  // namespace handrail

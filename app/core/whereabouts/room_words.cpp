@@ -16,6 +16,7 @@
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 #include "worlds/scene/outer_ground.h"
+#include "worlds/scene/stated_building.h"
 #include "worlds/scene/surfaces.h"
 
 namespace handrail {
@@ -104,6 +105,25 @@ std::string exits_words(const SessionContext& context, const RoomGraph& graph, s
         list = phrase("describe.and_more", {{"names", list}, {"more", exits.size() - told.size()}});
     return exits.empty() ? phrase("describe.no_exits")
                          : phrase("describe.exits", {{"count", exits.size()}, {"exits", list}});
+}
+
+// The outline that the file states, if this is all of that room: the floor to stand on ends before the walls, and at
+// whatever stands in front of them.
+Aabb outline_bounds_m(const Scene& scene, const RoomGraph& graph, std::uint32_t room) {
+    const Aabb& floor_m = graph.rooms[room].bounds_m;
+    if (!scene.stated) return floor_m;
+    for (const StatedRoom& stated : scene.stated->rooms) {
+        if (stated.rings.empty() || !holds(stated, graph.rooms[room].middle_m)) continue;
+        for (std::uint32_t other = 0; other < graph.rooms.size(); ++other)
+            if (other != room && holds(stated, graph.rooms[other].middle_m)) return floor_m;
+        Aabb outline;
+        for (const Vec2& corner : stated.rings.front()) {
+            outline.include(Vec3(corner, stated.floor_m));
+            outline.include(Vec3(corner, stated.floor_m + stated.height_m));
+        }
+        return outline;
+    }
+    return floor_m;
 }
 
 std::string storeys_sentence(const SessionContext& context, const RoomGraph& graph) {
@@ -199,7 +219,7 @@ std::string room_words(const SessionContext& context, const Rooms& rooms, std::u
     const RoomGraph& graph = rooms.graph();
     contract_pre(room < graph.rooms.size());
     const Room& told = graph.rooms[room];
-    const Vec3 size = told.bounds_m.size_m();
+    const Vec3 size = outline_bounds_m(*context.world.scene, graph, room).size_m();
     const std::string name = sentence_case(told.name);
     // One that is called by its size is not told its size again.
     const bool by_size = !told.given && told.map_name.empty() && told.made.thing.empty() && told.kind == RoomKind::Room;

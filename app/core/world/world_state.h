@@ -14,6 +14,7 @@ namespace handrail {
 
 struct WorldState {
     std::shared_ptr<const Scene> scene;  // null: none was entered yet
+    Aabb building_m;                     // without the ground that a reader laid around it: building_bounds_m
     int entered = 0;                     // rises with every world that is entered
     std::uint32_t felt = 0;              // HapticScene::world of what a hand is given to feel of it
     PlacedThings things;

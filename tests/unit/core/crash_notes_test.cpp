@@ -158,6 +158,20 @@ TEST(MenuOfReports, reads_a_crash_report_and_the_devices_line_by_line) {
     EXPECT_TRUE(session.heard("State: ready")) << session.news();
 }
 
+TEST(MenuOfReports, lists_every_fault_of_the_settings) {
+    test::AppSession session;
+    session.app.apply(WorldEntered{make_ready(test::our_world("first_room.map"))}, 0.0);
+    session.run(0.1);
+    session.app.apply(SettingsFaultsKnown{{"settings.toml, line 2: one fault.", "settings.toml, line 9: another."}},
+                      session.now);
+    session.ask(Command::Menu);
+    session.line("Faults in your settings");
+    session.run(0.1);
+    EXPECT_TRUE(session.heard("line 2: one fault")) << session.news();
+    session.line("list");
+    EXPECT_TRUE(session.heard("line 9: another")) << session.news();
+}
+
 // By its word, from the desk by hand or key, and with the hand there is before what is plugged in.
 TEST(MenuOfReports, opens_the_devices_by_their_word_and_from_the_desk) {
     const HandFacts falcon{true, false, *find_device_spec("falcon")};

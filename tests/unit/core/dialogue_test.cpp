@@ -46,6 +46,16 @@ TEST(Dialogue, goes_through_a_list_and_stops_at_its_ends) {
     EXPECT_FALSE(f.dialogue.key("Down", 0.0).taken);
 }
 
+TEST(Dialogue, puts_no_stop_behind_a_title_that_ends_its_sentence) {
+    for (const std::string title : {"Which way?", "Put 3 places in order, the first one first.", "Stop!"}) {
+        Fruit f;
+        ListSpec list = f.list();
+        list.title = title;
+        EXPECT_EQ(f.dialogue.open(std::move(list)), title + " Apple, 1 of 4");
+        EXPECT_THAT(f.dialogue.line("list", 0.0).words, StartsWith(title + " 1: Apple."));
+    }
+}
+
 TEST(Dialogue, finds_names_by_their_first_letters) {
     Fruit f;
     f.dialogue.open(f.list());

@@ -1,8 +1,12 @@
 // What was understood of a building's file: one sentence on entering, and a list of all on request.
+#include "app/core/context/telling.h"
+#include "app/core/context/workspace_scale.h"
+#include "app/core/dialogue/words.h"
 #include "tests/support/map_text.h"
 #include "tests/support/project_root.h"
 #include "tests/unit/core/explorer.h"
 #include "worlds/readers/reader.h"
+#include "worlds/scene/outer_ground.h"
 #include "worlds/scene/stated_building.h"
 
 namespace handrail {
@@ -40,6 +44,44 @@ TEST(Understood, is_told_in_one_sentence_on_entering_and_leads_to_what_is_to_be_
     const Vec3 at_m = p.app().scene()->stated->rooms[1].at_m;
     EXPECT_NEAR(p.app().guide().goal()->box_m.min_m.x, at_m.x, 1e-9);
     EXPECT_NEAR(p.app().guide().goal()->box_m.min_m.y, at_m.y, 1e-9);
+}
+
+// The reader lays eight metres of ground round this house, which is no part of it.
+TEST(SizeOfABuilding, leaves_out_the_ground_that_the_reader_laid_round_it) {
+    Explorer p(house_with_odd_room(), "sim-t");
+    const Scene& scene = *p.app().scene();
+    const Vec3 size = building_bounds_m(scene).size_m(), laid = scene.bounds_m.size_m();
+    EXPECT_GT(laid.x, size.x + 15.0) << "else this says nothing";
+    Aabb walls;
+    for (const Feature& feature : scene.features)
+        if (feature.kind == FeatureKind::Wall && !feature.bounds_m.empty()) walls.include(feature.bounds_m);
+    EXPECT_NEAR(size.x, walls.size_m().x, 0.5);
+    EXPECT_NEAR(size.y, walls.size_m().y, 0.5);
+    EXPECT_TRUE(p.heard(phrase("session.world_of_size",
+                               {{"world", sentence_case(spoken_name(scene))}, {"wide", size.x}, {"deep", size.y}})))
+        << p.all_heard(0);
+    p.tap(Command::ScaleBuilding, 0.2);
+    const double reach_m = Explorer::facts("sim-t").spec.workspace_radius_m;
+    EXPECT_TRUE(p.heard(scale_sentence(NamedScale::Building,
+                                       world_m_per_hand_m(NamedScale::Building, Aabb{Vec3(0.0), size}, reach_m),
+                                       reach_m, distances(Settings{}))))
+        << p.all_heard(0);
+}
+
+TEST(DescribedRoom, has_the_size_of_the_outline_that_the_file_states) {
+    const std::shared_ptr<const Scene> scene = house_with_odd_room();
+    Explorer p(scene, nullptr);
+    for (const StatedRoom& room : scene->stated->rooms) {
+        Aabb outline;
+        for (const Vec2& corner : room.rings.front()) outline.include(Vec3(corner, 0.0));
+        p.leave_lists();
+        p.tap(Command::Describe);
+        p.line(room.name);
+        const Vec3 size = outline.size_m();
+        const std::string told =
+            phrase("describe.room", {{"room", room.name}, {"size", size_words(size.x, size.y, distances(Settings{}))}});
+        EXPECT_THAT(p.all_heard(0), HasSubstr(told));
+    }
 }
 
 TEST(Understood, says_that_a_map_states_no_rooms_and_nothing_of_it_on_entering) {

@@ -6,20 +6,26 @@
 
 #include "tests/support/box_scene.h"
 #include "tests/unit/core/app_session.h"
+#include "worlds/check/faults.h"
+#include "worlds/navigation/rooms.h"
 
 namespace handrail {
 namespace why_no_way_test {
 
 // Two rooms of 5 by 4 m with a gap between them, and a table in the farther one.
-std::shared_ptr<const Scene> two_rooms(double gap_m) {
+// The wall between them is that thick, and the gap in it that high.
+std::shared_ptr<const Scene> two_rooms(double gap_m, double wall_m = 0.2, double high_m = 3.0) {
     test::SceneBuilder b;
     b.box({0, 0, -0.2}, {10.2, 4, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
     for (const auto& [from, to] :
          {std::pair(Vec3(-0.2, -0.2, -0.2), Vec3(10.4, 0, 3)), std::pair(Vec3(-0.2, 4, -0.2), Vec3(10.4, 4.2, 3)),
           std::pair(Vec3(-0.2, 0, -0.2), Vec3(0, 4, 3)), std::pair(Vec3(10.2, 0, -0.2), Vec3(10.4, 4, 3)),
-          std::pair(Vec3(5, 0, 0), Vec3(5.2, 2 - 0.5 * gap_m, 3)),
-          std::pair(Vec3(5, 2 + 0.5 * gap_m, 0), Vec3(5.2, 4, 3))})
+          std::pair(Vec3(5, 0, 0), Vec3(5 + wall_m, 2 - 0.5 * gap_m, 3)),
+          std::pair(Vec3(5, 2 + 0.5 * gap_m, 0), Vec3(5 + wall_m, 4, 3))})
         b.box(from, to, "wall", SolidRole::Solid, {}, FeatureKind::Wall);
+    if (high_m < 3.0)
+        b.box({5, 2 - 0.5 * gap_m, high_m}, {5 + wall_m, 2 + 0.5 * gap_m, 3}, "lintel", SolidRole::Solid, {},
+              FeatureKind::Wall);
     b.box({8, 1.5, 0}, {9, 2.5, 0.7}, "Table");
     b.scene().room_names = {{{2.5, 2, 0}, "Hall"}, {{7, 2, 0}, "Study"}};
     b.start({1, 2, 0}, 0.5 * kPi);
@@ -59,6 +65,45 @@ TEST(WhyNoWay, is_told_with_what_would_help_at_once_or_from_a_thread_beside) {
             << "to the five centimetres of a column";
         EXPECT_TRUE(asked.heard("Make the way at least 0.5 metres wide there"));
     }
+}
+
+// Most such walls are thin enough for a door, which was offered in place of the reason.
+TEST(WhyNoWay, is_a_gap_that_is_too_narrow_or_too_low_whatever_the_wall) {
+    struct Gap {
+        double wide_m, high_m;
+        Lack lack;
+    };
+    for (const double wall_m : {0.2, 0.3, 0.6})
+        for (const Gap& gap :
+             {Gap{0.2, 3.0, Lack::Width}, Gap{0.3, 3.0, Lack::Width}, Gap{0.45, 3.0, Lack::Width},
+              Gap{0.9, 1.0, Lack::Headroom}, Gap{0.9, 1.5, Lack::Headroom}, Gap{0.9, 1.75, Lack::Headroom}}) {
+            SCOPED_TRACE(std::to_string(wall_m) + " m thick, " + std::to_string(gap.wide_m) + " m wide, " +
+                         std::to_string(gap.high_m) + " m high");
+            const std::shared_ptr<const Scene> scene = two_rooms(gap.wide_m, wall_m, gap.high_m);
+            const Result<WalkSpace> space = make_walk_space(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
+            ASSERT_TRUE(space.has_value());
+            const RoomGraph graph = make_rooms(*scene, *space);
+            std::vector<WorldFault> found;
+            for (WorldFault& fault : find_faults(*scene, &*space, &graph))
+                if (fault.kind == FaultKind::RoomOutOfReach) found.push_back(std::move(fault));
+            ASSERT_EQ(found.size(), 1U);
+            EXPECT_EQ(found[0].lack, gap.lack) << fault_words(*scene, found[0]);
+            const double truth_m = gap.lack == Lack::Width ? gap.wide_m : gap.high_m;
+            EXPECT_NEAR(found[0].amount, truth_m, 0.051) << "to the five centimetres of a column";
+            EXPECT_NEAR(found[0].at_m.x, 5.0 + 0.5 * wall_m, 0.5 * wall_m + 0.3);
+            EXPECT_NEAR(found[0].at_m.y, 2.0, 0.6);
+        }
+}
+
+TEST(FaultWords, never_ask_for_a_doorway_that_is_wide_enough_to_be_wider) {
+    const Scene scene;
+    WorldFault fault{FaultKind::ImpassableDoor, Vec3(0.0), {}};
+    fault.name = "Door";
+    fault.amount = 0.9;
+    EXPECT_EQ(fault_words(scene, fault), "Door: nobody gets through this door, though it is 0.90 metres wide.");
+    EXPECT_EQ(fault_advice(scene, fault).find("0.8"), std::string::npos) << fault_advice(scene, fault);
+    fault.amount = 0.5;
+    EXPECT_NE(fault_advice(scene, fault).find("at least 0.8 metres wide"), std::string::npos);
 }
 
 TEST(WhyNoWay, is_not_told_where_there_is_one) {

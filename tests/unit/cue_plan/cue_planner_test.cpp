@@ -528,6 +528,14 @@ TEST_F(CuePlannerTest, higher_verbosity_says_more) {
               "Door, wood, handle on the east side, hinged on the west side. 1 metre wide, 2 metres high. It leads to "
               "the yard.");
     EXPECT_EQ(describe_feature(*scene, wall, 4), "North wall, plaster. 6 metres wide, 2.6 metres high.");
+    Scene thin = *scene;
+    Feature& rug = thin.features[wall.value];
+    rug.kind = FeatureKind::Object;
+    rug.bounds_m = {{0.0, 0.0, 0.0}, {2.0, 1.4, 0.02}};
+    EXPECT_THAT(describe_feature(thin, wall, 4), testing::EndsWith(". 2 by 1.4 metres.")) << "no rug is 0 metres high";
+    rug.bounds_m = {{0.0, 0.0, 1.0}, {0.6, 0.01, 1.9}};
+    EXPECT_THAT(describe_feature(thin, wall, 4), testing::EndsWith(". 0.6 metres wide, 0.9 metres high."))
+        << "no poster is 0 metres deep";
     EXPECT_EQ(describe_feature(*scene, floor, 4), "Floor, carpet. 6 by 4 metres.");
     EXPECT_EQ(describe_feature(*scene, FeatureId{kNameless}, 4), "");
     EXPECT_EQ(describe_feature(*scene, kNoFeature, 4), "");

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "audio-cues/plan/sound_table.h"
+#include "audio-cues/plan/sound_words.h"
 #include "tests/support/spoken_language.h"
 
 namespace handrail {
@@ -37,6 +38,24 @@ TEST(SoundTexts, are_said_in_german_while_scenarios_keep_their_names) {
     EXPECT_EQ(tone->text, "Wandton: Eine Wand ist nah, auf der Seite, auf der er klingt; je näher, desto lauter.");
     EXPECT_EQ(info(SoundKind::WallTone).name, "wall tone");
     EXPECT_EQ(all.back().text, "Berührung: Gitter.");
+}
+
+// Of a sound ahead to one side the name of a text that did not exist was said.
+TEST(SoundTexts, say_the_side_of_a_sound_in_words_all_round) {
+    for (const LanguageName& language : bundled_languages()) {
+        const test::InLanguage spoken(language.code);
+        const std::string ahead = phrase("direction.half_left");
+        for (int eighth = 0; eighth < 8; ++eighth) {
+            SoundCue cue;
+            cue.kind = SoundKind::Beacon;
+            const double bearing_rad = 0.25 * kPi * eighth;
+            cue.position_m = {3.0 * std::sin(bearing_rad), 3.0 * std::cos(bearing_rad), 0.0};
+            const std::string said = SoundWords().tell(cue, Listener{}, 0.0);
+            EXPECT_FALSE(said.empty());
+            EXPECT_EQ(said.find("direction."), std::string::npos) << said;
+            if (eighth == 7) EXPECT_THAT(said, testing::HasSubstr(ahead));
+        }
+    }
 }
 
 }  // namespace sound_texts_test

@@ -10,6 +10,7 @@
 #include "app/core/context/session_state.h"
 #include "app/core/world/entering.h"
 #include "haptic/compile/compile_haptic.h"
+#include "worlds/scene/outer_ground.h"
 
 namespace handrail::test {
 
@@ -18,6 +19,7 @@ struct PlainSession : SessionState {
         EnteringWorld entering = make_ready(std::move(scene));
         as_read = entering.file;
         world.scene = entering.scene;
+        world.building_m = building_bounds_m(*world.scene);
         world.thing_of_mover = entering.thing_of_mover;
         haptic = compile_haptic(*world.scene, {});
         world.things.enter(*world.scene, *haptic, {}, 0.0);

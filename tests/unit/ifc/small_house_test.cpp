@@ -57,6 +57,16 @@ TEST(SmallHouse, has_the_rooms_doors_and_storeys_that_the_file_states) {
     }
 }
 
+TEST(SmallHouse, is_not_called_by_the_path_of_a_file) {
+    const std::string text = test::small_house(), named = R"('H\X2\00E4\X0\uschen')";
+    const std::size_t at = text.find(named);
+    ASSERT_NE(at, std::string::npos);
+    for (const auto& [path, name] :
+         {std::pair(R"('D:\\temp\\Town_hall.ifc')", "Town hall"), std::pair("'/projects/Town_hall.rvt'", "Town hall"),
+          std::pair("'Hall 1/2'", "Hall 1/2")})
+        EXPECT_EQ(scene_of(std::string(text).replace(at, named.size(), path)).name, name) << path;
+}
+
 TEST(SmallHouse, is_solid_where_walls_are_and_free_where_doors_were_cut) {
     const Scene scene = scene_of(test::small_house());
     EXPECT_TRUE(test::in_a_solid(scene, {0.5, -0.1, 1.0})) << "south wall";

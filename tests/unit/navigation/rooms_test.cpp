@@ -286,6 +286,14 @@ TEST(Rooms, of_one_look_and_side_are_told_apart_as_the_second_and_the_third) {
     EXPECT_THAT(names(), IsSupersetOf({"kleiner Raum, Norden", "kleiner Raum, Norden, Nummer 2"}));
 }
 
+TEST(Rooms, of_one_name_are_counted_as_a_person_counts) {
+    const std::vector<std::pair<int, std::string>> ordinals{{2, "second"},  {7, "7th"},    {11, "11th"}, {12, "12th"},
+                                                            {13, "13th"},   {21, "21st"},  {22, "22nd"}, {63, "63rd"},
+                                                            {111, "111th"}, {152, "152nd"}};
+    for (const auto& [number, ordinal] : ordinals)
+        EXPECT_EQ(phrase("room_name.another", {{"room", "lobby"}, {"number", number}}), ordinal + " lobby");
+}
+
 TEST(Rooms, names_follow_the_language_and_given_ones_stay) {
     const std::string stove =
         test::entity("thing", test::key("name", "Stove") + test::key("name_de", "Ofen") + test::key("landmark", "1"),

@@ -194,6 +194,29 @@ TEST(Settings, keep_overrides_by_device_name_and_keys_by_command) {
     EXPECT_FALSE(store.set("workspace.device.falcon.scale", "5000", SettingSource::Live));
 }
 
+// Such a command had no key at all, and nobody was told.
+TEST(Settings, refuse_keys_that_nobody_can_press_with_their_line) {
+    const TemporaryFolder folder;
+    SettingsStore store({"where", "home", "look", "use", "again", "quit"});
+    const auto problems = store.load_file(
+        folder.write("settings.toml",
+                     "[keys]\nwhere = \"F99\"\nhome = \"Shift+\"\nlook = \"F5 Shift+Control+W\"\nagain = "
+                     "\"Control+Shift\"\nuse = \"control+alt+shift+F1 w Control none Keypad5\"\nquit = \"Strg+Q\"\n"),
+        SettingSource::UserFile);
+    ASSERT_THAT(problems, SizeIs(5));
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(problems[i].line, static_cast<int>(i) + 2);
+    EXPECT_THAT(problems[0].sentence(), HasSubstr("settings.toml, line 2"));
+    EXPECT_THAT(problems[0].message, HasSubstr("F99 names no key for keys.where; the nearest is F9"));
+    EXPECT_THAT(problems[1].message, HasSubstr("Shift+ names no key"));
+    EXPECT_THAT(problems[2].message, HasSubstr("the nearest is Control+Shift+W"));
+    EXPECT_EQ(problems[4].line, 7);
+    EXPECT_EQ(store.values().keys.size(), 1U) << "those commands keep their own keys";
+    EXPECT_TRUE(store.values().keys.contains("use"));
+    EXPECT_FALSE(store.set("keys.where", "Shift+", SettingSource::Live));
+    ASSERT_TRUE(store.set("keys.where", "\"F9\"", SettingSource::CommandLine)) << "as the list of settings shows it";
+    EXPECT_EQ(store.values().keys.at("where"), "F9");
+}
+
 TEST(Profiles, are_kept_by_device_and_serial_number_and_say_where_they_come_from) {
     const TemporaryFolder folder;
     const fs::path file = folder.write(
