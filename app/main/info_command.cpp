@@ -24,9 +24,9 @@
 #include "worlds/navigation/navigation.h"
 #include "worlds/navigation/reach.h"
 #include "worlds/navigation/rooms.h"
+#include "worlds/scene/building_bounds.h"
 #include "worlds/scene/honest_report.h"
 #include "worlds/scene/lint.h"
-#include "worlds/scene/outer_ground.h"
 #include "worlds/scene/stated_building.h"
 
 namespace handrail {

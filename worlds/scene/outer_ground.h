@@ -10,7 +10,4 @@ inline constexpr const char* kOuterGround = "ground outside";
 
 inline bool is_outer_ground(const Feature& feature) { return feature.made_name && feature.name == kOuterGround; }
 
-// The building without that ground, for its size and its middle: Scene::bounds_m if the readers laid none.
-Aabb building_bounds_m(const Scene& scene);
-
 }  // namespace handrail

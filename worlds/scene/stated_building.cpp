@@ -1,6 +1,8 @@
 #include "worlds/scene/stated_building.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "worlds/geometry/exposed_surface.h"
 
@@ -17,6 +19,29 @@ bool holds(const StatedRoom& room, const Vec3& at_m) {
                 inside = !inside;
         }
     return inside;
+}
+
+Vec2 outline_size_m(const StatedRoom& room) {
+    const std::vector<Vec2>& ring = room.rings.front();
+    Vec2 size(0.0);
+    double least_m2 = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+        Vec2 along = ring[i] - ring[j];
+        if (glm::length(along) < 1e-6) continue;
+        along = along / glm::length(along);
+        // The one of the two ways of the rectangle that runs more from west to east.
+        if (std::abs(along.y) > std::abs(along.x)) along = Vec2(along.y, -along.x);
+        Vec2 from(std::numeric_limits<double>::infinity()), to(-std::numeric_limits<double>::infinity());
+        for (const Vec2& p : ring) {
+            const Vec2 at(glm::dot(p, along), p.y * along.x - p.x * along.y);
+            from = glm::min(from, at), to = glm::max(to, at);
+        }
+        const Vec2 here = to - from;
+        if (here.x * here.y >= least_m2 - 1e-9) continue;
+        least_m2 = here.x * here.y;
+        size = here;
+    }
+    return size;
 }
 
 bool is_oddly_named(const StatedRoom& room) {

@@ -62,6 +62,9 @@ struct StatedBuilding {
 
 // True when the place lies within the outline and, with the tolerance of a step, between floor and ceiling.
 bool holds(const StatedRoom& room, const Vec3& at_m);
+// Of the least rectangle round its outline that lies along one of its sides: first the side that runs more from west to
+// east.
+Vec2 outline_size_m(const StatedRoom& room);
 // True when stairs all but fill the room and its name says nothing of stairs, in English or German.
 bool is_oddly_named(const StatedRoom& room);
 // How many rooms the largest group has whose members are joined by portals.

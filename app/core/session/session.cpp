@@ -13,10 +13,10 @@
 #include "app/core/world/world_now.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
+#include "worlds/scene/building_bounds.h"
 #include "worlds/scene/honest_report.h"
 #include "worlds/scene/lint.h"
 #include "worlds/scene/models.h"
-#include "worlds/scene/outer_ground.h"
 #include "worlds/scene/surfaces.h"
 
 namespace handrail {

@@ -109,19 +109,14 @@ std::string exits_words(const SessionContext& context, const RoomGraph& graph, s
 
 // The outline that the file states, if this is all of that room: the floor to stand on ends before the walls, and at
 // whatever stands in front of them.
-Aabb outline_bounds_m(const Scene& scene, const RoomGraph& graph, std::uint32_t room) {
-    const Aabb& floor_m = graph.rooms[room].bounds_m;
+Vec2 room_size_m(const Scene& scene, const RoomGraph& graph, std::uint32_t room) {
+    const Vec2 floor_m(graph.rooms[room].bounds_m.size_m());
     if (!scene.stated) return floor_m;
     for (const StatedRoom& stated : scene.stated->rooms) {
         if (stated.rings.empty() || !holds(stated, graph.rooms[room].middle_m)) continue;
         for (std::uint32_t other = 0; other < graph.rooms.size(); ++other)
             if (other != room && holds(stated, graph.rooms[other].middle_m)) return floor_m;
-        Aabb outline;
-        for (const Vec2& corner : stated.rings.front()) {
-            outline.include(Vec3(corner, stated.floor_m));
-            outline.include(Vec3(corner, stated.floor_m + stated.height_m));
-        }
-        return outline;
+        return outline_size_m(stated);
     }
     return floor_m;
 }
@@ -219,7 +214,7 @@ std::string room_words(const SessionContext& context, const Rooms& rooms, std::u
     const RoomGraph& graph = rooms.graph();
     contract_pre(room < graph.rooms.size());
     const Room& told = graph.rooms[room];
-    const Vec3 size = outline_bounds_m(*context.world.scene, graph, room).size_m();
+    const Vec2 size = room_size_m(*context.world.scene, graph, room);
     const std::string name = sentence_case(told.name);
     // One that is called by its size is not told its size again.
     const bool by_size = !told.given && told.map_name.empty() && told.made.thing.empty() && told.kind == RoomKind::Room;

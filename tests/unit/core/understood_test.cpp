@@ -6,7 +6,7 @@
 #include "tests/support/project_root.h"
 #include "tests/unit/core/explorer.h"
 #include "worlds/readers/reader.h"
-#include "worlds/scene/outer_ground.h"
+#include "worlds/scene/building_bounds.h"
 #include "worlds/scene/stated_building.h"
 
 namespace handrail {

@@ -10,7 +10,7 @@
 #include "app/core/context/session_state.h"
 #include "app/core/world/entering.h"
 #include "haptic/compile/compile_haptic.h"
-#include "worlds/scene/outer_ground.h"
+#include "worlds/scene/building_bounds.h"
 
 namespace handrail::test {
 

@@ -1,0 +1,65 @@
+#include "worlds/scene/building_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "worlds/geometry/clip.h"
+#include "worlds/scene/outer_ground.h"
+#include "worlds/scene/stated_building.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kAtRoom_m = 0.6;  // a wall stands so near to a room
+
+// What stands upright, such as a wall or a column. Paths and lawns are lower.
+constexpr double kUpright_m = 1.0;
+
+// As a roof does, which may reach out beyond the walls.
+bool slopes(const Solid& solid) {
+    constexpr double kUpright = 0.1, kLevel = 0.95;
+    return std::any_of(solid.shape.planes.begin(), solid.shape.planes.end(), [](const Plane& plane) {
+        return std::abs(plane.normal.z) > kUpright && std::abs(plane.normal.z) < kLevel;
+    });
+}
+
+}  // namespace
+
+Aabb building_bounds_m(const Scene& scene) {
+    Aabb all, rooms;
+    for (const Feature& feature : scene.features)
+        if (!feature.bounds_m.empty() && !is_outer_ground(feature)) all.include(feature.bounds_m);
+    if (scene.stated)
+        for (const StatedRoom& room : scene.stated->rooms)
+            for (const std::vector<Vec2>& ring : room.rings)
+                for (const Vec2& p : ring) {
+                    rooms.include(Vec3(p, room.floor_m));
+                    rooms.include(Vec3(p, room.floor_m + room.height_m));
+                }
+    if (rooms.empty()) return all;
+    const Aabb near = grown(rooms, kAtRoom_m);
+    Aabb building = rooms;
+    const auto take = [&](const Aabb& box) {
+        if (box.empty() || box.size_m().z < kUpright_m) return;
+        // As far as it is at the rooms: a garden wall that goes on from the house is no part of it.
+        const Aabb part{glm::max(box.min_m, near.min_m), glm::min(box.max_m, near.max_m)};
+        if (!part.empty()) building.include(part);
+    };
+    for (const Solid& solid : scene.solids)
+        if (!slopes(solid)) take(solid.shape.bounds_m);
+    for (const Feature& feature : scene.features)
+        if (feature.kind == FeatureKind::Wall || feature.kind == FeatureKind::Door) take(feature.bounds_m);
+    // With roofs and cellars.
+    Aabb high = building;
+    for (const Feature& feature : scene.features) {
+        const Aabb& box = feature.bounds_m;
+        if (box.empty() || is_outer_ground(feature) || box.max_m.x <= building.min_m.x ||
+            box.min_m.x >= building.max_m.x || box.max_m.y <= building.min_m.y || box.min_m.y >= building.max_m.y)
+            continue;
+        high.min_m.z = std::min(high.min_m.z, box.min_m.z);
+        high.max_m.z = std::max(high.max_m.z, box.max_m.z);
+    }
+    return high;
+}
+
+}  // namespace handrail
