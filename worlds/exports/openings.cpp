@@ -20,8 +20,8 @@ bool joins(const StoreyPortal& portal, const RoomBorder& border) {
 
 class Checker {
 public:
-    Checker(const Ink& walls, const Storey& storey, const OnPaper& on_paper)
-        : storey_(storey), on_paper_(on_paper), grid_(rooms_on(walls, storey, on_paper)), borders_(borders_of(grid_)) {
+    Checker(const RoomGrid& grid, const Storey& storey, const OnPaper& on_paper)
+        : storey_(storey), on_paper_(on_paper), grid_(grid), borders_(borders_of(grid_)) {
         const auto outside = static_cast<std::uint32_t>(storey.rooms.size());
         std::erase_if(borders_, [&](const RoomBorder& border) { return border.rooms[1] == outside; });
     }
@@ -74,7 +74,7 @@ private:
 
     const Storey& storey_;
     const OnPaper& on_paper_;
-    RoomGrid grid_;
+    const RoomGrid& grid_;
     std::vector<RoomBorder> borders_;
 };
 
@@ -107,7 +107,11 @@ RoomGrid rooms_on(const Ink& walls, const Storey& storey, const OnPaper& on_pape
 }
 
 OpeningCheck check_openings(const Ink& walls, const Storey& storey, const OnPaper& on_paper) {
-    return Checker(walls, storey, on_paper).check();
+    return check_openings(rooms_on(walls, storey, on_paper), storey, on_paper);
+}
+
+OpeningCheck check_openings(const RoomGrid& rooms, const Storey& storey, const OnPaper& on_paper) {
+    return Checker(rooms, storey, on_paper).check();
 }
 
 MendedOpenings mend_openings(Ink& walls, const Storey& storey, const OnPaper& on_paper, const WallLook& look) {
@@ -141,6 +145,7 @@ MendedOpenings mend_openings(Ink& walls, const Storey& storey, const OnPaper& on
             ++mended.opened;
         }
         if (found.leaking.empty() && found.lacking.empty()) break;
+        join_near(walls, look.clear_mm);
     }
     return mended;
 }

@@ -27,9 +27,11 @@ struct OpeningCheck {
 };
 // `walls` holds walls alone. Doors and openings whose place is off the drawing are not looked for.
 OpeningCheck check_openings(const Ink& walls, const Storey& storey, const OnPaper& on_paper);
+// The same of rooms_on for that drawing.
+OpeningCheck check_openings(const RoomGrid& rooms, const Storey& storey, const OnPaper& on_paper);
 
 // Opens what lacks, as wide as `look` has doors, and closes what leaks: places too narrow or too low for a body, and
-// what joining lines has closed. How many of each there were.
+// what joining lines has closed. What is too near to a mended place is joined. How many of each there were.
 struct MendedOpenings {
     std::size_t opened = 0, closed = 0;
 };

@@ -345,7 +345,7 @@ private:
         if (const GapCheck gaps = check_gaps(made_.plan, kLeastGap_mm); !gaps.narrow_mm.empty())
             made_.broken.push_back(phrase("export.too_near"));
         std::vector<std::string> lacking, leaking;
-        const OpeningCheck openings = check_openings(walls_.ink, storey_, on_paper_);
+        const OpeningCheck openings = check_openings(rooms_, storey_, on_paper_);
         const auto both = [&](const WrongOpening& wrong) {
             return phrase("export.two_rooms",
                           {{"one", storey_.rooms[wrong.rooms[0]].name}, {"other", storey_.rooms[wrong.rooms[1]].name}});

@@ -19,7 +19,7 @@ public:
         made_.ink = Ink(width_mm, height_mm);
         draw();
         for (const StoreyGap& gap : storey_.gaps) open_gap(gap);
-        join();
+        made_.joined = join_near(made_.ink, look_.clear_mm);
         leave_out_pieces();
         return std::move(made_);
     }
@@ -87,17 +87,6 @@ private:
              false);
     }
 
-    void join() {
-        for (int round = 0; round < 4; ++round) {
-            const Ink narrow = narrow_white(made_.ink, look_.clear_mm);
-            const std::size_t places = pieces_of(narrow).pixels.size() - 1;
-            if (places == 0) return;
-            if (round == 0) made_.joined = places;
-            for (std::size_t i = 0; i < narrow.black.size(); ++i)
-                if (narrow.black[i]) made_.ink.black[i] = 1;
-        }
-    }
-
     void leave_out_pieces() {
         const InkPieces pieces = pieces_of(made_.ink);
         const auto small = [&](std::size_t piece) { return pieces.extent[piece] * kInkPixel_mm < look_.piece_mm; };
@@ -125,6 +114,19 @@ PlanBox OnPaper::operator()(PlanBox box_m) const {
     box_m.middle_m = (*this)(box_m.middle_m);
     box_m.half_m *= mm_per_m;
     return box_m;
+}
+
+std::size_t join_near(Ink& walls, double clear_mm) {
+    std::size_t joined = 0;
+    for (int round = 0; round < 4; ++round) {
+        const Ink narrow = narrow_white(walls, clear_mm);
+        const std::size_t places = pieces_of(narrow).pixels.size() - 1;
+        if (places == 0) break;
+        if (round == 0) joined = places;
+        for (std::size_t i = 0; i < narrow.black.size(); ++i)
+            if (narrow.black[i]) walls.black[i] = 1;
+    }
+    return joined;
 }
 
 WallInk ink_of_walls(const Storey& storey, const OnPaper& on_paper, double width_mm, double height_mm,

@@ -40,6 +40,9 @@ struct WallInk {
 WallInk ink_of_walls(const Storey& storey, const OnPaper& on_paper, double width_mm, double height_mm,
                      const WallLook& look);
 
+// Fills what is narrower than `clear_mm` between lines. How many places there were.
+std::size_t join_near(Ink& walls, double clear_mm);
+
 // Lines across every flight of stairs, whatever pieces its floor came in, with `clear_mm` between them; each takes its
 // place. Shorter ones are left out, and those of another storey's flight where this one has floor over them.
 struct StairInk {
