@@ -57,9 +57,13 @@ private:
                kBesidePortal_m * on_paper_.mm_per_m + kBesidePortal_mm;
     }
 
+    // The lines of a flight show its sides, where no wall stands; a line around them would leave them no place.
+    bool is_flight(std::uint32_t room) const { return storey_.rooms[room].kind == RoomKind::Stairs; }
+
     // The part of a border that no portal explains.
     WrongOpening leak_of(const RoomBorder& border) const {
         WrongOpening leak{border.rooms, Vec2(0.0), {}};
+        if (is_flight(border.rooms[0]) || is_flight(border.rooms[1])) return leak;
         for (const std::size_t square : border.squares) {
             const Vec2 at = middle(square);
             if (std::none_of(storey_.portals.begin(), storey_.portals.end(), [&](const StoreyPortal& portal) {

@@ -81,7 +81,7 @@ public:
         made_.wide_mm = size_m.x * on_plate_.mm_per_m + 2.0 * kEdge_mm;
         made_.deep_mm = size_m.y * on_plate_.mm_per_m + 2.0 * kEdge_mm;
         raise_walls();
-        stairs_ = stair_lines(storey_, on_plate_, places_, kLeastWall_mm, kFree_mm + 1.0, kLeastThing_mm);
+        stairs_ = stair_lines(storey_, on_plate_, rooms_, places_, kLeastWall_mm, kFree_mm + 1.0, kLeastThing_mm);
         for (const PlanBox& line : stairs_.lines) {
             raise(corners_of(line), kLow_mm);
             beside_things_.take(corners_of(line));
@@ -103,6 +103,7 @@ private:
         mend_openings(walls_.ink, storey_, on_plate_, look);
         keep_off_the_rim();
         part_corners(walls_.ink);
+        rooms_ = rooms_on(walls_.ink, storey_, on_plate_);
         for (PlateArea& area : areas_of(traced_mm(walls_.ink))) raised_.push_back({std::move(area), um(kWall_mm)});
         places_ = Places(walls_.ink, kFree_mm, Vec2(2.0), Vec2(made_.wide_mm - 2.0, made_.deep_mm - 2.0));
         beside_things_ = places_;
@@ -137,12 +138,11 @@ private:
 
     Result<void> raise_signs() {
         made_.signs = room_signs(storey_);
-        const RoomGrid rooms = rooms_on(walls_.ink, storey_, on_plate_);
         for (std::size_t i = 0; i < storey_.rooms.size(); ++i) {
             const Result<BrailleCells> cells = braille_signs(made_.signs[i].sign, table_);
             if (!cells) return tl::unexpected(cells.error());
             const Vec2 half = 0.5 * braille_size_mm(cells->size()) + Vec2(0.1);
-            const auto place = place_of_sign(storey_, i, on_plate_, rooms, places_, beside_things_, half);
+            const auto place = place_of_sign(storey_, i, on_plate_, rooms_, places_, beside_things_, half);
             if (!place) continue;
             made_.signs[i].on_sheet = true;
             const std::vector<Vec2> corners = corners_of(PlanBox{*place, {1.0, 0.0}, half});
@@ -199,6 +199,7 @@ private:
     StoreyPlate made_;
     OnPaper on_plate_;
     WallInk walls_;
+    RoomGrid rooms_;
     StairInk stairs_;
     Places places_, beside_things_;
     std::vector<RaisedArea> raised_;

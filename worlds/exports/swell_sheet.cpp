@@ -59,9 +59,11 @@ public:
         if (const Result<void> laid = made_.part ? lay_out_part() : lay_out(wish_.paper); !laid)
             return tl::unexpected(laid.error());
         draw_walls();
+        made_.signs = room_signs(storey_);
+        if (const Result<void> signs = draw_signs_of_tight_rooms(); !signs) return tl::unexpected(signs.error());
         draw_stairs();
-        if (const Result<void> signs = draw_signs(); !signs) return tl::unexpected(signs.error());
         draw_base();
+        if (const Result<void> signs = draw_signs(); !signs) return tl::unexpected(signs.error());
         draw_things();
         if (const Result<void> head = draw_frame(); !head) return tl::unexpected(head.error());
         made_.on_paper = on_paper_;
@@ -119,11 +121,22 @@ private:
     void cut_to_part() {
         Ink& ink = walls_.ink;
         for (int y = 0; y < ink.high; ++y)
-            for (int x = 0; x < ink.wide; ++x) {
-                const Vec2 at = Vec2(x + 0.5, y + 0.5) * kInkPixel_mm;
-                if (at.x < low_mm_.x || at.y < low_mm_.y || at.x > high_mm_.x || at.y > high_mm_.y)
-                    ink.black[ink.at(x, y)] = 0;
-            }
+            for (int x = 0; x < ink.wide; ++x)
+                if (is_beyond_part(x, y)) ink.black[ink.at(x, y)] = 0;
+    }
+    bool is_beyond_part(int x, int y) const {
+        const Vec2 at = Vec2(x + 0.5, y + 0.5) * kInkPixel_mm;
+        return at.x < low_mm_.x || at.y < low_mm_.y || at.x > high_mm_.x || at.y > high_mm_.y;
+    }
+
+    // A finger that leaves the part is on another sheet: beyond it walls end, and rooms are not joined there.
+    Ink walls_within_part() const {
+        Ink walls = walls_.ink;
+        if (!made_.part) return walls;
+        for (int y = 0; y < walls.high; ++y)
+            for (int x = 0; x < walls.wide; ++x)
+                if (is_beyond_part(x, y)) walls.black[walls.at(x, y)] = 1;
+        return walls;
     }
 
     bool shown(const Vec2& at_m) const {
@@ -138,7 +151,7 @@ private:
         if (made_.part) cut_to_part();
         hollow_ = hollow_out(walls_.ink, kHollowFrom_mm, kWallLine_mm, kHollowLong_mm);
         made_.plan.shapes.push_back({traced_mm(walls_.ink), kWallPart});
-        rooms_ = rooms_on(walls_.ink, storey_, on_paper_);
+        rooms_ = rooms_on(walls_within_part(), storey_, on_paper_);
         places_ = Places(walls_.ink, kClear_mm, low_mm_, high_mm_);
         beside_things_ = places_;
         for (const StoreyThing& thing : storey_.things) beside_things_.take(corners_of(on_paper_(thing.box)));
@@ -153,14 +166,19 @@ private:
     // --- what is drawn in them
 
     void draw_stairs() {
-        stairs_ = stair_lines(storey_, on_paper_, places_, kThinLine_mm, kClear_mm, kLeastStair_mm);
+        stairs_ = stair_lines(storey_, on_paper_, rooms_, places_, kThinLine_mm, kClear_mm, kLeastStair_mm);
         for (const PlanBox& line : stairs_.lines) draw({corners_of(line)});
+    }
+
+    std::optional<BaseArrow> arrow_in(const Places& places) const {
+        if (!storey_.base || !shown(storey_.base->place_m)) return std::nullopt;
+        return arrow_of_base(*storey_.base, on_paper_, walls_.ink, places,
+                             {0.6 * kLeastSymbol_mm, 0.5 * kLeastSymbol_mm});
     }
 
     void draw_base() {
         if (!storey_.base || !shown(storey_.base->place_m)) return;
-        const auto arrow = arrow_of_base(*storey_.base, on_paper_, walls_.ink, places_,
-                                         {0.6 * kLeastSymbol_mm, 0.5 * kLeastSymbol_mm});
+        const auto arrow = arrow_in(places_);
         if (!arrow) {
             base_ = phrase("export.base_left_out");
             return;
@@ -171,25 +189,53 @@ private:
         base_drawn_ = true;
     }
 
-    Result<void> draw_signs() {
-        made_.signs = room_signs(storey_);
+    std::optional<Vec2> place_of(std::size_t room, const BrailleCells& cells, const Places& free) const {
+        return place_of_sign(storey_, room, on_paper_, rooms_, free, beside_things_,
+                             0.5 * braille_size_mm(cells.size()));
+    }
+
+    void draw_sign(std::size_t room, const BrailleCells& cells, const Vec2& place) {
+        const Vec2 half = 0.5 * braille_size_mm(cells.size());
+        made_.signs[room].on_sheet = true;
+        made_.signs[room].at_mm = place;
+        const std::vector<Vec2> corners = corners_of(PlanBox{place, {1.0, 0.0}, half});
+        places_.take(corners);
+        beside_things_.take(corners);
+        lay_braille(made_.plan, cells, place + Vec2(-half.x, half.y) + Vec2(0.5, -0.5) * kBrailleDot_mm, ++parts_);
+    }
+
+    // Calls `each` for every room that needs a sign and has none, with the cells of the sign.
+    template <class Each>
+    Result<void> for_unsigned(Each each) {
         for (std::size_t i = 0; i < storey_.rooms.size(); ++i) {
-            if (!present_[i] || is_left_to_key(i)) continue;
+            if (!present_[i] || made_.signs[i].on_sheet || is_left_to_key(i)) continue;
             const Result<BrailleCells> cells = braille_signs(made_.signs[i].sign, table_);
             if (!cells) return tl::unexpected(cells.error());
-            const Vec2 half = 0.5 * braille_size_mm(cells->size());
-            const std::optional<Vec2> place =
-                place_of_sign(storey_, i, on_paper_, rooms_, places_, beside_things_, half);
-            if (!place) continue;
-            made_.signs[i].on_sheet = true;
-            made_.signs[i].at_mm = *place;
-            const std::vector<Vec2> corners = corners_of(PlanBox{*place, {1.0, 0.0}, half});
-            places_.take(corners);
-            beside_things_.take(corners);
-            lay_braille(made_.plan, *cells, *place + Vec2(-half.x, half.y) + Vec2(0.5, -0.5) * kBrailleDot_mm,
-                        ++parts_);
+            each(i, *cells);
         }
         return {};
+    }
+
+    // In a small room stairs or the base may leave no place for its sign: there the sign comes first, since lines can be
+    // shorter and the arrow can stand a little off.
+    Result<void> draw_signs_of_tight_rooms() {
+        Places others = places_;
+        const StairInk stairs = stair_lines(storey_, on_paper_, rooms_, others, kThinLine_mm, kClear_mm, kLeastStair_mm);
+        const auto arrow = arrow_in(others);
+        if (stairs.lines.empty() && !arrow) return {};
+        if (arrow) others.take(arrow->loop_mm);
+        return for_unsigned([&](std::size_t room, const BrailleCells& cells) {
+            if (std::find(stairs.drawn.begin(), stairs.drawn.end(), room) != stairs.drawn.end()) return;
+            if (place_of_sign(storey_, room, on_paper_, rooms_, others, others, 0.5 * braille_size_mm(cells.size())))
+                return;
+            if (const auto place = place_of(room, cells, places_)) draw_sign(room, cells, *place);
+        });
+    }
+
+    Result<void> draw_signs() {
+        return for_unsigned([&](std::size_t room, const BrailleCells& cells) {
+            if (const auto place = place_of(room, cells, places_)) draw_sign(room, cells, *place);
+        });
     }
 
     void draw_things() {
@@ -333,7 +379,8 @@ private:
     void keep_promises() {
         std::vector<std::string> unsigned_rooms;
         for (std::size_t i = 0; i < made_.signs.size(); ++i)
-            if (present_[i] && !made_.signs[i].on_sheet && !is_known_by_lines(i) && !is_left_to_key(i))
+            if (present_[i] && !made_.signs[i].on_sheet && !is_known_by_lines(i) && !is_left_to_key(i) &&
+                !storey_.rooms[i].shut)
                 unsigned_rooms.push_back(made_.signs[i].name);
         // Of several sheets another one may have the sign: see swell_sheets.
         if (!unsigned_rooms.empty() && !made_.part)
@@ -539,7 +586,7 @@ std::vector<std::string> unsigned_on_all(const Storey& storey, const SheetWish& 
     std::vector<std::string> names;
     for (std::size_t i = 0; i < storey.rooms.size(); ++i) {
         const StoreyRoom& room = storey.rooms[i];
-        const bool needed = room.kind != RoomKind::Stairs && !(wish.coarse && room.area_m2 < kCoarseRoom_m2);
+        const bool needed = room.kind != RoomKind::Stairs && !room.shut && !(wish.coarse && room.area_m2 < kCoarseRoom_m2);
         if (needed && std::none_of(sheets.begin(), sheets.end(),
                                    [&](const SwellSheet& sheet) { return sheet.signs[i].on_sheet; }))
             names.push_back(room.name);
@@ -554,7 +601,7 @@ double scale_of_signs(const Storey& storey, const SheetWish& wish, double finest
     const std::vector<RoomSign> signs = room_signs(storey);
     for (std::size_t i = 0; i < signs.size(); ++i) {
         const StoreyRoom& room = storey.rooms[i];
-        if (room.kind == RoomKind::Stairs || (wish.coarse && room.area_m2 < kCoarseRoom_m2)) continue;
+        if (room.kind == RoomKind::Stairs || room.shut || (wish.coarse && room.area_m2 < kCoarseRoom_m2)) continue;
         const Result<BrailleCells> cells = braille_signs(signs[i].sign, wish.table);
         const Vec2 sign = braille_size_mm(cells ? cells->size() : 2);
         // The floor begins a body's radius inside the walls.

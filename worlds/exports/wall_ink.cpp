@@ -1,6 +1,7 @@
 #include "worlds/exports/wall_ink.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "worlds/base/language.h"
 #include "worlds/navigation/walk_space.h"
@@ -136,10 +137,16 @@ WallInk ink_of_walls(const Storey& storey, const OnPaper& on_paper, double width
 
 namespace {
 
-// Lines across one flight; how many.
-std::size_t lines_across(const Storey& storey, const std::vector<std::vector<Vec2>>& loops_m, bool of_another,
-                         const OnPaper& on_paper, Places& places, double line_mm, double clear_mm, double least_mm,
-                         std::vector<PlanBox>& lines) {
+std::uint32_t room_on(const RoomGrid& rooms, const Vec2& at_mm) {
+    const int x = static_cast<int>(std::floor(at_mm.x / kInkPixel_mm)),
+              y = static_cast<int>(std::floor(at_mm.y / kInkPixel_mm));
+    return rooms.holds(x, y) ? rooms.room[rooms.at(x, y)] : kNothing;
+}
+
+// Lines across one flight, where their middle is allowed; how many.
+std::size_t lines_across(const std::vector<std::vector<Vec2>>& loops_m, const OnPaper& on_paper,
+                         const std::function<bool(const Vec2&)>& allowed, Places& places, double line_mm,
+                         double clear_mm, double least_mm, std::vector<PlanBox>& lines) {
     std::vector<Vec2> all;
     for (const auto& loop : on_paper(loops_m)) all.insert(all.end(), loop.begin(), loop.end());
     const PlanOutline hull = convex_hull(std::move(all));
@@ -151,7 +158,7 @@ std::size_t lines_across(const Storey& storey, const std::vector<std::vector<Vec
         PlanBox line{box.middle_m + box.along * at,
                      Vec2(-box.along.y, box.along.x),
                      {box.half_m.y + 0.2 * on_paper.mm_per_m, 0.5 * line_mm}};
-        if (of_another && floor_at(storey, on_paper.world(line.middle_m)) != kNothing) continue;
+        if (!allowed(line.middle_m)) continue;
         while (line.half_m.x >= 0.5 * least_mm && !places.fits(line)) line.half_m.x -= 0.25;
         if (line.half_m.x < 0.5 * least_mm) continue;
         places.take(corners_of(line));
@@ -163,18 +170,23 @@ std::size_t lines_across(const Storey& storey, const std::vector<std::vector<Vec
 
 }  // namespace
 
-StairInk stair_lines(const Storey& storey, const OnPaper& on_paper, Places& places, double line_mm, double clear_mm,
-                     double least_mm) {
+StairInk stair_lines(const Storey& storey, const OnPaper& on_paper, const RoomGrid& rooms, Places& places,
+                     double line_mm, double clear_mm, double least_mm) {
     StairInk ink;
+    const auto draw = [&](const std::vector<std::vector<Vec2>>& loops_m, auto allowed) {
+        return lines_across(loops_m, on_paper, allowed, places, line_mm, clear_mm, least_mm, ink.lines) > 0;
+    };
     for (std::uint32_t i = 0; i < storey.rooms.size(); ++i)
         if (storey.rooms[i].kind == RoomKind::Stairs &&
-            lines_across(storey, storey.rooms[i].loops_m, false, on_paper, places, line_mm, clear_mm, least_mm,
-                         ink.lines) > 0)
+            draw(storey.rooms[i].loops_m, [](const Vec2&) { return true; }))
             ink.drawn.push_back(i);
-    for (std::uint32_t i = 0; i < storey.stairs_of_others.size(); ++i)
-        if (lines_across(storey, storey.stairs_of_others[i].loops_m, true, on_paper, places, line_mm, clear_mm,
-                         least_mm, ink.lines) > 0)
-            ink.of_others.push_back(i);
+    for (std::uint32_t i = 0; i < storey.stairs_of_others.size(); ++i) {
+        const StoreyStairs& flight = storey.stairs_of_others[i];
+        const auto in_well = [&](const Vec2& at) {
+            return room_on(rooms, at) == flight.room && floor_at(storey, on_paper.world(at)) == kNothing;
+        };
+        if (draw(flight.loops_m, in_well)) ink.of_others.push_back(i);
+    }
     return ink;
 }
 
@@ -229,10 +241,11 @@ std::optional<Vec2> place_of_sign(const Storey& storey, std::size_t room, const 
     const StoreyRoom& mine = storey.rooms[room];
     const double reach = glm::distance(on_paper(mine.min_m), on_paper(mine.max_m)) + 5.0;
     const auto box_at = [&](const Vec2& p) { return PlanBox{p, {1.0, 0.0}, half_mm}; };
+    // The floor begins a body's radius inside the walls. Beyond that nobody finds the room, though no wall ends it.
+    constexpr double kBesideFloor_m = 0.35;
+    const Vec2 low = on_paper(mine.min_m - Vec2(kBesideFloor_m)), high = on_paper(mine.max_m + Vec2(kBesideFloor_m));
     const auto is_mine = [&](const Vec2& p) {
-        const int x = static_cast<int>(std::floor(p.x / kInkPixel_mm)),
-                  y = static_cast<int>(std::floor(p.y / kInkPixel_mm));
-        return rooms.holds(x, y) && rooms.room[rooms.at(x, y)] == room;
+        return p.x >= low.x && p.y >= low.y && p.x <= high.x && p.y <= high.y && room_on(rooms, p) == room;
     };
     const auto in_room = [&](const Vec2& p) {
         const std::vector<Vec2> corners = corners_of(box_at(p));

@@ -44,14 +44,15 @@ WallInk ink_of_walls(const Storey& storey, const OnPaper& on_paper, double width
 std::size_t join_near(Ink& walls, double clear_mm);
 
 // Lines across every flight of stairs, whatever pieces its floor came in, with `clear_mm` between them; each takes its
-// place. Shorter ones are left out, and those of another storey's flight where this one has floor over them.
+// place. Shorter ones are left out, and those of another storey's flight where they are not in the room that it leads
+// to. `rooms`: see rooms_on.
 struct StairInk {
     std::vector<PlanBox> lines;
     std::vector<std::uint32_t> drawn;      // places in Storey::rooms, of the storey's own flights that have lines
     std::vector<std::uint32_t> of_others;  // places in Storey::stairs_of_others, as well
 };
-StairInk stair_lines(const Storey& storey, const OnPaper& on_paper, Places& places, double line_mm, double clear_mm,
-                     double least_mm);
+StairInk stair_lines(const Storey& storey, const OnPaper& on_paper, const RoomGrid& rooms, Places& places,
+                     double line_mm, double clear_mm, double least_mm);
 
 // What of a thing's box is free; nothing where it, or what is free of it, is smaller than `least_mm`. What people find
 // their way by (landmarks) counts as that large at least.

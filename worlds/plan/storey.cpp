@@ -137,6 +137,10 @@ private:
                 }
             }
             mine.outside = on_outer_ground(i);
+            mine.shut = graph_.rooms.size() > 1 &&
+                        std::none_of(graph_.portals.begin(), graph_.portals.end(), [&](const Portal& portal) {
+                            return portal.rooms[0] == i || portal.rooms[1] == i;
+                        });
             if (!mine.outside) {
                 low = glm::min(low, mine.min_m);
                 high = glm::max(high, mine.max_m);
@@ -429,6 +433,11 @@ private:
         });
     }
 
+    // Its own lines show a flight, which a banister drawn as a wall would leave no place.
+    bool is_flight(std::uint32_t room) const {
+        return room < made_.rooms.size() && made_.rooms[room].kind == RoomKind::Stairs;
+    }
+
     // Things that no body passes between two rooms, where the graph has no way through, are walls.
     void close_rooms() {
         const Vec2 size = made_.max_m - made_.min_m;
@@ -438,9 +447,11 @@ private:
             RoomGrid grid = walls;
             spread_rooms(grid);
             std::vector<Vec2> open;
-            for (const RoomBorder& border : borders_of(grid))
+            for (const RoomBorder& border : borders_of(grid)) {
+                if (is_flight(border.rooms[0]) || is_flight(border.rooms[1])) continue;
                 for (const std::size_t square : border.squares)
                     if (const Vec2 at = middle_of_square(grid, square); !at_portal(border, at)) open.push_back(at);
+            }
             more = false;
             for (Barrier& barrier : barriers_)
                 if (!barrier.wall && stands_in(barrier, open)) {

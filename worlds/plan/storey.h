@@ -32,6 +32,7 @@ struct StoreyRoom {
     Vec2 min_m{0.0}, max_m{0.0};  // of the loops
     Vec2 middle_m{0.0};    // by area, of its largest piece; where that is in another room, its own floor nearest to it
     bool outside = false;  // on the ground that a reader laid around the building
+    bool shut = false;     // nothing leads into it, as into the niche outside of a window
 };
 
 // Something that stands on the floor and is no part of the building.
