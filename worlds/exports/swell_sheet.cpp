@@ -216,11 +216,12 @@ private:
         return {};
     }
 
-    // In a small room stairs or the base may leave no place for its sign: there the sign comes first, since lines can be
-    // shorter and the arrow can stand a little off.
+    // In a small room stairs or the base may leave no place for its sign: there the sign comes first, since lines can
+    // be shorter and the arrow can stand a little off.
     Result<void> draw_signs_of_tight_rooms() {
         Places others = places_;
-        const StairInk stairs = stair_lines(storey_, on_paper_, rooms_, others, kThinLine_mm, kClear_mm, kLeastStair_mm);
+        const StairInk stairs =
+            stair_lines(storey_, on_paper_, rooms_, others, kThinLine_mm, kClear_mm, kLeastStair_mm);
         const auto arrow = arrow_in(others);
         if (stairs.lines.empty() && !arrow) return {};
         if (arrow) others.take(arrow->loop_mm);
@@ -586,7 +587,8 @@ std::vector<std::string> unsigned_on_all(const Storey& storey, const SheetWish& 
     std::vector<std::string> names;
     for (std::size_t i = 0; i < storey.rooms.size(); ++i) {
         const StoreyRoom& room = storey.rooms[i];
-        const bool needed = room.kind != RoomKind::Stairs && !room.shut && !(wish.coarse && room.area_m2 < kCoarseRoom_m2);
+        const bool needed =
+            room.kind != RoomKind::Stairs && !room.shut && !(wish.coarse && room.area_m2 < kCoarseRoom_m2);
         if (needed && std::none_of(sheets.begin(), sheets.end(),
                                    [&](const SwellSheet& sheet) { return sheet.signs[i].on_sheet; }))
             names.push_back(room.name);

@@ -177,8 +177,7 @@ StairInk stair_lines(const Storey& storey, const OnPaper& on_paper, const RoomGr
         return lines_across(loops_m, on_paper, allowed, places, line_mm, clear_mm, least_mm, ink.lines) > 0;
     };
     for (std::uint32_t i = 0; i < storey.rooms.size(); ++i)
-        if (storey.rooms[i].kind == RoomKind::Stairs &&
-            draw(storey.rooms[i].loops_m, [](const Vec2&) { return true; }))
+        if (storey.rooms[i].kind == RoomKind::Stairs && draw(storey.rooms[i].loops_m, [](const Vec2&) { return true; }))
             ink.drawn.push_back(i);
     for (std::uint32_t i = 0; i < storey.stairs_of_others.size(); ++i) {
         const StoreyStairs& flight = storey.stairs_of_others[i];

@@ -81,15 +81,16 @@ TEST(ExportCommand, writes_ways_in_words_in_print_and_in_braille) {
 
 TEST(ExportCommand, ends_with_status_1_and_offers_help_where_a_sheet_does_not_keep_its_promises) {
     const TemporaryFolder folder;
-    const Outcome done = run({house(), "--swell", (folder.path() / "plan.svg").string(), "--storey", "1"});
+    const std::string school = test::bundled_world("school.map");
+    const Outcome done = run({school, "--swell", (folder.path() / "plan.svg").string(), "--storey", "2"});
     EXPECT_EQ(done.status, 1);
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "plan.svg")) << "it is written all the same";
-    EXPECT_THAT(done.out, testing::HasSubstr("There is no room for the sign of this room: Pond."));
-    for (const char* help : {"--paper a3", "--sheets", "--around", "--coarse"})
-        EXPECT_THAT(done.out, testing::HasSubstr(help));
-    const Outcome larger =
-        run({house(), "--swell", (folder.path() / "a3.svg").string(), "--storey", "1", "--paper", "a3"});
-    EXPECT_EQ(larger.status, 0) << "it was offered: " << larger.out;
+    EXPECT_THAT(done.out, testing::HasSubstr("There is no room for the sign of this room: Upper lift."));
+    for (const char* help : {"--sheets", "--around", "--coarse"}) EXPECT_THAT(done.out, testing::HasSubstr(help));
+    EXPECT_THAT(done.out, testing::Not(testing::HasSubstr("--paper a3"))) << "the lift is too small there too";
+    const Outcome coarse =
+        run({school, "--swell", (folder.path() / "coarse.svg").string(), "--storey", "2", "--coarse"});
+    EXPECT_EQ(coarse.status, 0) << "it was offered: " << coarse.out;
 }
 
 TEST(ExportCommand, replaces_files_only_when_told_to_and_then_all_of_them) {

@@ -6,6 +6,7 @@
 #include <regex>
 #include <set>
 
+#include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/exports/plans.h"
@@ -193,6 +194,37 @@ TEST(SwellSheet, of_an_upper_storey_shows_the_stairs_that_arrive) {
         lines += shape.loops_mm.size() == 1 && std::min(size.x, size.y) < 1.05 && std::max(size.x, size.y) > 3.0;
     }
     EXPECT_GE(lines, 3);
+}
+
+TEST(SwellSheet, of_our_house_keeps_its_promises_with_stairs_base_and_every_sign) {
+    const NamedStoreys* house = storeys_of("house.map");
+    ASSERT_TRUE(house && !house->storeys.empty());
+    const Result<SwellSheet> sheet = swell_sheet(house->storeys[0], {kA4, BrailleTable::EnUebG1});
+    ASSERT_TRUE(sheet);
+    EXPECT_TRUE(sheet->broken.empty()) << sheet->broken[0];
+    EXPECT_NE(sheet->plan.text.find("The filled triangle on the plan is the base, in Hall;"), std::string::npos)
+        << sheet->plan.text;
+    EXPECT_NE(sheet->plan.text.find("pn  Pond."), std::string::npos) << sheet->plan.text;
+}
+
+TEST(SwellSheet, of_a_real_building_has_no_sign_of_a_niche_outside_of_it) {
+    const NamedStoreys* duplex = storeys_of("duplex-apartment.ifc");
+    if (!duplex) GTEST_SKIP() << needs_real_world("duplex-apartment.ifc");
+    ASSERT_GE(duplex->storeys.size(), 2U);
+    const Storey& storey = duplex->storeys[1];
+    const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
+    ASSERT_TRUE(sheet);
+    int shut = 0;
+    for (std::size_t i = 0; i < storey.rooms.size(); ++i) {
+        if (!sheet->signs[i].on_sheet) continue;
+        const StoreyRoom& room = storey.rooms[i];
+        const Vec2 at = sheet->on_paper.world(sheet->signs[i].at_mm);
+        EXPECT_TRUE(at.x > room.min_m.x - 0.4 && at.x < room.max_m.x + 0.4 && at.y > room.min_m.y - 0.4 &&
+                    at.y < room.max_m.y + 0.4)
+            << room.name << " has its sign at " << at.x << " " << at.y;
+    }
+    for (const StoreyRoom& room : storey.rooms) shut += room.shut ? 1 : 0;
+    EXPECT_GE(shut, 1) << "niches outside of its windows";
 }
 
 TEST(SwellSheet, names_a_thing_in_the_room_in_which_it_is_drawn) {
