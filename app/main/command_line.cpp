@@ -443,7 +443,7 @@ int run_command_line(const std::vector<std::string>& words, std::ostream& to_out
             [&](const ScenarioArguments& arguments) { return run_scenarios(arguments, out, err, progress); },
             [&](ExportCall& call) {
                 return with_settings(call.settings, [&](SettingsStore& settings) {
-                    call.arguments.how = distances(settings.values());
+                    call.arguments.settings = settings.values();
                     return run_export(call.arguments, out, err, progress);
                 });
             },

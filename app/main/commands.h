@@ -89,10 +89,13 @@ struct ExportArguments {
     std::optional<std::filesystem::path> stl;         // --stl
     std::optional<std::filesystem::path> route_card;  // --route-card: .brf or .txt
     std::optional<std::string> from, to;              // --from, --to: of the card; none: the base, every room
-    DistanceWords how;                                // as the person has distances told
+    Settings settings;                                // the person's: steps or metres, what is told on the way
     std::optional<int> storey;                        // --storey from 1; none: the one with the base
     std::string paper = "a4";                         // --paper
     std::string braille;                              // --braille; empty: grade 1 of the language spoken
+    bool sheets = false;                              // --sheets: several, where one does not keep its promises
+    std::optional<std::string> around;                // --around: of several only those with this room
+    bool coarse = false;                              // --coarse: without things and signs of small rooms
     bool strip = false;                               // --strip: also samples to choose from
     bool force = false;                               // --force: files that are there are replaced
 };

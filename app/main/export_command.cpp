@@ -36,13 +36,9 @@ fs::path beside(const fs::path& path, const std::string& what) {
     return path.parent_path() / (path.stem().string() + "-" + what + path.extension().string());
 }
 
-struct Wishes {
-    PaperSize paper;
-    BrailleTable table = BrailleTable::EnUebG1;
-};
-
-Result<Wishes> wishes_of(const ExportArguments& arguments) {
-    Wishes wishes;
+Result<SheetWish> wishes_of(const ExportArguments& arguments) {
+    SheetWish wishes;
+    wishes.coarse = arguments.coarse;
     if (!arguments.swell && !arguments.stl && !arguments.route_card) return fail(phrase("export.nothing_asked"));
     if (const std::string ending = arguments.swell ? ending_of(*arguments.swell) : ".svg";
         ending != ".svg" && ending != ".pdf")
@@ -63,43 +59,114 @@ Result<Wishes> wishes_of(const ExportArguments& arguments) {
     return wishes;
 }
 
-Result<void> add_swell(const fs::path& path, const Storey& storey, const Wishes& wishes, bool strip,
-                       std::vector<MadeFile>& files, std::vector<std::string>& simplified) {
-    Result<SwellSheet> sheet = swell_sheet(storey, wishes.paper, wishes.table);
-    if (!sheet) return tl::unexpected(sheet.error());
-    std::optional<SheetPage> samples;
-    if (strip) {
-        Result<SheetPage> made = calibration_strip(wishes.paper, wishes.table);
-        if (!made) return tl::unexpected(made.error());
-        samples = std::move(*made);
+// One sheet, or several where these are wanted; of them those with the room that is named.
+Result<std::vector<SwellSheet>> sheets_of(const Storey& storey, const SheetWish& wish,
+                                          const ExportArguments& arguments) {
+    if (!arguments.sheets && !arguments.around) {
+        Result<SwellSheet> one = swell_sheet(storey, wish);
+        if (!one) return tl::unexpected(one.error());
+        return std::vector<SwellSheet>{std::move(*one)};
     }
+    Result<std::vector<SwellSheet>> sheets = swell_sheets(storey, wish);
+    if (!sheets || !arguments.around) return sheets;
+    std::vector<std::string> names;
+    std::optional<std::size_t> room;
+    for (std::size_t i = 0; i < storey.rooms.size(); ++i) {
+        names.push_back(storey.rooms[i].name);
+        if (!room && lower_ascii(names.back()) == lower_ascii(*arguments.around)) room = i;
+    }
+    if (!room)
+        return fail(phrase("export.no_place",
+                           {{"name", *arguments.around}, {"nearest", nearest_name(*arguments.around, names)}}));
+    std::erase_if(*sheets, [&](const SwellSheet& sheet) {
+        const Vec2& at = storey.rooms[*room].middle_m;
+        return sheet.part && (at.x < sheet.part->min_m.x || at.y < sheet.part->min_m.y || at.x > sheet.part->max_m.x ||
+                              at.y > sheet.part->max_m.y);
+    });
+    return sheets;
+}
+
+// What would help where a sheet does not keep its promises, each tried or true of any storey.
+std::vector<std::string> helps(const Storey& storey, const SheetWish& wish, const ExportArguments& arguments) {
+    std::vector<std::string> said;
+    if (!arguments.sheets && wish.paper.long_mm < kA3.long_mm) {
+        SheetWish larger = wish;
+        larger.paper = kA3;
+        const Result<SwellSheet> sheet = swell_sheet(storey, larger);
+        if (sheet && sheet->broken.empty()) said.push_back(phrase("export.help_a3"));
+    }
+    if (!arguments.sheets && !arguments.around) said.push_back(phrase("export.help_sheets"));
+    if (!arguments.around) said.push_back(phrase("export.help_around"));
+    if (!arguments.coarse) said.push_back(phrase("export.help_coarse"));
+    return said;
+}
+
+struct ToldOfSheets {
+    std::vector<std::string> simplified;
+    bool broken = false;
+};
+
+// The files of one sheet and its key; `which`: empty for the first.
+void add_svg(const fs::path& path, const std::string& which, const SwellSheet& sheet, const std::string& said,
+             std::vector<MadeFile>& files) {
     const std::string language = spoken_language();
-    const auto said = [&](const fs::path& file) {
-        return phrase("export.wrote_swell", {{"file", file.string()},
-                                             {"title", sheet->plan.title},
-                                             {"one_to", sheet->one_to},
-                                             {"rooms", sheet->signs.size()},
-                                             {"things", sheet->drawn.size()}});
+    const auto add = [&](const fs::path& file, const SheetPage& page) {
+        files.push_back({file, svg_of(page, language),
+                         phrase("export.wrote", {{"file", file.string()}, {"title", page.title}}), false});
     };
-    if (ending_of(path) == ".pdf") {
-        std::vector<SheetPage> pages;
-        if (samples) pages.push_back(*samples);
-        pages.push_back(sheet->plan);
-        pages.insert(pages.end(), sheet->key.begin(), sheet->key.end());
-        files.push_back({path, pdf_of(pages, language), said(path)});
-    } else {
-        const auto add = [&](const fs::path& file, const SheetPage& page) {
-            files.push_back({file, svg_of(page, language),
-                             phrase("export.wrote", {{"file", file.string()}, {"title", page.title}}), false});
-        };
-        files.push_back({path, svg_of(sheet->plan, language), said(path)});
-        for (std::size_t i = 0; i < sheet->key.size(); ++i)
-            add(beside(path, "key-" + std::to_string(i + 1)), sheet->key[i]);
-        if (samples) add(beside(path, "strip"), *samples);
+    files.push_back({which.empty() ? path : beside(path, which), svg_of(sheet.plan, language), said, which.empty()});
+    for (std::size_t i = 0; i < sheet.key.size(); ++i)
+        add(beside(path, (which.empty() ? "" : which + "-") + "key-" + std::to_string(i + 1)), sheet.key[i]);
+}
+
+Result<ToldOfSheets> add_swell(const fs::path& path, const Storey& storey, const SheetWish& wish,
+                               const ExportArguments& arguments, std::vector<MadeFile>& files) {
+    const Result<std::vector<SwellSheet>> sheets = sheets_of(storey, wish, arguments);
+    if (!sheets) return tl::unexpected(sheets.error());
+    std::vector<SheetPage> pages;
+    if (arguments.strip) {
+        Result<SheetPage> made = calibration_strip(wish.paper, wish.table);
+        if (!made) return tl::unexpected(made.error());
+        pages.push_back(std::move(*made));
     }
-    simplified.insert(simplified.end(), sheet->simplified.begin(), sheet->simplified.end());
-    simplified.push_back(phrase("export.print_as_is"));
-    return {};
+    const bool pdf = ending_of(path) == ".pdf";
+    ToldOfSheets told;
+    std::string all;
+    for (const SwellSheet& sheet : *sheets) {
+        const bool first = &sheet == &sheets->front();
+        const std::string which = first ? "" : std::to_string(&sheet - &sheets->front() + 1);
+        const fs::path file = pdf || first ? path : beside(path, which);
+        const std::string said = phrase("export.wrote_swell", {{"file", file.string()},
+                                                               {"title", sheet.plan.title},
+                                                               {"one_to", sheet.one_to},
+                                                               {"rooms", sheet.signs.size()},
+                                                               {"things", sheet.drawn.size()}});
+        all += (first ? "" : "\n") + said;
+        if (pdf) {
+            pages.push_back(sheet.plan);
+            pages.insert(pages.end(), sheet.key.begin(), sheet.key.end());
+        } else add_svg(path, which, sheet, said, files);
+        for (const std::string& sentence : sheet.simplified)
+            if (std::find(told.simplified.begin(), told.simplified.end(), sentence) == told.simplified.end())
+                told.simplified.push_back(sentence);
+        for (const std::string& sentence : sheet.broken)
+            if (std::find(told.simplified.begin(), told.simplified.end(), sentence) == told.simplified.end())
+                told.simplified.push_back(sentence);
+        told.broken = told.broken || !sheet.broken.empty();
+    }
+    if (pdf) files.push_back({path, pdf_of(pages, spoken_language()), all});
+    else if (arguments.strip)
+        files.push_back(
+            {beside(path, "strip"), svg_of(pages.front(), spoken_language()),
+             phrase("export.wrote", {{"file", beside(path, "strip").string()}, {"title", pages.front().title}}),
+             false});
+    told.simplified.push_back(phrase("export.print_as_is"));
+    if (told.broken) {
+        told.simplified.push_back(phrase("export.promise_broken"));
+        const std::vector<std::string> what = helps(storey, wish, arguments);
+        told.simplified.insert(told.simplified.end(), what.begin(), what.end());
+    }
+    return told;
 }
 
 Result<void> add_stl(const fs::path& path, const Storey& storey, BrailleTable table, std::vector<MadeFile>& files,
@@ -148,7 +215,7 @@ int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream
         err << error.sentence() << '\n';
         return status;
     };
-    const Result<Wishes> wishes = wishes_of(arguments);
+    const Result<SheetWish> wishes = wishes_of(arguments);
     if (!wishes) return failed(wishes.error(), 2);
     const Result<fs::path> given = world_given(arguments.world);
     if (!given) return failed(given.error(), 1);
@@ -171,17 +238,20 @@ int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream
     std::vector<MadeFile> files;
     std::vector<std::string> simplified;
     progress.at(phrase("progress.sheets"));
-    if (arguments.swell)
-        if (const Result<void> made = add_swell(*arguments.swell, *storey, *wishes, arguments.strip, files, simplified);
-            !made)
-            return failed(made.error(), 1);
+    bool broken = false;
+    if (arguments.swell) {
+        Result<ToldOfSheets> told = add_swell(*arguments.swell, *storey, *wishes, arguments, files);
+        if (!told) return failed(told.error(), 1);
+        simplified = std::move(told->simplified);
+        broken = told->broken;
+    }
     if (arguments.stl)
         if (const Result<void> made = add_stl(*arguments.stl, *storey, wishes->table, files, simplified); !made)
             return failed(made.error(), 1);
     if (arguments.route_card) {
         progress.at(phrase("progress.ways"));
-        const Result<CardWays> ways = card_ways(*scene, rooms.graph(), rooms.navigation(), *storey,
-                                                {arguments.from, arguments.to, arguments.how});
+        const Result<CardWays> ways = card_ways(scene, rooms.graph(), rooms.navigation(), *storey,
+                                                {arguments.from, arguments.to, arguments.settings});
         if (!ways) return failed(ways.error(), 1);
         if (const Result<void> made = add_card(*arguments.route_card, ways->ways, wishes->table, files); !made)
             return failed(made.error(), 1);
@@ -192,7 +262,7 @@ int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream
     if (const Result<void> written = write_all(*way_out, files, arguments.force, out); !written)
         return failed(written.error(), 1);
     for (const std::string& sentence : simplified) out << sentence << '\n';
-    return 0;
+    return broken ? 1 : 0;
 }
 
 }  // namespace handrail

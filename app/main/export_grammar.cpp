@@ -25,6 +25,9 @@ CLI::App* add_export_command(CLI::App& app, ExportArguments& arguments) {
     command->add_option_function<std::string>("--storey", take_storey, phrase("help.storey"))->type_name("N");
     command->add_option("--paper", arguments.paper, phrase("help.paper"))->type_name("SIZE");
     command->add_option("--braille", arguments.braille, phrase("help.braille"))->type_name("TABLE");
+    command->add_flag("--sheets", arguments.sheets, phrase("help.sheets"));
+    command->add_option("--around", arguments.around, phrase("help.around"))->type_name("NAME");
+    command->add_flag("--coarse", arguments.coarse, phrase("help.coarse"));
     command->add_flag("--strip", arguments.strip, phrase("help.strip"));
     command->add_flag("--force", arguments.force, phrase("help.force"));
     return command;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/core/context/telling.h"
-#include "app/core/wayfinding/route_words.h"
+#include "app/core/session/session.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
@@ -15,12 +15,13 @@ struct CardPlace {
     std::string name;
     Vec3 at_m{0.0};
     std::optional<double> heading_rad;  // of who stands there, where that is known
+    bool room = false;
 };
 
 // Everything with a name that one can go to: rooms first, since a thing may be called as its room is.
 std::vector<CardPlace> places_of(const Scene& scene, const RoomGraph& graph) {
     std::vector<CardPlace> places;
-    for (const Room& room : graph.rooms) places.push_back({room.name, room.middle_m, std::nullopt});
+    for (const Room& room : graph.rooms) places.push_back({room.name, room.middle_m, std::nullopt, true});
     for (const Start& start : scene.starts)
         if (!start.name.empty()) places.push_back({start.name, start.feet_m, start.heading_rad});
     for (const Feature& feature : scene.features)
@@ -46,28 +47,55 @@ Result<CardPlace> base_of(const Scene& scene) {
     return CardPlace{phrase("export.the_base"), base->feet_m, base->heading_rad};
 }
 
-std::optional<CardWay> way_between(const Scene& scene, Navigation& navigation, const CardPlace& from,
-                                   const CardPlace& to, const DistanceWords& how) {
+// Somebody who stands at the start of a way and asks how it goes.
+class AtStart {
+public:
+    AtStart(const std::shared_ptr<const Scene>& scene, const Settings& settings) : session_(settings, HandFacts{}) {
+        session_.apply(WorldEntered{make_ready(scene)}, now_s_);
+    }
+
+    std::vector<std::string> legs(const Vec3& from_m, double heading_rad, const CardPlace& to) {
+        session_.apply(Placed{from_m, heading_rad}, now_s_);
+        // Until the body stands.
+        for (int i = 0; i < 30 && (i < 2 || !session_.standing()); ++i)
+            session_.tick(now_s_ += 1.0 / 60.0, ToolState{});
+        std::vector<std::string> legs = session_.guide().legs_to(to.at_m, to.name, to.room, now_s_);
+        session_.take_cues();
+        session_.take_events();
+        return legs;
+    }
+
+private:
+    Session session_;
+    double now_s_ = 0.0;
+};
+
+std::optional<CardWay> way_between(AtStart& at_start, Navigation& navigation, const CardPlace& from,
+                                   const CardPlace& to) {
     const Vec3 start_m = navigation.nearest_place(from.at_m).value_or(from.at_m);
-    const Route route = navigation.plan(start_m, to.at_m);
-    if (!route.reaches) return std::nullopt;
-    const Vec3 first = route.points_m.size() < 2 ? Vec3(0.0, 1.0, 0.0) : route.points_m[1] - route.points_m[0];
-    const double heading_rad = from.heading_rad.value_or(std::atan2(first.x, first.y));
-    CardWay way{phrase("export.card_title", {{"from", from.name}, {"to", to.name}})};
-    way.push_back(phrase("export.card_face", {{"direction", fine_compass_word(heading_rad)}}));
-    const auto name_of_passage = [&](const RoutePassage& passage) {
-        return passage_name(scene, passage.kind, passage.feature, passage.rise_m);
-    };
-    way.push_back(route_words(route, nodes_of(route, to.name, name_of_passage), heading_rad, how));
+    double heading_rad = from.heading_rad.value_or(0.0);
+    if (!from.heading_rad) {
+        const Route route = navigation.plan(start_m, to.at_m);
+        if (route.points_m.size() >= 2) {
+            const Vec3 first = route.points_m[1] - route.points_m[0];
+            heading_rad = std::atan2(first.x, first.y);
+        }
+    }
+    heading_rad = notch_heading_rad(nearest_notch(heading_rad));  // as the card can say it
+    const std::vector<std::string> legs = at_start.legs(start_m, heading_rad, to);
+    if (legs.empty()) return std::nullopt;
+    CardWay way{phrase("export.card_title", {{"from", from.name}, {"to", to.name}}),
+                phrase("export.card_face", {{"direction", fine_compass_word(heading_rad)}})};
+    way.insert(way.end(), legs.begin(), legs.end());
     return way;
 }
 
 }  // namespace
 
-Result<CardWays> card_ways(const Scene& scene, const RoomGraph& graph, Navigation& navigation, const Storey& storey,
-                           const CardWish& wish) {
-    const std::vector<CardPlace> places = places_of(scene, graph);
-    const Result<CardPlace> from = wish.from ? place_named(places, *wish.from) : base_of(scene);
+Result<CardWays> card_ways(const std::shared_ptr<const Scene>& scene, const RoomGraph& graph, Navigation& navigation,
+                           const Storey& storey, const CardWish& wish) {
+    const std::vector<CardPlace> places = places_of(*scene, graph);
+    const Result<CardPlace> from = wish.from ? place_named(places, *wish.from) : base_of(*scene);
     if (!from) return tl::unexpected(from.error());
     std::vector<CardPlace> goals;
     if (wish.to) {
@@ -76,12 +104,13 @@ Result<CardWays> card_ways(const Scene& scene, const RoomGraph& graph, Navigatio
         goals.push_back(*to);
     } else {
         for (const StoreyRoom& room : storey.rooms)
-            goals.push_back({room.name, graph.rooms[room.room].middle_m, std::nullopt});
+            goals.push_back({room.name, graph.rooms[room.room].middle_m, std::nullopt, true});
         std::sort(goals.begin(), goals.end(), [](const CardPlace& a, const CardPlace& b) { return a.name < b.name; });
     }
+    AtStart at_start(scene, wish.settings);
     CardWays made;
     for (const CardPlace& to : goals) {
-        if (auto way = way_between(scene, navigation, *from, to, wish.how)) made.ways.push_back(std::move(*way));
+        if (auto way = way_between(at_start, navigation, *from, to)) made.ways.push_back(std::move(*way));
         else made.unreached.push_back(to.name);
     }
     if (made.ways.empty())

@@ -6,6 +6,7 @@
 #include "worlds/base/language.h"
 #include "worlds/exports/braille_page.h"
 #include "worlds/exports/names.h"
+#include "worlds/exports/openings.h"
 #include "worlds/exports/places.h"
 #include "worlds/exports/wall_ink.h"
 
@@ -80,13 +81,13 @@ public:
         made_.wide_mm = size_m.x * on_plate_.mm_per_m + 2.0 * kEdge_mm;
         made_.deep_mm = size_m.y * on_plate_.mm_per_m + 2.0 * kEdge_mm;
         raise_walls();
-        for (const PlanBox& line :
-             stair_lines(storey_, on_plate_, places_, kLeastWall_mm, kFree_mm + 1.0, kLeastThing_mm)) {
+        stairs_ = stair_lines(storey_, on_plate_, rooms_, places_, kLeastWall_mm, kFree_mm + 1.0, kLeastThing_mm);
+        for (const PlanBox& line : stairs_.lines) {
             raise(corners_of(line), kLow_mm);
             beside_things_.take(corners_of(line));
         }
-        raise_base();
         if (const Result<void> signs = raise_signs(); !signs) return tl::unexpected(signs.error());
+        raise_base();
         raise_things();
         auto triangles = plate_with(um(made_.wide_mm), um(made_.deep_mm), um(kPlate_mm), raised_);
         if (!triangles || !check_solid(*triangles).closed()) return fail(phrase("export.not_closed"));
@@ -97,10 +98,12 @@ public:
 
 private:
     void raise_walls() {
-        walls_ = ink_of_walls(storey_, on_plate_, made_.wide_mm, made_.deep_mm,
-                              {kLeastWall_mm, kFree_mm, kDoor_mm, 2.0 * kLeastWall_mm});
+        const WallLook look{kLeastWall_mm, kFree_mm, kDoor_mm, 2.0 * kLeastWall_mm};
+        walls_ = ink_of_walls(storey_, on_plate_, made_.wide_mm, made_.deep_mm, look);
+        mend_openings(walls_.ink, storey_, on_plate_, look);
         keep_off_the_rim();
         part_corners(walls_.ink);
+        rooms_ = rooms_on(walls_.ink, storey_, on_plate_);
         for (PlateArea& area : areas_of(traced_mm(walls_.ink))) raised_.push_back({std::move(area), um(kWall_mm)});
         places_ = Places(walls_.ink, kFree_mm, Vec2(2.0), Vec2(made_.wide_mm - 2.0, made_.deep_mm - 2.0));
         beside_things_ = places_;
@@ -139,7 +142,7 @@ private:
             const Result<BrailleCells> cells = braille_signs(made_.signs[i].sign, table_);
             if (!cells) return tl::unexpected(cells.error());
             const Vec2 half = 0.5 * braille_size_mm(cells->size()) + Vec2(0.1);
-            const auto place = place_of_sign(storey_, i, on_plate_, walls_.ink, places_, beside_things_, half);
+            const auto place = place_of_sign(storey_, i, on_plate_, rooms_, places_, beside_things_, half);
             if (!place) continue;
             made_.signs[i].on_sheet = true;
             const std::vector<Vec2> corners = corners_of(PlanBox{*place, {1.0, 0.0}, half});
@@ -177,8 +180,10 @@ private:
 
     void tell() {
         std::vector<std::string> unsigned_rooms;
-        for (const RoomSign& sign : made_.signs)
-            if (!sign.on_sheet) unsigned_rooms.push_back(sign.name);
+        for (std::size_t i = 0; i < made_.signs.size(); ++i)
+            if (!made_.signs[i].on_sheet &&
+                std::find(stairs_.drawn.begin(), stairs_.drawn.end(), i) == stairs_.drawn.end())
+                unsigned_rooms.push_back(made_.signs[i].name);
         if (!unsigned_rooms.empty())
             made_.simplified.push_back(
                 phrase("export.no_sign", {{"count", unsigned_rooms.size()}, {"names", names_list(unsigned_rooms)}}));
@@ -194,6 +199,8 @@ private:
     StoreyPlate made_;
     OnPaper on_plate_;
     WallInk walls_;
+    RoomGrid rooms_;
+    StairInk stairs_;
     Places places_, beside_things_;
     std::vector<RaisedArea> raised_;
 };

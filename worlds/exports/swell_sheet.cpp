@@ -1,7 +1,9 @@
 #include "worlds/exports/swell_sheet.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -9,8 +11,10 @@
 #include "worlds/exports/braille_page.h"
 #include "worlds/exports/ink.h"
 #include "worlds/exports/names.h"
+#include "worlds/exports/openings.h"
 #include "worlds/exports/places.h"
 #include "worlds/exports/wall_ink.h"
+#include "worlds/navigation/walk_space.h"
 
 namespace handrail {
 namespace {
@@ -21,29 +25,48 @@ constexpr double kMargin_mm = 12.0, kHead_mm = 14.0, kFoot_mm = 12.0;
 // Kept a little over what is promised, for lines are traced to a tenth of a millimetre.
 constexpr double kClear_mm = kLeastGap_mm + 0.2;
 constexpr double kHollowFrom_mm = 6.0, kHollowLong_mm = 15.0, kLeastPiece_mm = 4.0, kLeastStair_mm = 3.0;
-constexpr int kWalls = 1;  // the part that all walls are
+
+constexpr std::array kScales{20.0,  25.0,  30.0,  40.0,  50.0,  60.0,  75.0,  90.0,  100.0,
+                             110.0, 125.0, 150.0, 175.0, 200.0, 225.0, 250.0, 275.0, 300.0,
+                             350.0, 400.0, 450.0, 500.0, 600.0, 700.0, 800.0, 900.0, 1000.0};
+constexpr double kShared_mm = 35.0;                       // of neighbouring sheets: more than a sign needs
+constexpr double kPartHead_mm = 8.0, kPartFoot_mm = 8.0;  // more of them, for marks
+constexpr double kMark_mm = 4.0;
+constexpr int kScalesTried = 4;
 
 double whole_scale(const Vec2& size_m, const Vec2& room_mm) {
-    for (const double one_to :
-         {20.0,  25.0,  30.0,  40.0,  50.0,  60.0,  75.0,  90.0,  100.0, 110.0, 125.0, 150.0, 175.0, 200.0,
-          225.0, 250.0, 275.0, 300.0, 350.0, 400.0, 450.0, 500.0, 600.0, 700.0, 800.0, 900.0, 1000.0})
+    for (const double one_to : kScales)
         if (size_m.x * 1000.0 / one_to <= room_mm.x && size_m.y * 1000.0 / one_to <= room_mm.y) return one_to;
     return 0.0;
+}
+
+// Of a page, for the plan.
+Vec2 room_on_page(const PaperSize& paper, bool across, bool part) {
+    const Vec2 page = across ? Vec2(paper.long_mm, paper.short_mm) : Vec2(paper.short_mm, paper.long_mm);
+    return page -
+           Vec2(2.0 * kMargin_mm, 2.0 * kMargin_mm + kHead_mm + kFoot_mm + (part ? kPartHead_mm + kPartFoot_mm : 0.0));
 }
 
 // What is made of one sheet, in the order in which things take their places: walls, stairs, base, signs, things.
 class SheetMaker {
 public:
-    SheetMaker(const Storey& storey, BrailleTable table) : storey_(storey), table_(table) {}
+    SheetMaker(const Storey& storey, const SheetWish& wish, std::optional<SheetPart> part)
+        : storey_(storey), wish_(wish), table_(wish.table) {
+        made_.part = std::move(part);
+    }
 
-    Result<SwellSheet> make(const PaperSize& paper) {
-        if (const Result<void> laid = lay_out(paper); !laid) return tl::unexpected(laid.error());
+    Result<SwellSheet> make() {
+        if (const Result<void> laid = made_.part ? lay_out_part() : lay_out(wish_.paper); !laid)
+            return tl::unexpected(laid.error());
         draw_walls();
+        made_.signs = room_signs(storey_);
+        if (const Result<void> signs = draw_signs_of_tight_rooms(); !signs) return tl::unexpected(signs.error());
         draw_stairs();
         draw_base();
         if (const Result<void> signs = draw_signs(); !signs) return tl::unexpected(signs.error());
         draw_things();
         if (const Result<void> head = draw_frame(); !head) return tl::unexpected(head.error());
+        made_.on_paper = on_paper_;
         tell();
         return write_key();
     }
@@ -51,11 +74,8 @@ public:
 private:
     Result<void> lay_out(const PaperSize& paper) {
         const Vec2 size_m = storey_.max_m - storey_.min_m;
-        const auto room = [&](bool across) {
-            const Vec2 page = across ? Vec2(paper.long_mm, paper.short_mm) : Vec2(paper.short_mm, paper.long_mm);
-            return page - Vec2(2.0 * kMargin_mm, 2.0 * kMargin_mm + kHead_mm + kFoot_mm);
-        };
-        const double upright = whole_scale(size_m, room(false)), across = whole_scale(size_m, room(true));
+        const double upright = whole_scale(size_m, room_on_page(paper, false, false)),
+                     across = whole_scale(size_m, room_on_page(paper, true, false));
         if (upright == 0.0 && across == 0.0)
             return fail(phrase("export.too_large", {{"x", size_m.x}, {"y", size_m.y}}));
         const bool turned = upright == 0.0 || (across != 0.0 && across < upright);
@@ -64,18 +84,75 @@ private:
         on_paper_.mm_per_m = 1000.0 / made_.one_to;
         made_.plan.width_mm = turned ? paper.long_mm : paper.short_mm;
         made_.plan.height_mm = turned ? paper.short_mm : paper.long_mm;
-        on_paper_.shift_mm =
-            Vec2(kMargin_mm, kMargin_mm + kFoot_mm) + 0.5 * (room(turned) - size_m * on_paper_.mm_per_m);
+        on_paper_.shift_mm = Vec2(kMargin_mm, kMargin_mm + kFoot_mm) +
+                             0.5 * (room_on_page(paper, turned, false) - size_m * on_paper_.mm_per_m);
+        low_mm_ = {kMargin_mm, kMargin_mm + kFoot_mm};
+        high_mm_ = {made_.plan.width_mm - kMargin_mm, made_.plan.height_mm - kMargin_mm - kHead_mm};
+        present_.assign(storey_.rooms.size(), true);
         return {};
     }
 
+    Result<void> lay_out_part() {
+        const SheetPart& part = *made_.part;
+        const Vec2 size_mm = (part.max_m - part.min_m) * (1000.0 / part.one_to);
+        const bool turned = size_mm.x > room_on_page(wish_.paper, false, true).x + 1e-6;
+        made_.one_to = part.one_to;
+        made_.plan.width_mm = turned ? wish_.paper.long_mm : wish_.paper.short_mm;
+        made_.plan.height_mm = turned ? wish_.paper.short_mm : wish_.paper.long_mm;
+        on_paper_.from_m = part.min_m;
+        on_paper_.mm_per_m = 1000.0 / part.one_to;
+        on_paper_.shift_mm = Vec2(kMargin_mm, kMargin_mm + kFoot_mm + kPartFoot_mm) +
+                             0.5 * (room_on_page(wish_.paper, turned, true) - size_mm);
+        low_mm_ = on_paper_.shift_mm;
+        high_mm_ = low_mm_ + size_mm;
+        present_.assign(storey_.rooms.size(), false);
+        const StoreyFloor& floor = storey_.floor;
+        for (std::size_t i = 0; i < floor.room.size(); ++i) {
+            const auto wide = static_cast<std::size_t>(floor.wide);
+            const Vec2 at = storey_.min_m + (Vec2(i % wide, i / wide) + Vec2(0.5)) * floor.cell_m;
+            if (floor.room[i] != kNothing && at.x >= part.min_m.x && at.y >= part.min_m.y && at.x <= part.max_m.x &&
+                at.y <= part.max_m.y)
+                present_[floor.room[i]] = true;
+        }
+        return {};
+    }
+
+    // Walls end where the part ends.
+    void cut_to_part() {
+        Ink& ink = walls_.ink;
+        for (int y = 0; y < ink.high; ++y)
+            for (int x = 0; x < ink.wide; ++x)
+                if (is_beyond_part(x, y)) ink.black[ink.at(x, y)] = 0;
+    }
+    bool is_beyond_part(int x, int y) const {
+        const Vec2 at = Vec2(x + 0.5, y + 0.5) * kInkPixel_mm;
+        return at.x < low_mm_.x || at.y < low_mm_.y || at.x > high_mm_.x || at.y > high_mm_.y;
+    }
+
+    // A finger that leaves the part is on another sheet: beyond it walls end, and rooms are not joined there.
+    Ink walls_within_part() const {
+        Ink walls = walls_.ink;
+        if (!made_.part) return walls;
+        for (int y = 0; y < walls.high; ++y)
+            for (int x = 0; x < walls.wide; ++x)
+                if (is_beyond_part(x, y)) walls.black[walls.at(x, y)] = 1;
+        return walls;
+    }
+
+    bool shown(const Vec2& at_m) const {
+        const Vec2 at = on_paper_(at_m);
+        return at.x >= low_mm_.x && at.y >= low_mm_.y && at.x <= high_mm_.x && at.y <= high_mm_.y;
+    }
+
     void draw_walls() {
-        walls_ = ink_of_walls(storey_, on_paper_, made_.plan.width_mm, made_.plan.height_mm,
-                              {kWallLine_mm, kClear_mm, kLeastSymbol_mm + 0.2, kLeastPiece_mm});
+        const WallLook look{kWallLine_mm, kClear_mm, kLeastSymbol_mm + 0.2, kLeastPiece_mm};
+        walls_ = ink_of_walls(storey_, on_paper_, made_.plan.width_mm, made_.plan.height_mm, look);
+        mended_ = mend_openings(walls_.ink, storey_, on_paper_, look);
+        if (made_.part) cut_to_part();
         hollow_ = hollow_out(walls_.ink, kHollowFrom_mm, kWallLine_mm, kHollowLong_mm);
-        made_.plan.shapes.push_back({traced_mm(walls_.ink), kWalls});
-        places_ = Places(walls_.ink, kClear_mm, {kMargin_mm, kMargin_mm + kFoot_mm},
-                         {made_.plan.width_mm - kMargin_mm, made_.plan.height_mm - kMargin_mm - kHead_mm});
+        made_.plan.shapes.push_back({traced_mm(walls_.ink), kWallPart});
+        rooms_ = rooms_on(walls_within_part(), storey_, on_paper_);
+        places_ = Places(walls_.ink, kClear_mm, low_mm_, high_mm_);
         beside_things_ = places_;
         for (const StoreyThing& thing : storey_.things) beside_things_.take(corners_of(on_paper_(thing.box)));
     }
@@ -89,48 +166,85 @@ private:
     // --- what is drawn in them
 
     void draw_stairs() {
-        for (const PlanBox& line : stair_lines(storey_, on_paper_, places_, kThinLine_mm, kClear_mm, kLeastStair_mm)) {
-            draw({corners_of(line)});
-            stairs_ = true;
-        }
+        stairs_ = stair_lines(storey_, on_paper_, rooms_, places_, kThinLine_mm, kClear_mm, kLeastStair_mm);
+        for (const PlanBox& line : stairs_.lines) draw({corners_of(line)});
+    }
+
+    std::optional<BaseArrow> arrow_in(const Places& places) const {
+        if (!storey_.base || !shown(storey_.base->place_m)) return std::nullopt;
+        return arrow_of_base(*storey_.base, on_paper_, walls_.ink, places,
+                             {0.6 * kLeastSymbol_mm, 0.5 * kLeastSymbol_mm});
     }
 
     void draw_base() {
-        if (!storey_.base) return;
-        const auto arrow = arrow_of_base(*storey_.base, on_paper_, walls_.ink, places_,
-                                         {0.6 * kLeastSymbol_mm, 0.5 * kLeastSymbol_mm});
+        if (!storey_.base || !shown(storey_.base->place_m)) return;
+        const auto arrow = arrow_in(places_);
         if (!arrow) {
             base_ = phrase("export.base_left_out");
             return;
         }
         if (arrow->off_mm > 1.0) base_ = phrase("export.base_moved");
+        base_room_ = room_at_mm((arrow->loop_mm[0] + arrow->loop_mm[1] + arrow->loop_mm[2]) / 3.0);
         draw({arrow->loop_mm});
         base_drawn_ = true;
     }
 
-    Result<void> draw_signs() {
-        made_.signs = room_signs(storey_);
+    std::optional<Vec2> place_of(std::size_t room, const BrailleCells& cells, const Places& free) const {
+        return place_of_sign(storey_, room, on_paper_, rooms_, free, beside_things_,
+                             0.5 * braille_size_mm(cells.size()));
+    }
+
+    void draw_sign(std::size_t room, const BrailleCells& cells, const Vec2& place) {
+        const Vec2 half = 0.5 * braille_size_mm(cells.size());
+        made_.signs[room].on_sheet = true;
+        made_.signs[room].at_mm = place;
+        const std::vector<Vec2> corners = corners_of(PlanBox{place, {1.0, 0.0}, half});
+        places_.take(corners);
+        beside_things_.take(corners);
+        lay_braille(made_.plan, cells, place + Vec2(-half.x, half.y) + Vec2(0.5, -0.5) * kBrailleDot_mm, ++parts_);
+    }
+
+    // Calls `each` for every room that needs a sign and has none, with the cells of the sign.
+    template <class Each>
+    Result<void> for_unsigned(Each each) {
         for (std::size_t i = 0; i < storey_.rooms.size(); ++i) {
+            if (!present_[i] || made_.signs[i].on_sheet || is_left_to_key(i)) continue;
             const Result<BrailleCells> cells = braille_signs(made_.signs[i].sign, table_);
             if (!cells) return tl::unexpected(cells.error());
-            const Vec2 half = 0.5 * braille_size_mm(cells->size());
-            const std::optional<Vec2> place =
-                place_of_sign(storey_, i, on_paper_, walls_.ink, places_, beside_things_, half);
-            if (!place) continue;
-            made_.signs[i].on_sheet = true;
-            const std::vector<Vec2> corners = corners_of(PlanBox{*place, {1.0, 0.0}, half});
-            places_.take(corners);
-            beside_things_.take(corners);
-            lay_braille(made_.plan, *cells, *place + Vec2(-half.x, half.y) + Vec2(0.5, -0.5) * kBrailleDot_mm,
-                        ++parts_);
+            each(i, *cells);
         }
         return {};
     }
 
+    // In a small room stairs or the base may leave no place for its sign: there the sign comes first, since lines can
+    // be shorter and the arrow can stand a little off.
+    Result<void> draw_signs_of_tight_rooms() {
+        Places others = places_;
+        const StairInk stairs =
+            stair_lines(storey_, on_paper_, rooms_, others, kThinLine_mm, kClear_mm, kLeastStair_mm);
+        const auto arrow = arrow_in(others);
+        if (stairs.lines.empty() && !arrow) return {};
+        if (arrow) others.take(arrow->loop_mm);
+        return for_unsigned([&](std::size_t room, const BrailleCells& cells) {
+            if (std::find(stairs.drawn.begin(), stairs.drawn.end(), room) != stairs.drawn.end()) return;
+            if (place_of_sign(storey_, room, on_paper_, rooms_, others, others, 0.5 * braille_size_mm(cells.size())))
+                return;
+            if (const auto place = place_of(room, cells, places_)) draw_sign(room, cells, *place);
+        });
+    }
+
+    Result<void> draw_signs() {
+        return for_unsigned([&](std::size_t room, const BrailleCells& cells) {
+            if (const auto place = place_of(room, cells, places_)) draw_sign(room, cells, *place);
+        });
+    }
+
     void draw_things() {
         thing_drawn_.assign(storey_.things.size(), false);
+        thing_room_.assign(storey_.things.size(), kNothing);
         for (std::size_t i = 0; i < storey_.things.size(); ++i) {
             const StoreyThing& thing = storey_.things[i];
+            if (wish_.coarse || !shown(thing.box.middle_m)) continue;
             const ThingFit fit = fit_of_thing(thing, on_paper_, places_, kLeastSymbol_mm);
             if (!fit.box) {
                 left_out_.push_back(thing.name);
@@ -143,21 +257,50 @@ private:
             std::reverse(hole.begin(), hole.end());
             draw({corners_of(*fit.box), std::move(hole)});
             thing_drawn_[i] = true;
+            thing_room_[i] = room_at_mm(fit.box->middle_m);
             made_.drawn.push_back(thing.name);
+        }
+    }
+
+    std::string title_of(const std::string& name) const {
+        if (!made_.part)
+            return phrase("export.sheet_title",
+                          {{"world", name}, {"storey", storey_.number}, {"count", storey_.count}});
+        return phrase("export.part_title", {{"world", name},
+                                            {"storey", storey_.number},
+                                            {"count", storey_.count},
+                                            {"sheet", made_.part->number},
+                                            {"sheets", made_.part->count}});
+    }
+
+    // A world with a long name keeps the first words of it, and the title its storey.
+    Result<BrailleCells> title_cells(std::size_t width) const {
+        std::string name = storey_.world;
+        for (;;) {
+            Result<BrailleCells> cells = braille_of(title_of(name), table_);
+            if (!cells || cells->size() <= width) return cells;
+            if (name.empty())
+                return made_.part ? braille_of(phrase("export.part_title_short",
+                                                      {{"storey", storey_.number}, {"sheet", made_.part->number}}),
+                                               table_)
+                                  : braille_lines(*cells, width, 0).front();
+            // By words, and within the only one by letters.
+            std::size_t shorter = name.find_last_of(' ');
+            if (shorter == std::string::npos) shorter = name.size() - 1;
+            while (shorter > 0 && (static_cast<unsigned char>(name[shorter]) & 0xC0U) == 0x80U) --shorter;
+            name.resize(shorter);
         }
     }
 
     // Name of the sheet, north, and a bar to measure by.
     Result<void> draw_frame() {
         SheetPage& page = made_.plan;
-        page.title = phrase("export.sheet_title",
-                            {{"world", storey_.world}, {"storey", storey_.number}, {"count", storey_.count}});
+        page.title = title_of(storey_.world);
         const double top = page.height_mm - kMargin_mm, right = page.width_mm - kMargin_mm;
-        const Result<BrailleCells> title = braille_of(page.title, table_);
-        if (!title) return tl::unexpected(title.error());
         const auto width = static_cast<std::size_t>((right - kMargin_mm - 20.0) / kBrailleCell_mm);
-        lay_braille(page, braille_lines(*title, width, 0).front(),
-                    Vec2(kMargin_mm, top) + Vec2(0.5, -0.5) * kBrailleDot_mm, ++parts_);
+        const Result<BrailleCells> title = title_cells(width);
+        if (!title) return tl::unexpected(title.error());
+        lay_braille(page, *title, Vec2(kMargin_mm, top) + Vec2(0.5, -0.5) * kBrailleDot_mm, ++parts_);
         page.shapes.push_back(
             {{{{right - kLeastSymbol_mm, top - 10.0}, {right, top - 10.0}, {right - 0.5 * kLeastSymbol_mm, top}}},
              ++parts_});
@@ -182,7 +325,36 @@ private:
         const Result<BrailleCells> words = braille_of(phrase("export.bar", {{"metres", bar_m_}}), table_);
         if (!words) return tl::unexpected(words.error());
         lay_braille(page, *words, {left + length + 5.0, low + 6.0 - 0.5 * kBrailleDot_mm}, ++parts_);
+        if (made_.part) draw_marks();
         return {};
+    }
+
+    // Short lines at the edge, in the middle of what neighbours share: on both sheets at the same places of the world.
+    void draw_marks() {
+        const SheetPart& part = *made_.part;
+        const double off = kClear_mm + 0.5 * kMark_mm;
+        const auto mark = [&](const Vec2& at, bool upright) {
+            const Vec2 half =
+                upright ? Vec2(0.5 * kThinLine_mm, 0.5 * kMark_mm) : Vec2(0.5 * kMark_mm, 0.5 * kThinLine_mm);
+            made_.plan.shapes.push_back({{corners_of(PlanBox{at, {1.0, 0.0}, half})}, ++parts_});
+        };
+        for (const std::size_t side : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}}) {
+            if (part.next[side] == 0) continue;
+            const Vec2 middle = on_paper_(Vec2(part.shared_m[side]));
+            if (side < 2) {
+                mark({middle.x, low_mm_.y - off}, true);
+                mark({middle.x, high_mm_.y + off}, true);
+            } else {
+                mark({low_mm_.x - off, middle.y}, false);
+                mark({high_mm_.x + off, middle.y}, false);
+            }
+        }
+    }
+
+    // A coarse plan has no signs of small rooms, and stairs are read by their lines.
+    bool is_left_to_key(std::size_t room) const { return wish_.coarse && storey_.rooms[room].area_m2 < kCoarseRoom_m2; }
+    bool is_known_by_lines(std::size_t room) const {
+        return std::find(stairs_.drawn.begin(), stairs_.drawn.end(), room) != stairs_.drawn.end();
     }
 
     void tell() {
@@ -195,31 +367,50 @@ private:
             said.push_back(phrase("export.pieces_left_out", {{"count", walls_.pieces_left_out}}));
         if (walls_.wider > 0)
             said.push_back(phrase("export.doors_wider", {{"count", walls_.wider}, {"mm", kLeastSymbol_mm}}));
-        if (!walls_.narrow_doors.empty())
-            said.push_back(
-                phrase("export.doors_narrow", {{"names", names_list(walls_.narrow_doors)}, {"mm", kLeastSymbol_mm}}));
+        if (mended_.closed > 0) said.push_back(phrase("export.closed", {{"count", mended_.closed}}));
         if (!base_.empty()) said.push_back(base_);
-        std::vector<std::string> unsigned_rooms;
-        for (const RoomSign& sign : made_.signs)
-            if (!sign.on_sheet) unsigned_rooms.push_back(sign.name);
-        if (!unsigned_rooms.empty())
-            said.push_back(
-                phrase("export.no_sign", {{"count", unsigned_rooms.size()}, {"names", names_list(unsigned_rooms)}}));
+        keep_promises();
+        said.insert(said.end(), made_.broken.begin(), made_.broken.end());
         if (!shrunk_.empty()) said.push_back(phrase("export.shrunk", {{"names", names_list(shrunk_)}}));
         if (!left_out_.empty()) said.push_back(phrase("export.left_out", {{"names", names_list(left_out_)}}));
         if (storey_.moving > 0) said.push_back(phrase("export.moving", {{"count", storey_.moving}}));
     }
 
-    // The room whose floor is nearest to a thing.
-    std::size_t room_of(const StoreyThing& thing) const {
-        for (double far = 0.0; far < 5.0; far += 0.2)
-            for (int way = 0; way < 16; ++way) {
-                const double turn = way * kPi / 8.0;
-                const std::uint32_t room =
-                    floor_at(storey_, thing.box.middle_m + Vec2(std::cos(turn), std::sin(turn)) * far);
-                if (room != kNothing) return room;
-            }
-        return 0;
+    // What a sheet promises, looked at on the sheet that came out.
+    void keep_promises() {
+        std::vector<std::string> unsigned_rooms;
+        for (std::size_t i = 0; i < made_.signs.size(); ++i)
+            if (present_[i] && !made_.signs[i].on_sheet && !is_known_by_lines(i) && !is_left_to_key(i) &&
+                !storey_.rooms[i].shut)
+                unsigned_rooms.push_back(made_.signs[i].name);
+        // Of several sheets another one may have the sign: see swell_sheets.
+        if (!unsigned_rooms.empty() && !made_.part)
+            made_.broken.push_back(
+                phrase("export.no_sign", {{"count", unsigned_rooms.size()}, {"names", names_list(unsigned_rooms)}}));
+        if (!walls_.narrow_doors.empty())
+            made_.broken.push_back(
+                phrase("export.doors_narrow", {{"names", names_list(walls_.narrow_doors)}, {"mm", kLeastSymbol_mm}}));
+        if (const GapCheck gaps = check_gaps(made_.plan, kLeastGap_mm); !gaps.narrow_mm.empty())
+            made_.broken.push_back(phrase("export.too_near"));
+        std::vector<std::string> lacking, leaking;
+        const OpeningCheck openings = check_openings(rooms_, storey_, on_paper_);
+        const auto both = [&](const WrongOpening& wrong) {
+            return phrase("export.two_rooms",
+                          {{"one", storey_.rooms[wrong.rooms[0]].name}, {"other", storey_.rooms[wrong.rooms[1]].name}});
+        };
+        for (const WrongOpening& wrong : openings.lacking)
+            if (shown(on_paper_.world(wrong.at_mm))) lacking.push_back(both(wrong));
+        for (const WrongOpening& wrong : openings.leaking)
+            if (shown(on_paper_.world(wrong.at_mm))) leaking.push_back(both(wrong));
+        if (!lacking.empty()) made_.broken.push_back(phrase("export.lacking", {{"names", names_list(lacking)}}));
+        if (!leaking.empty()) made_.broken.push_back(phrase("export.leaking", {{"names", names_list(leaking)}}));
+    }
+
+    // The room that a finger is in at a place of the sheet; kNothing outside.
+    std::uint32_t room_at_mm(const Vec2& at_mm) const {
+        const int x = static_cast<int>(at_mm.x / kInkPixel_mm), y = static_cast<int>(at_mm.y / kInkPixel_mm);
+        const std::uint32_t room = rooms_.holds(x, y) ? rooms_.room[rooms_.at(x, y)] : kNothing;
+        return room < storey_.rooms.size() ? room : kNothing;
     }
 
     Result<SwellSheet> write_key() {
@@ -228,14 +419,33 @@ private:
         add(made_.plan.title);
         add(phrase("export.key_scale", {{"one_to", made_.one_to}, {"metres", bar_m_}}));
         add(phrase("export.key_lines"));
-        if (base_drawn_) add(phrase("export.key_base"));
-        if (stairs_) add(phrase("export.key_stairs"));
+        if (made_.part) {
+            constexpr std::array kGoesOn{"export.goes_on_west", "export.goes_on_east", "export.goes_on_north",
+                                         "export.goes_on_south"};
+            for (std::size_t side = 0; side < 4; ++side)
+                if (const int next = made_.part->next[side]; next > 0) add(phrase(kGoesOn[side], {{"sheet", next}}));
+            add(phrase("export.key_marks", {{"metres", kShared_mm / on_paper_.mm_per_m}}));
+        }
+        if (base_drawn_)
+            add(base_room_ == kNothing ? phrase("export.key_base")
+                                       : phrase("export.key_base_in", {{"room", storey_.rooms[base_room_].name}}));
+        if (!stairs_.lines.empty()) add(phrase("export.key_stairs"));
+        if (!stairs_.of_others.empty()) {
+            std::vector<std::string> rooms;
+            for (const std::uint32_t flight : stairs_.of_others)
+                rooms.push_back(storey_.rooms[storey_.stairs_of_others[flight].room].name);
+            add(phrase("export.key_stairs_of_others", {{"names", names_list(rooms)}}));
+        }
         if (!made_.drawn.empty()) add(phrase("export.key_things"));
         std::vector<std::vector<std::string>> in_room(storey_.rooms.size());
-        for (std::size_t i = 0; i < storey_.things.size(); ++i)
-            if (thing_drawn_[i]) in_room[room_of(storey_.things[i])].push_back(storey_.things[i].name);
+        std::vector<std::string> outside;
+        for (std::size_t i = 0; i < thing_room_.size(); ++i) {
+            if (!thing_drawn_[i]) continue;
+            (thing_room_[i] == kNothing ? outside : in_room[thing_room_[i]]).push_back(storey_.things[i].name);
+        }
         std::vector<std::size_t> order;
-        for (std::size_t i = 0; i < made_.signs.size(); ++i) order.push_back(i);
+        for (std::size_t i = 0; i < made_.signs.size(); ++i)
+            if (present_[i]) order.push_back(i);
         std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
             const RoomSign &one = made_.signs[a], &other = made_.signs[b];
             if (one.on_sheet != other.on_sheet) return one.on_sheet;
@@ -244,11 +454,14 @@ private:
         for (const std::size_t i : order) {
             const RoomSign& sign = made_.signs[i];
             const std::string name = capitalised(sign.name);
-            std::string line = sign.on_sheet ? name + "." : phrase("export.key_room_unsigned", {{"name", name}});
+            std::string line = sign.on_sheet          ? name + "."
+                               : is_known_by_lines(i) ? phrase("export.key_room_by_lines", {{"name", name}})
+                                                      : phrase("export.key_room_unsigned", {{"name", name}});
             if (!in_room[i].empty())
                 line += " " + phrase("export.key_room_things", {{"names", names_list(in_room[i])}});
             text.push_back({sign.on_sheet ? sign.sign : std::string(), std::move(line)});
         }
+        if (!outside.empty()) add(phrase("export.key_outside_things", {{"names", names_list(outside)}}));
         for (const std::string& sentence : made_.simplified) add(sentence);
         for (const KeyLine& line : text) {
             made_.key_text.push_back(line.sign.empty() ? line.text : line.sign + "  " + line.text);
@@ -262,18 +475,26 @@ private:
     }
 
     const Storey& storey_;
+    const SheetWish& wish_;
     BrailleTable table_;
+    Vec2 low_mm_{0.0}, high_mm_{0.0};  // of the plan on the page
+    std::vector<bool> present_;        // rooms with floor on it
     SwellSheet made_;
     OnPaper on_paper_;
     double bar_m_ = 5.0;
-    int parts_ = kWalls;
+    int parts_ = kWallPart;
     WallInk walls_;
     Places places_;         // where something may be drawn
     Places beside_things_;  // and where no thing will stand
     int hollow_ = 0;
-    bool stairs_ = false, base_drawn_ = false;
+    MendedOpenings mended_;
+    RoomGrid rooms_;
+    StairInk stairs_;
+    bool base_drawn_ = false;
+    std::uint32_t base_room_ = kNothing;
     std::string base_;
     std::vector<bool> thing_drawn_;
+    std::vector<std::uint32_t> thing_room_;  // that it is drawn in
     std::vector<std::string> shrunk_, left_out_;
 };
 
@@ -299,13 +520,140 @@ std::vector<RoomSign> room_signs(const Storey& storey) {
         for (int i = 1; sign.empty(); ++i)
             if (const std::string wish = letters.substr(0, 1) + std::to_string(i); used.insert(wish).second)
                 sign = wish;
-        signs.push_back({sign, room.name, false});
+        signs.push_back({sign, room.name});
     }
     return signs;
 }
 
-Result<SwellSheet> swell_sheet(const Storey& storey, const PaperSize& paper, BrailleTable table) {
-    return SheetMaker(storey, table).make(paper);
+Result<SwellSheet> swell_sheet(const Storey& storey, const SheetWish& wish) {
+    return SheetMaker(storey, wish, std::nullopt).make();
+}
+
+namespace {
+
+// Sheets of one scale that cover the storey; empty where they would be too many. Those without any floor are left out.
+std::vector<SheetPart> parts_of(const Storey& storey, const SheetWish& wish, double one_to) {
+    const Vec2 all = storey.max_m - storey.min_m;
+    const double shared = kShared_mm * one_to / 1000.0;
+    const auto across = [&](double whole, double one) {
+        return whole <= one ? 1 : static_cast<int>(std::ceil((whole - shared) / (one - shared) - 1e-9));
+    };
+    int columns = 0, rows = 0;
+    for (const bool turned : {false, true}) {
+        const Vec2 one = room_on_page(wish.paper, turned, true) * (one_to / 1000.0);
+        const int x = across(all.x, one.x), y = across(all.y, one.y);
+        if (columns == 0 || x * y < columns * rows) columns = x, rows = y;
+    }
+    if (columns * rows > 2 * kMostSheets) return {};
+    // All are as large as each other.
+    const Vec2 one((all.x + shared * (columns - 1)) / columns, (all.y + shared * (rows - 1)) / rows);
+    std::vector<SheetPart> parts;
+    std::vector<int> number(static_cast<std::size_t>(columns * rows), 0);
+    const auto place = [&](int x, int y) { return static_cast<std::size_t>(y * columns + x); };
+    std::vector<std::array<int, 2>> at;
+    for (int y = 0; y < rows; ++y)
+        for (int x = 0; x < columns; ++x) {
+            SheetPart part;
+            part.min_m = {storey.min_m.x + x * (one.x - shared), storey.max_m.y - one.y - y * (one.y - shared)};
+            part.max_m = part.min_m + one;
+            part.one_to = one_to;
+            bool floor = false;
+            for (std::size_t i = 0; i < storey.floor.room.size() && !floor; ++i) {
+                const auto wide = static_cast<std::size_t>(storey.floor.wide);
+                const Vec2 cell = storey.min_m + (Vec2(i % wide, i / wide) + Vec2(0.5)) * storey.floor.cell_m;
+                floor = storey.floor.room[i] != kNothing && cell.x >= part.min_m.x && cell.y >= part.min_m.y &&
+                        cell.x <= part.max_m.x && cell.y <= part.max_m.y;
+            }
+            if (!floor) continue;
+            part.number = number[place(x, y)] = static_cast<int>(parts.size()) + 1;
+            parts.push_back(part);
+            at.push_back({x, y});
+        }
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto [x, y] = at[i];
+        SheetPart& part = parts[i];
+        part.count = static_cast<int>(parts.size());
+        part.next = {x > 0 ? number[place(x - 1, y)] : 0, x + 1 < columns ? number[place(x + 1, y)] : 0,
+                     y > 0 ? number[place(x, y - 1)] : 0, y + 1 < rows ? number[place(x, y + 1)] : 0};
+        part.shared_m = {part.min_m.x + 0.5 * shared, part.max_m.x - 0.5 * shared, part.max_m.y - 0.5 * shared,
+                         part.min_m.y + 0.5 * shared};
+    }
+    return static_cast<int>(parts.size()) > kMostSheets ? std::vector<SheetPart>{} : parts;
+}
+
+// Rooms that none of them signs, though they should; told on the first sheet.
+std::vector<std::string> unsigned_on_all(const Storey& storey, const SheetWish& wish,
+                                         const std::vector<SwellSheet>& sheets) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < storey.rooms.size(); ++i) {
+        const StoreyRoom& room = storey.rooms[i];
+        const bool needed =
+            room.kind != RoomKind::Stairs && !room.shut && !(wish.coarse && room.area_m2 < kCoarseRoom_m2);
+        if (needed && std::none_of(sheets.begin(), sheets.end(),
+                                   [&](const SwellSheet& sheet) { return sheet.signs[i].on_sheet; }))
+            names.push_back(room.name);
+    }
+    return names;
+}
+
+// The scale from which on every room has space for its sign, were it empty: looking saves many sheets. Rooms that have
+// none at `finest` either are not waited for.
+double scale_of_signs(const Storey& storey, const SheetWish& wish, double finest) {
+    double one_to = kScales.back();
+    const std::vector<RoomSign> signs = room_signs(storey);
+    for (std::size_t i = 0; i < signs.size(); ++i) {
+        const StoreyRoom& room = storey.rooms[i];
+        if (room.kind == RoomKind::Stairs || room.shut || (wish.coarse && room.area_m2 < kCoarseRoom_m2)) continue;
+        const Result<BrailleCells> cells = braille_signs(signs[i].sign, wish.table);
+        const Vec2 sign = braille_size_mm(cells ? cells->size() : 2);
+        // The floor begins a body's radius inside the walls.
+        const Vec2 size = (room.max_m - room.min_m + Vec2(0.5)) * 1000.0;
+        const double needed = std::min(size.x / (sign.x + 2.0 * kClear_mm), size.y / (sign.y + 2.0 * kClear_mm));
+        if (needed >= finest) one_to = std::min(one_to, needed);
+    }
+    return one_to;
+}
+
+}  // namespace
+
+Result<std::vector<SwellSheet>> swell_sheets(const Storey& storey, const SheetWish& wish) {
+    Result<SwellSheet> one = swell_sheet(storey, wish);
+    if (one && one->broken.empty()) return std::vector<SwellSheet>{std::move(*one)};
+    const double coarsest = one ? one->one_to : kScales.back();
+    double finest = coarsest;
+    for (const double one_to : kScales)
+        if (one_to < finest && !parts_of(storey, wish, one_to).empty()) finest = one_to;
+    const double for_signs = scale_of_signs(storey, wish, finest);
+    std::vector<SwellSheet> best;
+    std::size_t least = std::numeric_limits<std::size_t>::max();
+    int tried = 0;
+    for (auto scale = kScales.rbegin(); scale != kScales.rend() && tried < kScalesTried; ++scale) {
+        const double one_to = *scale;
+        if (one_to >= coarsest || one_to < finest || (one_to > for_signs && one_to > finest)) continue;
+        const std::vector<SheetPart> parts = parts_of(storey, wish, one_to);
+        if (parts.empty()) continue;
+        ++tried;
+        std::vector<SwellSheet> sheets;
+        std::size_t broken = 0;
+        for (const SheetPart& part : parts) {
+            Result<SwellSheet> sheet = SheetMaker(storey, wish, part).make();
+            if (!sheet) return tl::unexpected(sheet.error());
+            broken += sheet->broken.size();
+            sheets.push_back(std::move(*sheet));
+        }
+        if (const auto names = unsigned_on_all(storey, wish, sheets); !names.empty()) {
+            broken += names.size();
+            sheets.front().broken.push_back(
+                phrase("export.no_sign", {{"count", names.size()}, {"names", names_list(names)}}));
+        }
+        if (broken < least) best = std::move(sheets), least = broken;
+        if (least == 0) break;
+    }
+    if (best.empty()) {
+        if (!one) return tl::unexpected(one.error());
+        best.push_back(std::move(*one));
+    }
+    return best;
 }
 
 }  // namespace handrail

@@ -8,12 +8,15 @@
 // medium. Widths of lines are our own choice, two that differ by half.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "worlds/exports/braille.h"
 #include "worlds/exports/sheet.h"
+#include "worlds/exports/wall_ink.h"
 #include "worlds/plan/storey.h"
 
 namespace handrail {
@@ -26,12 +29,32 @@ inline constexpr PaperSize kA4{210.0, 297.0}, kA3{297.0, 420.0};
 inline constexpr double kLeastGap_mm = 3.0, kLeastSymbol_mm = 6.4, kWallLine_mm = 1.5, kThinLine_mm = 1.0;
 inline constexpr double kBrailleDot_mm = 1.5, kBraillePitch_mm = 2.5, kBrailleCell_mm = 6.0, kBrailleLine_mm = 10.0;
 
+// What somebody wants of a sheet.
+struct SheetWish {
+    PaperSize paper = kA4;
+    BrailleTable table = BrailleTable::EnUebG1;
+    bool coarse = false;  // no things, and no signs of rooms under kCoarseRoom_m2: the key alone names those
+};
+inline constexpr double kCoarseRoom_m2 = 6.0;
+
+// One of several sheets of a storey, west to east and north to south. Neighbours share a strip.
+struct SheetPart {
+    Vec2 min_m{0.0}, max_m{0.0};  // what it shows
+    double one_to = 0.0;
+    int number = 1, count = 1;         // from 1
+    std::array<int, 4> next{};         // its neighbour to the west, east, north, south; 0: there is none
+    std::array<double, 4> shared_m{};  // the middle of the strip shared with each: a place east or north
+};
+
 // How a room is called on the sheet.
 struct RoomSign {
     std::string sign;  // two letters, or a letter and a number; of one storey no two are alike
     std::string name;
     bool on_sheet = false;  // else the key alone names it: there was no room for the sign
+    Vec2 at_mm{0.0};        // its middle there
 };
+inline constexpr int kWallPart = 1;  // SheetShape::part of all walls
+
 // In the order of Storey::rooms. First letter and a later one of the name; where it ends in a number, that.
 std::vector<RoomSign> room_signs(const Storey& storey);
 
@@ -42,12 +65,21 @@ struct SwellSheet {
     std::vector<std::string> simplified;  // sentences
     std::vector<RoomSign> signs;          // see room_signs
     double one_to = 0.0;                  // 75: a scale of 1 to 75
+    OnPaper on_paper;                     // where a place of the world is on the plan
     std::vector<std::string> drawn;       // names of the things that stand on it
+    // Sentences on what every sheet promises and this one does not keep: 3 mm between what is not joined, a sign in
+    // every room, doors of 6.4 mm, openings where the route graph has them. Empty: it keeps all.
+    std::vector<std::string> broken;
+    std::optional<SheetPart> part;  // of several sheets
 };
 
 // Upright or across, whichever is larger. Fails with one sentence where the storey is larger than a sheet at 1 to 1000,
 // where there is nothing to draw, and where braille cannot be had.
-Result<SwellSheet> swell_sheet(const Storey& storey, const PaperSize& paper, BrailleTable table);
+Result<SwellSheet> swell_sheet(const Storey& storey, const SheetWish& wish);
+// The same on as few sheets as keep their promises: one where one does, else several at a larger scale, at most
+// kMostSheets; those that keep most where none keep all. Takes up to a minute for a large storey.
+inline constexpr int kMostSheets = 40;
+Result<std::vector<SwellSheet>> swell_sheets(const Storey& storey, const SheetWish& wish);
 
 // A page to be printed and swollen first, and chosen from by touch: dots of 1.2 to 1.8 mm, lines of 0.5 to 2 mm and
 // gaps of 2 to 6 mm, each with its size in braille.

@@ -1,8 +1,10 @@
 #include "worlds/exports/wall_ink.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "worlds/base/language.h"
+#include "worlds/navigation/walk_space.h"
 
 namespace handrail {
 namespace {
@@ -18,7 +20,7 @@ public:
         made_.ink = Ink(width_mm, height_mm);
         draw();
         for (const StoreyGap& gap : storey_.gaps) open_gap(gap);
-        join();
+        made_.joined = join_near(made_.ink, look_.clear_mm);
         leave_out_pieces();
         return std::move(made_);
     }
@@ -81,20 +83,9 @@ private:
         }
         // What was made thicker and ends at a jamb may stay as it is where the gap is wide.
         if (width > look_.door_mm + look_.line_mm) low += 0.5 * look_.line_mm, high -= 0.5 * look_.line_mm;
-        const double deep = std::max({before, behind, look_.line_mm}) + 0.3;
+        const double deep = std::max({before, behind, look_.line_mm, gap.deep_m * on_paper_.mm_per_m}) + 0.3;
         fill(made_.ink, Loops{corners_of({middle + along * (0.5 * (low + high)), along, {0.5 * (high - low), deep}})},
              false);
-    }
-
-    void join() {
-        for (int round = 0; round < 4; ++round) {
-            const Ink narrow = narrow_white(made_.ink, look_.clear_mm);
-            const std::size_t places = pieces_of(narrow).pixels.size() - 1;
-            if (places == 0) return;
-            if (round == 0) made_.joined = places;
-            for (std::size_t i = 0; i < narrow.black.size(); ++i)
-                if (narrow.black[i]) made_.ink.black[i] = 1;
-        }
     }
 
     void leave_out_pieces() {
@@ -126,33 +117,76 @@ PlanBox OnPaper::operator()(PlanBox box_m) const {
     return box_m;
 }
 
+std::size_t join_near(Ink& walls, double clear_mm) {
+    std::size_t joined = 0;
+    for (int round = 0; round < 4; ++round) {
+        const Ink narrow = narrow_white(walls, clear_mm);
+        const std::size_t places = pieces_of(narrow).pixels.size() - 1;
+        if (places == 0) break;
+        if (round == 0) joined = places;
+        for (std::size_t i = 0; i < narrow.black.size(); ++i)
+            if (narrow.black[i]) walls.black[i] = 1;
+    }
+    return joined;
+}
+
 WallInk ink_of_walls(const Storey& storey, const OnPaper& on_paper, double width_mm, double height_mm,
                      const WallLook& look) {
     return Inker(storey, on_paper, look).make(width_mm, height_mm);
 }
 
-std::vector<PlanBox> stair_lines(const Storey& storey, const OnPaper& on_paper, Places& places, double line_mm,
-                                 double clear_mm, double least_mm) {
-    std::vector<PlanBox> lines;
-    for (const StoreyRoom& room : storey.rooms) {
-        if (room.kind != RoomKind::Stairs) continue;
-        std::vector<Vec2> all;
-        for (const auto& loop : on_paper(room.loops_m)) all.insert(all.end(), loop.begin(), loop.end());
-        const PlanOutline hull = convex_hull(std::move(all));
-        if (hull.empty()) continue;
-        const PlanBox box = box_around(hull);
-        const double pitch_mm = line_mm + clear_mm + 0.2;  // a little over, or a line would not fit beside the last
-        for (double at = -box.half_m.x; at <= box.half_m.x + 1e-9; at += pitch_mm) {
-            PlanBox line{box.middle_m + box.along * at,
-                         Vec2(-box.along.y, box.along.x),
-                         {box.half_m.y + 0.2 * on_paper.mm_per_m, 0.5 * line_mm}};
-            while (line.half_m.x >= 0.5 * least_mm && !places.fits(line)) line.half_m.x -= 0.25;
-            if (line.half_m.x < 0.5 * least_mm) continue;
-            places.take(corners_of(line));
-            lines.push_back(line);
-        }
+namespace {
+
+std::uint32_t room_on(const RoomGrid& rooms, const Vec2& at_mm) {
+    const int x = static_cast<int>(std::floor(at_mm.x / kInkPixel_mm)),
+              y = static_cast<int>(std::floor(at_mm.y / kInkPixel_mm));
+    return rooms.holds(x, y) ? rooms.room[rooms.at(x, y)] : kNothing;
+}
+
+// Lines across one flight, where their middle is allowed; how many.
+std::size_t lines_across(const std::vector<std::vector<Vec2>>& loops_m, const OnPaper& on_paper,
+                         const std::function<bool(const Vec2&)>& allowed, Places& places, double line_mm,
+                         double clear_mm, double least_mm, std::vector<PlanBox>& lines) {
+    std::vector<Vec2> all;
+    for (const auto& loop : on_paper(loops_m)) all.insert(all.end(), loop.begin(), loop.end());
+    const PlanOutline hull = convex_hull(std::move(all));
+    if (hull.empty()) return 0;
+    const PlanBox box = box_around(hull);
+    const double pitch_mm = line_mm + clear_mm + 0.2;  // a little over, or a line would not fit beside the last
+    std::size_t drawn = 0;
+    for (double at = -box.half_m.x; at <= box.half_m.x + 1e-9; at += pitch_mm) {
+        PlanBox line{box.middle_m + box.along * at,
+                     Vec2(-box.along.y, box.along.x),
+                     {box.half_m.y + 0.2 * on_paper.mm_per_m, 0.5 * line_mm}};
+        if (!allowed(line.middle_m)) continue;
+        while (line.half_m.x >= 0.5 * least_mm && !places.fits(line)) line.half_m.x -= 0.25;
+        if (line.half_m.x < 0.5 * least_mm) continue;
+        places.take(corners_of(line));
+        lines.push_back(line);
+        ++drawn;
     }
-    return lines;
+    return drawn;
+}
+
+}  // namespace
+
+StairInk stair_lines(const Storey& storey, const OnPaper& on_paper, const RoomGrid& rooms, Places& places,
+                     double line_mm, double clear_mm, double least_mm) {
+    StairInk ink;
+    const auto draw = [&](const std::vector<std::vector<Vec2>>& loops_m, auto allowed) {
+        return lines_across(loops_m, on_paper, allowed, places, line_mm, clear_mm, least_mm, ink.lines) > 0;
+    };
+    for (std::uint32_t i = 0; i < storey.rooms.size(); ++i)
+        if (storey.rooms[i].kind == RoomKind::Stairs && draw(storey.rooms[i].loops_m, [](const Vec2&) { return true; }))
+            ink.drawn.push_back(i);
+    for (std::uint32_t i = 0; i < storey.stairs_of_others.size(); ++i) {
+        const StoreyStairs& flight = storey.stairs_of_others[i];
+        const auto in_well = [&](const Vec2& at) {
+            return room_on(rooms, at) == flight.room && floor_at(storey, on_paper.world(at)) == kNothing;
+        };
+        if (draw(flight.loops_m, in_well)) ink.of_others.push_back(i);
+    }
+    return ink;
 }
 
 ThingFit fit_of_thing(const StoreyThing& thing, const OnPaper& on_paper, const Places& places, double least_mm) {
@@ -181,26 +215,45 @@ std::optional<BaseArrow> arrow_of_base(const StoreyBase& base, const OnPaper& on
                      glm::distance(*place, at)};
 }
 
-std::optional<Vec2> place_of_sign(const Storey& storey, std::size_t room, const OnPaper& on_paper, const Ink& walls,
-                                  const Places& places, const Places& beside_things, const Vec2& half_mm) {
+namespace {
+
+// The sign of the ground outside keeps away from a door: it has all the ground to stand on.
+constexpr double kBeforeDoor_mm = 2.0, kBeforeHouse_mm = 12.0;
+
+// `clear_mm`: so far from the middle of a doorway's wall is its own.
+bool in_doorway(const Storey& storey, const OnPaper& on_paper, const PlanBox& box, double clear_mm) {
+    return std::any_of(storey.gaps.begin(), storey.gaps.end(), [&](const StoreyGap& gap) {
+        const Vec2 off = box.middle_m - on_paper(gap.place_m), across(-gap.along.y, gap.along.x);
+        const auto extent = [&](const Vec2& way) {
+            return std::abs(way.x) * box.half_m.x + std::abs(way.y) * box.half_m.y;
+        };
+        return std::abs(glm::dot(off, gap.along)) < 0.5 * gap.width_m * on_paper.mm_per_m + extent(gap.along) &&
+               std::abs(glm::dot(off, across)) < clear_mm + extent(across);
+    });
+}
+
+}  // namespace
+
+std::optional<Vec2> place_of_sign(const Storey& storey, std::size_t room, const OnPaper& on_paper,
+                                  const RoomGrid& rooms, const Places& places, const Places& beside_things,
+                                  const Vec2& half_mm) {
     const StoreyRoom& mine = storey.rooms[room];
-    const Vec2 middle = on_paper(mine.middle_m);
     const double reach = glm::distance(on_paper(mine.min_m), on_paper(mine.max_m)) + 5.0;
     const auto box_at = [&](const Vec2& p) { return PlanBox{p, {1.0, 0.0}, half_mm}; };
-    const auto on_floor = [&](const Vec2& p) { return floor_at(storey, on_paper.world(p)) == room; };
-    const auto near_floor = [&](const Vec2& p) {
-        if (floor_at(storey, on_paper.world(p)) != kNothing) return on_floor(p);
-        for (double far = 1.0; far <= 12.0; far += 1.0)
-            for (int way = 0; way < 16; ++way) {
-                const double turn = way * kPi / 8.0;
-                const Vec2 at = p + Vec2(std::cos(turn), std::sin(turn)) * far;
-                if (on_floor(at) && clear_between(walls, p, at)) return true;
-            }
-        return false;
+    // The floor begins a body's radius inside the walls. Beyond that nobody finds the room, though no wall ends it.
+    constexpr double kBesideFloor_m = 0.35;
+    const Vec2 low = on_paper(mine.min_m - Vec2(kBesideFloor_m)), high = on_paper(mine.max_m + Vec2(kBesideFloor_m));
+    const auto is_mine = [&](const Vec2& p) {
+        return p.x >= low.x && p.y >= low.y && p.x <= high.x && p.y <= high.y && room_on(rooms, p) == room;
     };
-    std::optional<Vec2> place = beside_things.nearest_fit(middle, reach, box_at, on_floor);
-    if (!place) place = places.nearest_fit(middle, reach, box_at, on_floor);
-    if (!place) place = places.nearest_fit(middle, reach, box_at, near_floor);
+    const auto in_room = [&](const Vec2& p) {
+        const std::vector<Vec2> corners = corners_of(box_at(p));
+        return is_mine(p) && std::all_of(corners.begin(), corners.end(), is_mine) &&
+               !in_doorway(storey, on_paper, box_at(p), mine.outside ? kBeforeHouse_mm : kBeforeDoor_mm);
+    };
+    const Vec2 middle = on_paper(mine.middle_m);
+    std::optional<Vec2> place = beside_things.nearest_fit(middle, reach, box_at, in_room);
+    if (!place) place = places.nearest_fit(middle, reach, box_at, in_room);
     return place;
 }
 

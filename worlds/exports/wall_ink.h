@@ -8,6 +8,7 @@
 
 #include "worlds/exports/ink.h"
 #include "worlds/exports/places.h"
+#include "worlds/plan/room_borders.h"
 #include "worlds/plan/storey.h"
 
 namespace handrail {
@@ -39,10 +40,19 @@ struct WallInk {
 WallInk ink_of_walls(const Storey& storey, const OnPaper& on_paper, double width_mm, double height_mm,
                      const WallLook& look);
 
+// Fills what is narrower than `clear_mm` between lines. How many places there were.
+std::size_t join_near(Ink& walls, double clear_mm);
+
 // Lines across every flight of stairs, whatever pieces its floor came in, with `clear_mm` between them; each takes its
-// place. Shorter ones are left out.
-std::vector<PlanBox> stair_lines(const Storey& storey, const OnPaper& on_paper, Places& places, double line_mm,
-                                 double clear_mm, double least_mm);
+// place. Shorter ones are left out, and those of another storey's flight where they are not in the room that it leads
+// to. `rooms`: see rooms_on.
+struct StairInk {
+    std::vector<PlanBox> lines;
+    std::vector<std::uint32_t> drawn;      // places in Storey::rooms, of the storey's own flights that have lines
+    std::vector<std::uint32_t> of_others;  // places in Storey::stairs_of_others, as well
+};
+StairInk stair_lines(const Storey& storey, const OnPaper& on_paper, const RoomGrid& rooms, Places& places,
+                     double line_mm, double clear_mm, double least_mm);
 
 // What of a thing's box is free; nothing where it, or what is free of it, is smaller than `least_mm`. What people find
 // their way by (landmarks) counts as that large at least.
@@ -60,9 +70,10 @@ struct BaseArrow {
 std::optional<BaseArrow> arrow_of_base(const StoreyBase& base, const OnPaper& on_paper, const Ink& walls,
                                        const Places& places, const Vec2& half_mm);
 
-// Where a sign of such half sides fits for the how manyth room of the storey: on its floor and beside things, else on
-// its floor, else under furniture from where its floor is seen. The nearest to the middle of the room.
-std::optional<Vec2> place_of_sign(const Storey& storey, std::size_t room, const OnPaper& on_paper, const Ink& walls,
-                                  const Places& places, const Places& beside_things, const Vec2& half_mm);
+// Where a sign of such half sides fits for the how manyth room of the storey: in the room with all four corners and in
+// no doorway; next to things, else where they stand. The nearest to the middle of the room. `rooms`: see rooms_on.
+std::optional<Vec2> place_of_sign(const Storey& storey, std::size_t room, const OnPaper& on_paper,
+                                  const RoomGrid& rooms, const Places& places, const Places& beside_things,
+                                  const Vec2& half_mm);
 
 }  // namespace handrail

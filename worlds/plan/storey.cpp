@@ -6,6 +6,7 @@
 
 #include "worlds/base/language.h"
 #include "worlds/navigation/room_outlines.h"
+#include "worlds/plan/room_borders.h"
 #include "worlds/scene/outer_ground.h"
 
 namespace handrail {
@@ -21,6 +22,12 @@ constexpr double kPaneThin_m = 0.12, kPaneLong_m = 0.4, kPaneHigh_m = 1.2;
 constexpr double kStep_m = 0.6;
 constexpr int kBesideSteps = 8;       // of 5 cm, that a gap may lie beside where rooms meet
 constexpr double kWidestGap_m = 4.0;  // between its jambs; what is wider is no gap in a wall
+
+// Squares on which the openings between rooms are looked for, and at most how many of them side by side.
+constexpr double kSquare_m = 0.05, kMostSquares = 2000.0;
+constexpr double kBesidePortal_m = 0.5;  // an opening reaches so far beyond the portal's width
+constexpr double kStandsIn_m = 0.15;     // of an opening that a thing closes
+constexpr double kFloorNearPortal_m = 2.0;
 
 bool inside_any(const std::vector<PlanOutline>& outlines, const Vec2& at) {
     return std::any_of(outlines.begin(), outlines.end(), [&](const PlanOutline& o) { return within(o, at); });
@@ -56,6 +63,13 @@ void clear_floor(Storey& storey) {
 
 // What is made of one storey, in the order in which it becomes known.
 class StoreyMaker {
+    // A thing, or what only bodies meet, that stops a body; a wall where it is all that parts two rooms.
+    struct Barrier {
+        FeatureId feature = kNoFeature;
+        std::vector<PlanOutline> outlines_m = {};
+        bool wall = false;
+    };
+
 public:
     StoreyMaker(const Scene& scene, const RoomGraph& graph, const WalkSpace& space, int number)
         : scene_(scene), graph_(graph), space_(space), level_(number - 1) {
@@ -70,9 +84,12 @@ public:
 
     Storey make() {
         take_rooms();
+        take_portals();
         take_walls();
         take_things();  // some of them close windows
+        if (!made_.rooms.empty()) close_rooms();
         take_gaps();
+        if (!made_.rooms.empty()) open_portals();
         take_base();
         return std::move(made_);
     }
@@ -120,6 +137,10 @@ private:
                 }
             }
             mine.outside = on_outer_ground(i);
+            mine.shut = graph_.rooms.size() > 1 &&
+                        std::none_of(graph_.portals.begin(), graph_.portals.end(), [&](const Portal& portal) {
+                            return portal.rooms[0] == i || portal.rooms[1] == i;
+                        });
             if (!mine.outside) {
                 low = glm::min(low, mine.min_m);
                 high = glm::max(high, mine.max_m);
@@ -141,6 +162,22 @@ private:
         made_.max_m = high + Vec2(margin);
         take_floor();
         put_middles_on_floor();
+        take_stairs_of_others(outlines);
+    }
+
+    void take_stairs_of_others(const std::vector<RoomOutline>& outlines) {
+        std::map<std::uint32_t, std::uint32_t> mine;
+        for (std::uint32_t i = 0; i < made_.rooms.size(); ++i) mine[made_.rooms[i].room] = i;
+        std::set<std::uint32_t> taken;
+        for (const Portal& portal : graph_.portals)
+            for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+                const std::uint32_t flight = portal.rooms[side];
+                const auto here = mine.find(portal.rooms[1 - side]);
+                if (here == mine.end() || mine.contains(flight) || graph_.rooms[flight].kind != RoomKind::Stairs ||
+                    outlines[flight].loops_m.empty() || !taken.insert(flight).second)
+                    continue;
+                made_.stairs_of_others.push_back({here->second, outlines[flight].loops_m});
+            }
     }
 
     // The middle of a bent room, or of one around others, may lie in another: then the nearest floor of its own.
@@ -170,6 +207,8 @@ private:
         clear_floor(made_);
         std::vector<std::uint32_t> mine(graph_.rooms.size(), kNothing);
         for (std::uint32_t i = 0; i < made_.rooms.size(); ++i) mine[made_.rooms[i].room] = i;
+        // A roof that one can stand on may belong to the storey below it: the lower floor counts.
+        std::vector<double> height_m(floor.room.size(), std::numeric_limits<double>::infinity());
         for (std::uint32_t i = 0; i < space_.spans.size(); ++i) {
             const std::uint32_t room = graph_.room_of_span[i];
             if (room == kNothing || mine[room] == kNothing) continue;
@@ -177,8 +216,11 @@ private:
             const int x = static_cast<int>(std::floor((at.x - made_.min_m.x) / floor.cell_m));
             const int y = static_cast<int>(std::floor((at.y - made_.min_m.y) / floor.cell_m));
             if (x < 0 || y < 0 || x >= floor.wide || y >= floor.high) continue;
-            floor.room[static_cast<std::size_t>(y) * static_cast<std::size_t>(floor.wide) +
-                       static_cast<std::size_t>(x)] = mine[room];
+            const std::size_t cell =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(floor.wide) + static_cast<std::size_t>(x);
+            if (at.z >= height_m[cell]) continue;
+            height_m[cell] = at.z;
+            floor.room[cell] = mine[room];
         }
     }
 
@@ -210,16 +252,22 @@ private:
         return span != kNothing && std::abs(space_.place_m(span).z - top_m) < 0.1;
     }
 
+    // What of a solid stops a body that walks on the storey's floor; empty where it does not.
+    PlanOutline stopping(const ConvexSolid& solid) const {
+        const double bottom_m = solid.bounds_m.min_m.z, top_m = solid.bounds_m.max_m.z;
+        if (bottom_m > cut_m() || top_m < made_.floor_m + kSillFrom_m) return {};
+        const bool sill = top_m <= cut_m();
+        const double at_m = sill ? 0.5 * (std::max(bottom_m, made_.floor_m) + top_m) : cut_m();
+        PlanOutline outline = shown(section_at(solid, at_m));
+        if (outline.size() < 3 || (sill && stood_on(outline, top_m))) return {};
+        return outline;
+    }
+
     void take_walls() {
         for (const Solid& solid : scene_.solids) {
             if (solid.role != SolidRole::Solid || !is_structure(scene_, solid.feature)) continue;
-            const double bottom_m = solid.shape.bounds_m.min_m.z, top_m = solid.shape.bounds_m.max_m.z;
-            if (bottom_m > cut_m() || top_m < made_.floor_m + kSillFrom_m) continue;
-            const bool sill = top_m <= cut_m();
-            const double at_m = sill ? 0.5 * (std::max(bottom_m, made_.floor_m) + top_m) : cut_m();
-            PlanOutline outline = shown(section_at(solid.shape, at_m));
-            if (outline.size() < 3 || (sill && stood_on(outline, top_m))) continue;
-            made_.walls_m.push_back(std::move(outline));
+            if (PlanOutline outline = stopping(solid.shape); !outline.empty())
+                made_.walls_m.push_back(std::move(outline));
         }
         for (const MeshTriangle& triangle : scene_.triangles)
             if (is_structure(scene_, triangle.feature))
@@ -245,6 +293,7 @@ private:
     void take_things() {
         struct Found {
             std::vector<Vec2> points;
+            Barrier barrier = {};
             double low_m = std::numeric_limits<double>::infinity(), high_m = -low_m;
         };
         std::map<std::uint32_t, Found> found;
@@ -260,6 +309,8 @@ private:
             if (solid.role != SolidRole::Solid || !is_thing(solid.feature) || !at_hand(bounds.min_m.z, bounds.max_m.z))
                 continue;
             Found& mine = found[solid.feature.value];
+            if (PlanOutline outline = stopping(solid.shape); !outline.empty())
+                mine.barrier.outlines_m.push_back(std::move(outline));
             for (const Polygon& face : solid.shape.faces)
                 for (const Vec3& p : face.points_m) mine.points.emplace_back(p.x, p.y);
             mine.low_m = std::min(mine.low_m, bounds.min_m.z);
@@ -273,6 +324,10 @@ private:
             mine.low_m = std::min(mine.low_m, low_m);
             mine.high_m = std::max(mine.high_m, high_m);
         }
+        for (const Solid& solid : scene_.solids)
+            if (solid.role == SolidRole::BodyClip)
+                if (PlanOutline outline = stopping(solid.shape); !outline.empty())
+                    barriers_.push_back({kNoFeature, {std::move(outline)}});
         const std::vector<PlanOutline> walls = made_.walls_m;
         for (auto& [id, mine] : found) {
             if (moving_.contains(id)) {
@@ -298,6 +353,11 @@ private:
                 }
                 continue;
             }
+            if (mine.barrier.outlines_m.empty() && mine.high_m > made_.floor_m + kSillFrom_m)
+                if (PlanOutline outline = shown(hull); outline.size() >= 3)
+                    mine.barrier.outlines_m.push_back(std::move(outline));
+            mine.barrier.feature = FeatureId{id};
+            barriers_.push_back(std::move(mine.barrier));
             if (inside_any(walls, box.middle_m) || !on_storey(box.middle_m)) continue;
             const Feature& feature = scene_.features[id];
             made_.things.push_back({FeatureId{id}, spoken_name(feature), box, feature.landmark});
@@ -306,6 +366,160 @@ private:
             if (a.landmark != b.landmark) return a.landmark;
             return a.box.half_m.x * a.box.half_m.y > b.box.half_m.x * b.box.half_m.y;
         });
+    }
+
+    // --- openings as the route graph has them
+
+    void take_portals() {
+        std::map<std::uint32_t, std::uint32_t> mine;
+        for (std::uint32_t i = 0; i < made_.rooms.size(); ++i) mine[made_.rooms[i].room] = i;
+        for (const Portal& portal : graph_.portals) {
+            const auto a = mine.find(portal.rooms[0]), b = mine.find(portal.rooms[1]);
+            if (a == mine.end() || b == mine.end() || a->second == b->second) continue;
+            made_.portals.push_back(
+                {portal.kind, {a->second, b->second}, {portal.place_m.x, portal.place_m.y}, portal.width_m});
+        }
+    }
+
+    // Where walls stand on a grid, and the rooms by the floor that they have.
+    RoomGrid grid_of_walls() const {
+        const Vec2 size = made_.max_m - made_.min_m;
+        RoomGrid grid(static_cast<int>(std::ceil(size.x / square_m_)), static_cast<int>(std::ceil(size.y / square_m_)));
+        for (int y = 0; y < grid.high; ++y)
+            for (int x = 0; x < grid.wide; ++x) {
+                const bool rim = x == 0 || y == 0 || x == grid.wide - 1 || y == grid.high - 1;
+                std::uint32_t& room = grid.room[grid.at(x, y)] = floor_at(made_, middle_of_square(x, y));
+                if (rim && room == kNothing) room = outside();
+            }
+        for (const PlanOutline& wall : made_.walls_m) block(grid, wall);
+        for (const auto& sheet : made_.sheets_m) block_line(grid, sheet[0], sheet[1]);
+        return grid;
+    }
+    // What is beyond all rooms counts as one more.
+    std::uint32_t outside() const { return static_cast<std::uint32_t>(made_.rooms.size()); }
+    Vec2 middle_of_square(int x, int y) const { return made_.min_m + Vec2(x + 0.5, y + 0.5) * square_m_; }
+    Vec2 middle_of_square(const RoomGrid& grid, std::size_t square) const {
+        return middle_of_square(static_cast<int>(square % static_cast<std::size_t>(grid.wide)),
+                                static_cast<int>(square / static_cast<std::size_t>(grid.wide)));
+    }
+
+    void block_line(RoomGrid& grid, const Vec2& from, const Vec2& to) const {
+        const int steps = std::max(1, static_cast<int>(std::ceil(2.0 * glm::distance(from, to) / square_m_)));
+        for (int i = 0; i <= steps; ++i) {
+            const Vec2 at = (from + (to - from) * (static_cast<double>(i) / steps) - made_.min_m) / square_m_;
+            const int x = static_cast<int>(std::floor(at.x)), y = static_cast<int>(std::floor(at.y));
+            if (grid.holds(x, y)) grid.blocked[grid.at(x, y)] = 1;
+        }
+    }
+
+    void block(RoomGrid& grid, const PlanOutline& outline) const {
+        Vec2 low(std::numeric_limits<double>::infinity()), high(-low);
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            block_line(grid, outline[i], outline[(i + 1) % outline.size()]);
+            low = glm::min(low, outline[i]);
+            high = glm::max(high, outline[i]);
+        }
+        const auto square = [&](double m) { return static_cast<int>(std::floor(m / square_m_)); };
+        for (int y = std::max(0, square(low.y - made_.min_m.y)); y <= square(high.y - made_.min_m.y); ++y)
+            for (int x = std::max(0, square(low.x - made_.min_m.x)); x <= square(high.x - made_.min_m.x); ++x)
+                if (grid.holds(x, y) && within(outline, middle_of_square(x, y))) grid.blocked[grid.at(x, y)] = 1;
+    }
+
+    bool at_portal(const RoomBorder& border, const Vec2& at) const {
+        return std::any_of(made_.portals.begin(), made_.portals.end(), [&](const StoreyPortal& portal) {
+            return std::min(portal.rooms[0], portal.rooms[1]) == border.rooms[0] &&
+                   std::max(portal.rooms[0], portal.rooms[1]) == border.rooms[1] &&
+                   glm::distance(portal.place_m, at) <= 0.5 * portal.width_m + kBesidePortal_m;
+        });
+    }
+
+    // Its own lines show a flight, which a banister drawn as a wall would leave no place.
+    bool is_flight(std::uint32_t room) const {
+        return room < made_.rooms.size() && made_.rooms[room].kind == RoomKind::Stairs;
+    }
+
+    // Things that no body passes between two rooms, where the graph has no way through, are walls.
+    void close_rooms() {
+        const Vec2 size = made_.max_m - made_.min_m;
+        square_m_ = std::max(kSquare_m, std::max(size.x, size.y) / kMostSquares);
+        RoomGrid walls = grid_of_walls();
+        for (bool more = true; more;) {
+            RoomGrid grid = walls;
+            spread_rooms(grid);
+            std::vector<Vec2> open;
+            for (const RoomBorder& border : borders_of(grid)) {
+                if (is_flight(border.rooms[0]) || is_flight(border.rooms[1])) continue;
+                for (const std::size_t square : border.squares)
+                    if (const Vec2 at = middle_of_square(grid, square); !at_portal(border, at)) open.push_back(at);
+            }
+            more = false;
+            for (Barrier& barrier : barriers_)
+                if (!barrier.wall && stands_in(barrier, open)) {
+                    more = barrier.wall = true;
+                    for (const PlanOutline& outline : barrier.outlines_m) block(walls, outline);
+                }
+        }
+        for (Barrier& barrier : barriers_) {
+            if (!barrier.wall) continue;
+            std::erase_if(made_.things, [&](const StoreyThing& thing) {
+                return barrier.feature && thing.feature == barrier.feature;
+            });
+            for (PlanOutline& outline : barrier.outlines_m) made_.walls_m.push_back(std::move(outline));
+        }
+    }
+
+    bool stands_in(const Barrier& barrier, const std::vector<Vec2>& open) const {
+        std::size_t in = 0;
+        for (const PlanOutline& outline : barrier.outlines_m) {
+            Vec2 low(std::numeric_limits<double>::infinity()), high(-low);
+            for (const Vec2& p : outline) low = glm::min(low, p), high = glm::max(high, p);
+            for (const Vec2& at : open)
+                if (at.x >= low.x && at.y >= low.y && at.x <= high.x && at.y <= high.y && within(outline, at)) ++in;
+        }
+        return static_cast<double>(in) * square_m_ >= 2.0 * kStandsIn_m;  // a border has squares on both its sides
+    }
+
+    // Where the graph leads through and the cut shows a wall, as over the edge of a raised floor.
+    void open_portals() {
+        RoomGrid grid = grid_of_walls();
+        const RoomGrid floors = grid;
+        spread_rooms(grid);
+        const std::vector<RoomBorder> borders = borders_of(grid);
+        for (const StoreyPortal& portal : made_.portals) {
+            if (portal.kind != PassageKind::Door && portal.kind != PassageKind::Opening) continue;
+            const bool open = std::any_of(borders.begin(), borders.end(), [&](const RoomBorder& border) {
+                return std::any_of(border.squares.begin(), border.squares.end(), [&](std::size_t square) {
+                    return border.rooms[0] == std::min(portal.rooms[0], portal.rooms[1]) &&
+                           border.rooms[1] == std::max(portal.rooms[0], portal.rooms[1]) &&
+                           glm::distance(middle_of_square(grid, square), portal.place_m) <=
+                               0.5 * portal.width_m + kBesidePortal_m;
+                });
+            });
+            const auto a = nearest_floor(floors, portal.rooms[0], portal.place_m);
+            const auto b = nearest_floor(floors, portal.rooms[1], portal.place_m);
+            if (open || !a || !b || *a == *b) continue;
+            const Vec2 through = (*b - *a) / glm::distance(*a, *b);
+            made_.gaps.push_back({portal.kind,
+                                  {},
+                                  0.5 * (*a + *b),
+                                  {through.y, -through.x},
+                                  std::clamp(portal.width_m, 0.6, 1.2),
+                                  0.5 * glm::distance(*a, *b)});
+        }
+    }
+
+    std::optional<Vec2> nearest_floor(const RoomGrid& grid, std::uint32_t room, const Vec2& place) const {
+        std::optional<Vec2> nearest;
+        double least = kFloorNearPortal_m;
+        const int reach = static_cast<int>(least / square_m_);
+        const Vec2 from = (place - made_.min_m) / square_m_;
+        for (int y = static_cast<int>(from.y) - reach; y <= static_cast<int>(from.y) + reach; ++y)
+            for (int x = static_cast<int>(from.x) - reach; x <= static_cast<int>(from.x) + reach; ++x) {
+                if (!grid.holds(x, y) || grid.room[grid.at(x, y)] != room) continue;
+                const double far = glm::distance(middle_of_square(x, y), place);
+                if (far < least) least = far, nearest = middle_of_square(x, y);
+            }
+        return nearest;
     }
 
     bool on_storey(const Vec2& at) const {
@@ -405,6 +619,8 @@ private:
     const WalkSpace& space_;
     int level_;
     std::set<std::uint32_t> trodden_, moving_;  // features
+    std::vector<Barrier> barriers_;
+    double square_m_ = kSquare_m;
     Storey made_;
 };
 

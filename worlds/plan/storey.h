@@ -32,6 +32,7 @@ struct StoreyRoom {
     Vec2 min_m{0.0}, max_m{0.0};  // of the loops
     Vec2 middle_m{0.0};    // by area, of its largest piece; where that is in another room, its own floor nearest to it
     bool outside = false;  // on the ground that a reader laid around the building
+    bool shut = false;     // nothing leads into it, as into the niche outside of a window
 };
 
 // Something that stands on the floor and is no part of the building.
@@ -49,6 +50,20 @@ struct StoreyGap {
     Vec2 place_m{0.0};
     Vec2 along{1.0, 0.0};  // from jamb to jamb
     double width_m = 0.0;
+    double deep_m = 0.0;  // on either side of its place this much is free too; 0: as deep as the wall is
+};
+
+// What joins two rooms of the storey: RoomGraph::portals.
+struct StoreyPortal {
+    PassageKind kind = PassageKind::Door;
+    std::array<std::uint32_t, 2> rooms{};  // places in Storey::rooms
+    Vec2 place_m{0.0};
+    double width_m = 0.0;
+};
+
+struct StoreyStairs {
+    std::uint32_t room = 0;  // that they begin or end in; a place in Storey::rooms
+    std::vector<std::vector<Vec2>> loops_m;
 };
 
 struct StoreyBase {
@@ -70,11 +85,14 @@ struct Storey {
     Vec2 min_m{0.0}, max_m{0.0};  // what is shown; the ground around a building does not widen it
     std::vector<StoreyRoom> rooms;
     StoreyFloor floor;
-    std::vector<PlanOutline> walls_m;           // cut 1 m above the floor, with sills and what closes windows
+    // Cut 1 m above the floor, with sills, what closes windows, and whatever else stops a body between rooms.
+    std::vector<PlanOutline> walls_m;
     std::vector<std::array<Vec2, 2>> sheets_m;  // walls without thickness, of meshes
     std::vector<PlanOutline> windows_m;         // those of walls_m that close a window
     std::vector<StoreyThing> things;            // landmarks first, then by size
     std::vector<StoreyGap> gaps;
+    std::vector<StoreyStairs> stairs_of_others;  // flights that belong to another storey and begin or end here
+    std::vector<StoreyPortal> portals;
     std::optional<StoreyBase> base;
     int moving = 0;  // things free to move, which are not among `things`: they may stand elsewhere tomorrow
 };

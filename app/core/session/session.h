@@ -85,7 +85,8 @@ public:
     // Its `entered` rises when another world was entered; scene() may be another one without that, when something was
     // added, moved or removed.
     const WorldState& world() const { return state_.world; }
-    const Guide& guide() const { return guide_; }
+    // Not const for who asks it for a way (Guide::legs_to).
+    Guide& guide() { return guide_; }
     const Bodies& free_bodies() const { return bodies_; }
     // What is free to move goes on, in virtual time: each millisecond where a hand feels it.
     void step_bodies(double now_s) { bodies_.step_engine(now_s); }

@@ -1,5 +1,7 @@
 #include "app/core/wayfinding/ear_way.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -216,13 +218,14 @@ void EarWay::tell_next_leg(double now_s) {
     tell(word_.next_leg(), now_s);
 }
 
-void EarWay::tell_rest(double now_s) {
-    if (!follower_.following()) return tell_on(now_s);
-    if (word_.at_work()) return tell(word_.rest(), now_s);
+void EarWay::tell_rest(double now_s) { tell(fmt::format("{}", fmt::join(rest_of_way(), " ")), now_s); }
+
+std::vector<std::string> EarWay::rest_of_way() {
+    if (!follower_.following()) return {};
+    if (word_.at_work()) return word_.rest();
     const Route route = planned();
-    if (route.points_m.size() < 2) return tell_on(now_s);
-    context_.answer(
-        route_words(route, nodes_to(context_, route, name_), context_.body.heading_rad, distances(context_)), now_s);
+    if (route.points_m.size() < 2 && !route.reaches) return {};
+    return {route_words(route, nodes_to(context_, route, name_), context_.body.heading_rad, distances(context_))};
 }
 
 std::optional<double> EarWay::leg_heading_rad() const {

@@ -41,6 +41,8 @@ public:
     void tell_leg(double now_s);
     void tell_next_leg(double now_s);
     void tell_rest(double now_s);
+    // What that tells, a leg each; empty: it is being planned, or no way is followed.
+    std::vector<std::string> rest_of_way();
     // Which way the leg that was told leads; none: no way is followed.
     std::optional<double> leg_heading_rad() const;
     // A leaf stands across the rest of the way by now: it goes on round it, without a word but what comes.

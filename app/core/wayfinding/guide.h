@@ -44,6 +44,10 @@ public:
     // Along the stops of a kept way, from the first on or to it first; by the hand or by ear.
     void go_along(const std::vector<Stop>& stops, bool by_hand, double now_s);
     void go_to_room(std::uint32_t room, double now_s);
+    // The way from where the body stands to a place, as RestOfWay tells it where it is followed: a leg each. To the
+    // room around it where `by_room`, else to a thing of that name there. Empty: no way leads there. Nobody is led
+    // afterwards; what was to be said meanwhile is among the session's cues.
+    std::vector<std::string> legs_to(const Vec3& goal_m, const std::string& name, bool by_room, double now_s);
     // Whether a room is called so that one may choose a way to.
     bool leads_to(std::string_view typed) const;
     // The ways to find a thing, in a list.

@@ -158,10 +158,10 @@ std::string WordWay::next_leg() {
     return tell();
 }
 
-std::string WordWay::rest() {
+std::vector<std::string> WordWay::rest() {
     if (state_ != State::Known || !holds()) plan();
     if (state_ != State::Known) return {};
-    std::string text;
+    std::vector<std::string> legs;
     DoorsOpen open = open_now();
     int notch_before = 0;
     for (std::size_t i = at_; i < way_.route->legs.size(); ++i) {
@@ -170,11 +170,11 @@ std::string WordWay::rest() {
             at.from_m = at.planned_from_m;
             at.from_notch = notch_before;
         }
-        text += (text.empty() ? "" : " ") + leg_words(spoken_leg(context_, *way_.floor, at, open), distances(context_));
+        legs.push_back(leg_words(spoken_leg(context_, *way_.floor, at, open), distances(context_)));
         if (at.leg.door != kNothing) open[at.leg.door] = true;
         notch_before = at.notch;
     }
-    return text;
+    return legs;
 }
 
 std::optional<double> WordWay::heading_rad() const {

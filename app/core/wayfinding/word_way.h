@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/core/context/session_part.h"
 #include "app/core/wayfinding/leg_words.h"
@@ -38,8 +39,8 @@ public:
     std::string leg();
     // the one after the leg told last;
     std::string next_leg();
-    // and all that are left.
-    std::string rest();
+    // and all that are left, one after the other.
+    std::vector<std::string> rest();
     // Where the leg that was told last leads; none: nothing is told.
     std::optional<double> heading_rad() const;
 

@@ -65,6 +65,7 @@ Storey two_rooms() {
     lay_floor(storey);
     storey.things.push_back({FeatureId{1}, "Table", {{1.5, 2.0}, {1.0, 0.0}, {1.0, 0.5}}, false});
     storey.gaps.push_back({PassageKind::Door, "Kitchen door", {6.1, 2.0}, {0.0, 1.0}, 1.0});
+    storey.portals.push_back({PassageKind::Door, {0, 1}, {6.1, 2.0}, 1.0});
     storey.base = StoreyBase{{4.0, 2.0}, kPi / 2.0};
     return storey;
 }

@@ -6,10 +6,12 @@
 #include <regex>
 #include <set>
 
+#include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/exports/plans.h"
 #include "worlds/exports/ink.h"
+#include "worlds/exports/openings.h"
 
 namespace handrail::test {
 namespace swell_sheet_test {
@@ -25,6 +27,26 @@ struct OnSheet {
         return Vec2(12.0, 24.0) + 0.5 * (room - size) + (world_m - storey.min_m) * (1000.0 / sheet.one_to);
     }
 };
+
+// Every sign is in its room with all its corners, and off the doorways.
+void stand_in_their_rooms(const Storey& storey, const SwellSheet& sheet, const std::string& what) {
+    Ink walls(sheet.plan.width_mm, sheet.plan.height_mm);
+    for (const SheetShape& shape : sheet.plan.shapes)
+        if (shape.part == kWallPart) fill(walls, shape.loops_mm, true);
+    const RoomGrid rooms = rooms_on(walls, storey, sheet.on_paper);
+    for (std::uint32_t i = 0; i < storey.rooms.size(); ++i) {
+        const RoomSign& sign = sheet.signs[i];
+        if (!sign.on_sheet) continue;
+        for (const Vec2& off : {Vec2(4.5, 2.5), Vec2(-4.5, 2.5), Vec2(4.5, -2.5), Vec2(-4.5, -2.5)}) {
+            const Vec2 at = (sign.at_mm + off) / kInkPixel_mm;
+            EXPECT_EQ(rooms.room[rooms.at(static_cast<int>(at.x), static_cast<int>(at.y))], i)
+                << what << ": " << sign.sign << ", " << sign.name;
+        }
+        for (const StoreyGap& gap : storey.gaps)
+            EXPECT_GT(glm::distance(sheet.on_paper(gap.place_m), sign.at_mm), 3.0)
+                << what << ": " << sign.name << " in the doorway " << gap.name;
+    }
+}
 
 Ink ink_of(const SheetPage& page) {
     Ink ink(page.width_mm, page.height_mm);
@@ -42,6 +64,7 @@ void is_fit_for_fingers(const Storey& storey, const SwellSheet& sheet, const std
     EXPECT_TRUE(gaps.narrow_mm.empty()) << what << ": " << gaps.narrow_mm.size() << " pixels, the first at "
                                         << gaps.narrow_mm[0].x << " " << gaps.narrow_mm[0].y;
     EXPECT_GE(gaps.least_mm, kLeastGap_mm - 0.05) << what;
+    stand_in_their_rooms(storey, sheet, what);
     std::string key;
     for (const std::string& line : sheet.key_text) key += line + "\n";
     std::set<std::string> signs;
@@ -80,7 +103,7 @@ void all_storeys_are_fit(const std::string& file, const PaperSize& paper, Braill
     for (const Storey& storey : world->storeys) {
         if (storey.number > last) break;
         if (&storey != &world->storeys.front() && !test::tried(1, 2)) break;
-        const Result<SwellSheet> sheet = swell_sheet(storey, paper, table);
+        const Result<SwellSheet> sheet = swell_sheet(storey, {paper, table});
         ASSERT_TRUE(sheet) << sheet.error().sentence();
         is_fit_for_fingers(storey, *sheet, file + " " + std::to_string(storey.number));
     }
@@ -105,7 +128,7 @@ TEST(SwellSheet, of_every_storey_of_a_real_building_parts_what_fingers_part) {
 
 TEST(SwellSheet, of_two_rooms_has_their_signs_the_table_and_an_open_door) {
     const Storey storey = two_rooms();
-    const Result<SwellSheet> sheet = swell_sheet(storey, kA4, BrailleTable::EnUebG1);
+    const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
     ASSERT_TRUE(sheet) << sheet.error().sentence();
     is_fit_for_fingers(storey, *sheet, "two rooms");
     EXPECT_EQ(sheet->signs[0].sign, "ki");
@@ -124,10 +147,172 @@ TEST(SwellSheet, of_two_rooms_has_their_signs_the_table_and_an_open_door) {
     for (const double y : {1.55, 2.0, 2.45}) EXPECT_FALSE(black_at(ink, on_sheet({6.1, y})));
 }
 
+// The braille in the head of a sheet, as BRF has it.
+std::string head_of(const SwellSheet& sheet) {
+    BrailleCells cells(60, 0);
+    const Vec2 first(12.0 + 0.5 * kBrailleDot_mm, sheet.plan.height_mm - 12.0 - 0.5 * kBrailleDot_mm);
+    for (const SheetDot& dot : sheet.plan.dots) {
+        const Vec2 off = dot.at_mm - first;
+        if (off.y < -6.0) continue;
+        const auto cell = static_cast<std::size_t>((off.x + 1.0) / kBrailleCell_mm);
+        const int column = off.x - static_cast<double>(cell) * kBrailleCell_mm > 1.0 ? 3 : 0;
+        cells.at(cell) |= static_cast<std::uint8_t>(1 << (column + static_cast<int>(std::lround(-off.y / 2.5))));
+    }
+    return brf_of(cells);
+}
+
+TEST(SwellSheet, keeps_the_storey_in_its_title_however_long_the_name_is) {
+    Storey storey = two_rooms();
+    storey.number = 2;
+    storey.count = 3;
+    for (const std::string name : {"Test", "A house with a garden in which there is room for more than a name",
+                                   "Donaudampfschifffahrtsgesellschaftsverwaltungsgebäude"}) {
+        storey.world = name;
+        const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
+        ASSERT_TRUE(sheet);
+        const Result<BrailleCells> end = braille_of("storey 2 of 3", BrailleTable::EnUebG1);
+        ASSERT_TRUE(end);
+        EXPECT_NE(head_of(*sheet).find(brf_of(*end)), std::string::npos) << name << ": " << head_of(*sheet);
+    }
+}
+
+TEST(SwellSheet, of_an_upper_storey_shows_the_stairs_that_arrive) {
+    const NamedStoreys* house = storeys_of("house.map");
+    ASSERT_TRUE(house && house->storeys.size() == 2U);
+    const Storey& upper = house->storeys[1];
+    ASSERT_FALSE(upper.stairs_of_others.empty());
+    const Result<SwellSheet> sheet = swell_sheet(upper, {kA4, BrailleTable::EnUebG1});
+    ASSERT_TRUE(sheet);
+    EXPECT_NE(sheet->plan.text.find("Stairs of another storey begin or end in: Landing."), std::string::npos)
+        << sheet->plan.text;
+    // Three lines or more across the flight.
+    int lines = 0;
+    for (const SheetShape& shape : sheet->plan.shapes) {
+        Vec2 low(1e9), high(-1e9);
+        for (const Vec2& p : shape.loops_mm[0]) low = glm::min(low, p), high = glm::max(high, p);
+        const Vec2 size = high - low;
+        lines += shape.loops_mm.size() == 1 && std::min(size.x, size.y) < 1.05 && std::max(size.x, size.y) > 3.0;
+    }
+    EXPECT_GE(lines, 3);
+}
+
+TEST(SwellSheet, of_our_house_keeps_its_promises_with_stairs_base_and_every_sign) {
+    const NamedStoreys* house = storeys_of("house.map");
+    ASSERT_TRUE(house && !house->storeys.empty());
+    const Result<SwellSheet> sheet = swell_sheet(house->storeys[0], {kA4, BrailleTable::EnUebG1});
+    ASSERT_TRUE(sheet);
+    EXPECT_TRUE(sheet->broken.empty()) << sheet->broken[0];
+    EXPECT_NE(sheet->plan.text.find("The filled triangle on the plan is the base, in Hall;"), std::string::npos)
+        << sheet->plan.text;
+    EXPECT_NE(sheet->plan.text.find("pn  Pond."), std::string::npos) << sheet->plan.text;
+}
+
+TEST(SwellSheet, of_a_real_building_has_no_sign_of_a_niche_outside_of_it) {
+    const NamedStoreys* duplex = storeys_of("duplex-apartment.ifc");
+    if (!duplex) GTEST_SKIP() << needs_real_world("duplex-apartment.ifc");
+    ASSERT_GE(duplex->storeys.size(), 2U);
+    const Storey& storey = duplex->storeys[1];
+    const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
+    ASSERT_TRUE(sheet);
+    int shut = 0;
+    for (std::size_t i = 0; i < storey.rooms.size(); ++i) {
+        if (!sheet->signs[i].on_sheet) continue;
+        const StoreyRoom& room = storey.rooms[i];
+        const Vec2 at = sheet->on_paper.world(sheet->signs[i].at_mm);
+        EXPECT_TRUE(at.x > room.min_m.x - 0.4 && at.x < room.max_m.x + 0.4 && at.y > room.min_m.y - 0.4 &&
+                    at.y < room.max_m.y + 0.4)
+            << room.name << " has its sign at " << at.x << " " << at.y;
+    }
+    for (const StoreyRoom& room : storey.rooms) shut += room.shut ? 1 : 0;
+    EXPECT_GE(shut, 1) << "niches outside of its windows";
+}
+
+TEST(SwellSheet, names_a_thing_in_the_room_in_which_it_is_drawn) {
+    Storey storey = two_rooms();
+    // Where it stands, next to the wall, no body comes: the nearest floor is that of the kitchen, behind the wall.
+    storey.rooms[1].loops_m = {{{7.8, 0.25}, {8.95, 0.25}, {8.95, 3.75}, {7.8, 3.75}},
+                               {{6.45, 1.5}, {8.0, 1.5}, {8.0, 2.2}, {6.45, 2.2}}};
+    lay_floor(storey);
+    storey.things.push_back({FeatureId{2}, "Board", {{6.6, 3.3}, {0.0, 1.0}, {0.35, 0.35}}, true});
+    const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
+    ASSERT_TRUE(sheet);
+    EXPECT_NE(sheet->plan.text.find("r12  Room 12. Drawn there: Board."), std::string::npos) << sheet->plan.text;
+    EXPECT_NE(sheet->plan.text.find("ki  Kitchen. Drawn there: Table."), std::string::npos) << sheet->plan.text;
+    EXPECT_NE(sheet->plan.text.find("the base, in Kitchen;"), std::string::npos) << sheet->plan.text;
+}
+
+// Rooms of 3 by 3 m in rows, each with a door to the next.
+Storey many_rooms(int columns, int rows) {
+    Storey storey;
+    storey.world = "Test";
+    storey.min_m = {-0.5, -0.5};
+    storey.max_m = {3.0 * columns + 0.5, 3.0 * rows + 0.5};
+    const auto wall = [&](double x0, double y0, double x1, double y1) {
+        storey.walls_m.push_back({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}});
+    };
+    for (int y = 0; y <= rows; ++y) wall(-0.1, 3.0 * y - 0.1, 3.0 * columns + 0.1, 3.0 * y + 0.1);
+    for (int y = 0; y < rows; ++y)
+        for (int x = 0; x <= columns; ++x) {
+            const bool outer = x == 0 || x == columns;
+            wall(3.0 * x - 0.1, 3.0 * y, 3.0 * x + 0.1, 3.0 * y + (outer ? 3.0 : 1.0));
+            if (!outer) wall(3.0 * x - 0.1, 3.0 * y + 2.0, 3.0 * x + 0.1, 3.0 * y + 3.0);
+        }
+    for (int y = 0; y < rows; ++y)
+        for (int x = 0; x < columns; ++x) {
+            StoreyRoom room;
+            const auto here = static_cast<std::uint32_t>(storey.rooms.size());
+            room.room = here;
+            room.name = "Room " + std::to_string(here + 1);
+            room.min_m = {3.0 * x + 0.35, 3.0 * y + 0.35};
+            room.max_m = room.min_m + Vec2(2.3);
+            room.middle_m = room.min_m + Vec2(1.15);
+            room.area_m2 = 5.3;
+            room.loops_m = {{room.min_m, {room.max_m.x, room.min_m.y}, room.max_m, {room.min_m.x, room.max_m.y}}};
+            storey.rooms.push_back(std::move(room));
+            if (x + 1 == columns) continue;
+            storey.gaps.push_back({PassageKind::Door, "Door", {3.0 * x + 3.0, 3.0 * y + 1.5}, {0.0, 1.0}, 1.0});
+            storey.portals.push_back({PassageKind::Door, {here, here + 1}, {3.0 * x + 3.0, 3.0 * y + 1.5}, 1.0});
+        }
+    lay_floor(storey);
+    return storey;
+}
+
+TEST(SwellSheets, say_that_one_is_not_enough_and_are_several_that_keep_what_they_promise) {
+    const Storey storey = many_rooms(16, 3);
+    const SheetWish wish{kA4, BrailleTable::EnUebG1};
+    const Result<SwellSheet> one = swell_sheet(storey, wish);
+    ASSERT_TRUE(one);
+    ASSERT_FALSE(one->broken.empty()) << "49 m across a sheet of 27 cm leave 16 mm to a room";
+    const Result<std::vector<SwellSheet>> sheets = swell_sheets(storey, wish);
+    ASSERT_TRUE(sheets);
+    ASSERT_GT(sheets->size(), 1U);
+    std::vector<int> signs(storey.rooms.size(), 0);
+    for (const SwellSheet& sheet : *sheets) {
+        EXPECT_TRUE(sheet.broken.empty()) << sheet.broken[0];
+        EXPECT_TRUE(check_gaps(sheet.plan, kLeastGap_mm).narrow_mm.empty());
+        stand_in_their_rooms(storey, sheet, "many rooms");
+        for (std::size_t i = 0; i < signs.size(); ++i) signs[i] += sheet.signs[i].on_sheet ? 1 : 0;
+        ASSERT_TRUE(sheet.part);
+        EXPECT_NE(head_of(sheet).find("SHEET"), std::string::npos) << head_of(sheet);
+        // Neighbours know each other, and have their marks at the same places of the world.
+        constexpr std::size_t kBack[] = {1, 0, 3, 2};
+        for (std::size_t side = 0; side < 4; ++side)
+            if (const int next = sheet.part->next[side]; next > 0) {
+                const SheetPart& other = *(*sheets)[static_cast<std::size_t>(next - 1)].part;
+                EXPECT_EQ(other.next[kBack[side]], sheet.part->number);
+                EXPECT_NEAR(other.shared_m[kBack[side]], sheet.part->shared_m[side], 1e-9);
+            }
+    }
+    EXPECT_EQ(std::count(signs.begin(), signs.end(), 0), 0) << "every room has its sign on a sheet";
+    SheetWish coarse = wish;
+    coarse.coarse = true;
+    EXPECT_TRUE(swell_sheet(storey, coarse)->broken.empty()) << "rooms under 6 square metres need none";
+}
+
 TEST(SwellSheet, makes_doors_wide_enough_for_a_finger_and_tells) {
     Storey storey = two_rooms();
     storey.max_m = {80.0, 40.0};  // at 1 to 300 the door is 3.3 mm
-    const Result<SwellSheet> sheet = swell_sheet(storey, kA4, BrailleTable::EnUebG1);
+    const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
     ASSERT_TRUE(sheet);
     const Ink ink = ink_of(sheet->plan);
     const OnSheet on_sheet{storey, *sheet};
@@ -144,7 +329,7 @@ TEST(SwellSheet, leaves_out_what_has_no_room_by_name) {
     Storey storey = two_rooms();
     storey.things.push_back({FeatureId{2}, "Cup", {{3.0, 1.0}, {1.0, 0.0}, {0.04, 0.04}}, false});
     storey.things.push_back({FeatureId{3}, "Fountain", {{3.0, 3.0}, {1.0, 0.0}, {0.04, 0.04}}, true});
-    const Result<SwellSheet> sheet = swell_sheet(storey, kA4, BrailleTable::EnUebG1);
+    const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
     ASSERT_TRUE(sheet);
     ASSERT_EQ(sheet->simplified.size(), 1U);
     EXPECT_EQ(sheet->simplified[0], "Left out for lack of room: Cup.");
@@ -155,7 +340,7 @@ TEST(SwellSheet, leaves_out_what_has_no_room_by_name) {
 TEST(SwellSheet, refuses_in_a_sentence_what_is_larger_than_a_sheet) {
     Storey storey = two_rooms();
     storey.max_m = {2000.0, 40.0};
-    const Result<SwellSheet> sheet = swell_sheet(storey, kA3, BrailleTable::EnUebG1);
+    const Result<SwellSheet> sheet = swell_sheet(storey, {kA3, BrailleTable::EnUebG1});
     ASSERT_FALSE(sheet);
     EXPECT_EQ(sheet.error().message, "This storey is 2,000.5 by 40.5 metres, too large for one sheet.");
 }
@@ -177,7 +362,7 @@ TEST(RoomSigns, are_two_letters_each_and_never_alike) {
 
 TEST(SwellSheet, speaks_german_where_that_is_spoken) {
     const InLanguage german("de");
-    const Result<SwellSheet> sheet = swell_sheet(two_rooms(), kA4, BrailleTable::DeG2);
+    const Result<SwellSheet> sheet = swell_sheet(two_rooms(), {kA4, BrailleTable::DeG2});
     ASSERT_TRUE(sheet);
     EXPECT_EQ(sheet->plan.title, "Test, Stockwerk 1 von 1");
 }
@@ -226,7 +411,7 @@ void is_xml(const std::string& text) {
 TEST(SvgOfSheet, is_well_formed_whatever_a_world_is_called_and_has_its_size_in_millimetres) {
     Storey storey = two_rooms();
     storey.world = "<b> & \"co\" \x01";
-    const Result<SwellSheet> sheet = swell_sheet(storey, kA4, BrailleTable::EnUebG1);
+    const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
     ASSERT_TRUE(sheet);
     const std::string svg = svg_of(sheet->plan, "en");
     is_xml(svg);
@@ -236,7 +421,7 @@ TEST(SvgOfSheet, is_well_formed_whatever_a_world_is_called_and_has_its_size_in_m
 }
 
 TEST(PdfOfSheet, has_every_page_and_its_table_points_at_its_objects) {
-    const Result<SwellSheet> sheet = swell_sheet(two_rooms(), kA3, BrailleTable::EnUebG1);
+    const Result<SwellSheet> sheet = swell_sheet(two_rooms(), {kA3, BrailleTable::EnUebG1});
     ASSERT_TRUE(sheet);
     std::vector<SheetPage> pages{sheet->plan};
     pages.insert(pages.end(), sheet->key.begin(), sheet->key.end());

@@ -1,0 +1,157 @@
+#include "worlds/exports/openings.h"
+
+#include <algorithm>
+
+#include "worlds/navigation/walk_space.h"
+#include "worlds/plan/room_borders.h"
+
+namespace handrail {
+namespace {
+
+// A finger that passes so near to a portal passes through it: half its width, or half of what a door is on paper, and a
+// little.
+constexpr double kHalfDoor_mm = 3.3, kBesidePortal_mm = 2.0, kBesidePortal_m = 0.5;
+constexpr double kLeastLeak_mm = 0.3;  // narrower ones are the pixels' own
+
+bool joins(const StoreyPortal& portal, const RoomBorder& border) {
+    return std::min(portal.rooms[0], portal.rooms[1]) == border.rooms[0] &&
+           std::max(portal.rooms[0], portal.rooms[1]) == border.rooms[1];
+}
+
+class Checker {
+public:
+    Checker(const RoomGrid& grid, const Storey& storey, const OnPaper& on_paper)
+        : storey_(storey), on_paper_(on_paper), grid_(grid), borders_(borders_of(grid_)) {
+        const auto outside = static_cast<std::uint32_t>(storey.rooms.size());
+        std::erase_if(borders_, [&](const RoomBorder& border) { return border.rooms[1] == outside; });
+    }
+
+    OpeningCheck check() const {
+        OpeningCheck found;
+        for (const StoreyPortal& portal : storey_.portals) {
+            const Vec2 at = on_paper_(portal.place_m);
+            if (portal.kind != PassageKind::Door && portal.kind != PassageKind::Opening) continue;
+            if (!grid_.holds(static_cast<int>(at.x / kInkPixel_mm), static_cast<int>(at.y / kInkPixel_mm))) continue;
+            const bool open = std::any_of(borders_.begin(), borders_.end(), [&](const RoomBorder& border) {
+                return joins(portal, border) &&
+                       std::any_of(border.squares.begin(), border.squares.end(), [&](std::size_t square) {
+                           return glm::distance(middle(square), at) <= reach_mm(portal);
+                       });
+            });
+            if (!open) found.lacking.push_back({portal.rooms, at, {}});
+        }
+        for (const RoomBorder& border : borders_)
+            if (WrongOpening leak = leak_of(border); !leak.squares_mm.empty()) found.leaking.push_back(std::move(leak));
+        return found;
+    }
+
+private:
+    Vec2 middle(std::size_t square) const {
+        return Vec2(static_cast<double>(square % static_cast<std::size_t>(grid_.wide)) + 0.5,
+                    static_cast<double>(square / static_cast<std::size_t>(grid_.wide)) + 0.5) *
+               kInkPixel_mm;
+    }
+
+    double reach_mm(const StoreyPortal& portal) const {
+        return std::max(0.5 * portal.width_m * on_paper_.mm_per_m, kHalfDoor_mm) +
+               kBesidePortal_m * on_paper_.mm_per_m + kBesidePortal_mm;
+    }
+
+    // The lines of a flight show its sides, where no wall stands; a line around them would leave them no place.
+    bool is_flight(std::uint32_t room) const { return storey_.rooms[room].kind == RoomKind::Stairs; }
+
+    // The part of a border that no portal explains.
+    WrongOpening leak_of(const RoomBorder& border) const {
+        WrongOpening leak{border.rooms, Vec2(0.0), {}};
+        if (is_flight(border.rooms[0]) || is_flight(border.rooms[1])) return leak;
+        for (const std::size_t square : border.squares) {
+            const Vec2 at = middle(square);
+            if (std::none_of(storey_.portals.begin(), storey_.portals.end(), [&](const StoreyPortal& portal) {
+                    return joins(portal, border) && glm::distance(on_paper_(portal.place_m), at) <= reach_mm(portal);
+                }))
+                leak.squares_mm.push_back(at);
+        }
+        if (static_cast<double>(leak.squares_mm.size()) * kInkPixel_mm < 2.0 * kLeastLeak_mm) leak.squares_mm.clear();
+        if (!leak.squares_mm.empty()) leak.at_mm = leak.squares_mm[leak.squares_mm.size() / 2];
+        return leak;
+    }
+
+    const Storey& storey_;
+    const OnPaper& on_paper_;
+    const RoomGrid& grid_;
+    std::vector<RoomBorder> borders_;
+};
+
+}  // namespace
+
+RoomGrid rooms_on(const Ink& walls, const Storey& storey, const OnPaper& on_paper) {
+    RoomGrid grid(walls.wide, walls.high);
+    grid.blocked = walls.black;
+    const StoreyFloor& floor = storey.floor;
+    const auto cell_of = [&](int pixel, int axis) {
+        const double at_m = on_paper.world(Vec2((pixel + 0.5) * kInkPixel_mm))[axis];
+        return static_cast<int>(std::floor((at_m - storey.min_m[axis]) / floor.cell_m));
+    };
+    std::vector<int> column;
+    for (int x = 0; x < grid.wide; ++x) column.push_back(cell_of(x, 0));
+    for (int y = 0; y < grid.high; ++y) {
+        const int row = cell_of(y, 1);
+        for (int x = 0; x < grid.wide; ++x) {
+            const int cell = column[static_cast<std::size_t>(x)];
+            std::uint32_t& room = grid.room[grid.at(x, y)];
+            if (x == 0 || y == 0 || x == grid.wide - 1 || y == grid.high - 1)
+                room = static_cast<std::uint32_t>(storey.rooms.size());
+            else if (cell >= 0 && row >= 0 && cell < floor.wide && row < floor.high)
+                room = floor.room[static_cast<std::size_t>(row) * static_cast<std::size_t>(floor.wide) +
+                                  static_cast<std::size_t>(cell)];
+        }
+    }
+    spread_rooms(grid);
+    return grid;
+}
+
+OpeningCheck check_openings(const Ink& walls, const Storey& storey, const OnPaper& on_paper) {
+    return check_openings(rooms_on(walls, storey, on_paper), storey, on_paper);
+}
+
+OpeningCheck check_openings(const RoomGrid& rooms, const Storey& storey, const OnPaper& on_paper) {
+    return Checker(rooms, storey, on_paper).check();
+}
+
+MendedOpenings mend_openings(Ink& walls, const Storey& storey, const OnPaper& on_paper, const WallLook& look) {
+    MendedOpenings mended;
+    constexpr double kReach_mm = 25.0;
+    const auto nearest = [&](std::uint32_t room, const Vec2& from_mm) {
+        std::optional<Vec2> found;
+        double least = kReach_mm;
+        for (double y = -kReach_mm; y <= kReach_mm; y += 0.5)
+            for (double x = -kReach_mm; x <= kReach_mm; x += 0.5) {
+                const Vec2 at = from_mm + Vec2(x, y);
+                if (glm::length(Vec2(x, y)) >= least || floor_at(storey, on_paper.world(at)) != room) continue;
+                least = glm::length(Vec2(x, y));
+                found = at;
+            }
+        return found;
+    };
+    // What is opened may join others, and what is closed may close a way.
+    for (int round = 0; round < 3; ++round) {
+        const OpeningCheck found = check_openings(walls, storey, on_paper);
+        for (const WrongOpening& leak : found.leaking) {
+            for (const Vec2& at : leak.squares_mm) fill_disc(walls, at, 0.5 * look.line_mm);
+            ++mended.closed;
+        }
+        for (const WrongOpening& closed : found.lacking) {
+            const auto a = nearest(closed.rooms[0], closed.at_mm), b = nearest(closed.rooms[1], closed.at_mm);
+            if (!a || !b || *a == *b) continue;
+            const Vec2 along = (*b - *a) / glm::distance(*a, *b);
+            const PlanBox way{0.5 * (*a + *b), along, {0.5 * glm::distance(*a, *b), 0.5 * look.door_mm}};
+            fill(walls, std::vector<std::vector<Vec2>>{corners_of(way)}, false);
+            ++mended.opened;
+        }
+        if (found.leaking.empty() && found.lacking.empty()) break;
+        join_near(walls, look.clear_mm);
+    }
+    return mended;
+}
+
+}  // namespace handrail
