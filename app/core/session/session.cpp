@@ -286,7 +286,7 @@ void Session::place(const Vec3& feet_m, double heading_rad, double now_s) {
     contract_pre(is_finite(feet_m) && std::isfinite(heading_rad));
     walk_.walking.set_down(feet_m, heading_rad);
     publish_pose(now_s, PoseChange::Placed);
-    ++times_put_;
+    ++state_.body.times_put;
     state_.events.tell(Teleported{feet_m, state_.body.heading_rad}, now_s);
 }
 

@@ -192,7 +192,6 @@ private:
     WalkingFeatures walk_{state_};
     HandFeatures hand_{state_, walk_.keys_held};
     DeskVisit desk_visit_{state_.context};
-    int times_put_ = 0;  // somewhere else, by place()
     AskedToLeave asked_to_leave_;
     LessonSession lesson_session_{state_.context, asked_to_leave_};
     Menu menu_{state_.context};

@@ -74,7 +74,7 @@ LessonView Session::lesson_view() {
     LessonView view;
     if (!state_.world.scene) return view;
     view.feet_m = feet_m();
-    view.times_put = times_put_;
+    view.times_put = state_.body.times_put;
     view.heading_rad = state_.body.heading_rad;
     view.wall_m = wall_beside_m(*state_.world.solids, view.feet_m);
     view.trails = walk_.by_ear.wall_at_side().has_value();
