@@ -20,7 +20,8 @@ bool steers(char c) {
 }  // namespace
 
 int PlainOutput::overflow(int byte) {
-    if (std::char_traits<char>::eq_int_type(byte, std::char_traits<char>::eof())) return std::char_traits<char>::not_eof(byte);
+    if (std::char_traits<char>::eq_int_type(byte, std::char_traits<char>::eof()))
+        return std::char_traits<char>::not_eof(byte);
     const char c = std::char_traits<char>::to_char_type(byte);
     held_ += c;
     if (begins_with_direction_control(held_)) {

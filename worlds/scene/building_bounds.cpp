@@ -23,12 +23,26 @@ bool slopes(const Solid& solid) {
     });
 }
 
+// Whatever is there but the ground that a reader laid.
+Aabb all_but_ground(const Scene& scene) {
+    if (std::none_of(scene.features.begin(), scene.features.end(), is_outer_ground)) return scene.bounds_m;
+    Aabb all;
+    for (const Feature& feature : scene.features)
+        if (!feature.bounds_m.empty() && !is_outer_ground(feature) && feature.kind != FeatureKind::Trigger)
+            all.include(feature.bounds_m);
+    for (const Solid& solid : scene.solids) {
+        const Feature* feature = scene.find(solid.feature);
+        if ((solid.role == SolidRole::Solid || solid.role == SolidRole::Mover) &&
+            !(feature && is_outer_ground(*feature)))
+            all.include(solid.shape.bounds_m);
+    }
+    return all;
+}
+
 }  // namespace
 
 Aabb building_bounds_m(const Scene& scene) {
-    Aabb all, rooms;
-    for (const Feature& feature : scene.features)
-        if (!feature.bounds_m.empty() && !is_outer_ground(feature)) all.include(feature.bounds_m);
+    Aabb rooms;
     if (scene.stated)
         for (const StatedRoom& room : scene.stated->rooms)
             for (const std::vector<Vec2>& ring : room.rings)
@@ -36,7 +50,7 @@ Aabb building_bounds_m(const Scene& scene) {
                     rooms.include(Vec3(p, room.floor_m));
                     rooms.include(Vec3(p, room.floor_m + room.height_m));
                 }
-    if (rooms.empty()) return all;
+    if (rooms.empty()) return all_but_ground(scene);
     const Aabb near = grown(rooms, kAtRoom_m);
     Aabb building = rooms;
     const auto take = [&](const Aabb& box) {
