@@ -208,7 +208,7 @@ TEST(SwellSheet, of_our_house_keeps_its_promises_with_stairs_base_and_every_sign
 }
 
 TEST(SwellSheet, of_a_real_building_has_no_sign_of_a_niche_outside_of_it) {
-    if (kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for our house";
+    if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for our house";
     const NamedStoreys* duplex = storeys_of("duplex-apartment.ifc");
     if (!duplex) GTEST_SKIP() << needs_real_world("duplex-apartment.ifc");
     ASSERT_GE(duplex->storeys.size(), 2U);
@@ -279,7 +279,7 @@ Storey many_rooms(int columns, int rows) {
 }
 
 TEST(SwellSheets, say_that_one_is_not_enough_and_are_several_that_keep_what_they_promise) {
-    if (kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for our house";
+    if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for our house";
     const Storey storey = many_rooms(16, 3);
     const SheetWish wish{kA4, BrailleTable::EnUebG1};
     const Result<SwellSheet> one = swell_sheet(storey, wish);
