@@ -1,5 +1,6 @@
 #include "settings/settings.h"
 
+#include <fmt/format.h>
 #include <toml++/toml.h>
 
 #include <cstdlib>
@@ -250,7 +251,7 @@ struct SettingsStore::Impl {
 
     Result<void> check(const std::string& key, const SettingValue& value, SettingSource source) const {
         Settings scratch;
-        if (const Result<void> applied = apply_to(scratch, key, value); !applied) return applied;
+        if (Result<void> applied = apply_to(scratch, key, value); !applied) return applied;
         if (source == SettingSource::World && !world_may_set(key))
             return fail(phrase("settings_file.not_for_worlds", {{"key", key}}));
         return {};
@@ -380,7 +381,7 @@ Result<void> SettingsStore::set(std::string_view key, std::string_view value, Se
     else if (const auto device = split_device_key(name)) parsed = value_from_word(*device->field->plain, value);
     else if (const auto profile = split_profile_key(name)) parsed = value_from_word(*profile->field, value);
     else if (name.starts_with(kKeysPrefix)) parsed = without_quotes(value);
-    if (const Result<void> checked = impl_->check(name, parsed, source); !checked) return checked;
+    if (Result<void> checked = impl_->check(name, parsed, source); !checked) return checked;
     impl_->layers[source][name] = {std::move(parsed), source == SettingSource::CommandLine ? "--set" : ""};
     impl_->rebuild();
     return {};

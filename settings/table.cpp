@@ -20,8 +20,10 @@ constexpr std::array<std::string_view, 5> kThroughWords{"auto", "screen-reader",
 constexpr std::size_t kLongestText = 64;
 
 // The accessor of a field that lies in Settings, as a plain function pointer.
+// NOLINTBEGIN(bugprone-macro-parentheses): a member takes none
 #define HANDRAIL_AT(member) \
     [](Settings & s) -> auto& { return s.member; }
+// NOLINTEND(bugprone-macro-parentheses)
 
 constexpr bool kWorldToo = true;
 constexpr bool kPersonOnly = false;

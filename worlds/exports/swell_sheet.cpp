@@ -52,7 +52,7 @@ class SheetMaker {
 public:
     SheetMaker(const Storey& storey, const SheetWish& wish, std::optional<SheetPart> part)
         : storey_(storey), wish_(wish), table_(wish.table) {
-        made_.part = std::move(part);
+        made_.part = part;
     }
 
     Result<SwellSheet> make() {

@@ -1,5 +1,7 @@
 #include "app/core/hand/workspace.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <utility>
 
