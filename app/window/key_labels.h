@@ -17,8 +17,8 @@ KeyLabels key_labels();
 // By GLFW's token the token whose name the key has. Every name stays on exactly one key:
 // - a key with the label of a letter is that letter;
 // - a letter that no key has as its label is at its American place, as on a Greek keyboard;
-// - a sign whose place has a letter moves to a key that this letter left, to the one with its own label if there is
-// one.
+// - if a letter is on the key of a sign, the sign moves to a key that has lost its letter: to one that is labelled with
+//   the sign, if there is one.
 std::map<int, int> keys_by_label(const KeyLabels& labels);
 
 }  // namespace handrail

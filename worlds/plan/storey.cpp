@@ -438,7 +438,7 @@ private:
         return room < made_.rooms.size() && made_.rooms[room].kind == RoomKind::Stairs;
     }
 
-    // Things that no body passes between two rooms, where the graph has no way through, are walls.
+    // What stands between two rooms and lets no body pass is a wall, unless the route graph leads through there.
     void close_rooms() {
         const Vec2 size = made_.max_m - made_.min_m;
         square_m_ = std::max(kSquare_m, std::max(size.x, size.y) / kMostSquares);

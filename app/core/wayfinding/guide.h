@@ -45,8 +45,8 @@ public:
     void go_along(const std::vector<Stop>& stops, bool by_hand, double now_s);
     void go_to_room(std::uint32_t room, double now_s);
     // The way from where the body stands to a place, as RestOfWay tells it where it is followed: a leg each. To the
-    // room around it where `by_room`, else to a thing of that name there. Empty: no way leads there. Nobody is led
-    // afterwards; what was to be said meanwhile is among the session's cues.
+    // room around it where `by_room`, else to a thing of that name there. Empty: no way leads there. Guidance
+    // ends before this returns. What it said meanwhile stands among the session's cues.
     std::vector<std::string> legs_to(const Vec3& goal_m, const std::string& name, bool by_room, double now_s);
     // Whether a room is called so that one may choose a way to.
     bool leads_to(std::string_view typed) const;

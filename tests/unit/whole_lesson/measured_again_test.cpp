@@ -238,7 +238,7 @@ public:
         }
         return {0.97 * way_m - 0.3, 1.03 * way_m + 0.3};
     }
-    // The rooms one was in, one after the other: so far inside of their outlines.
+    // The rooms that one was in, in order. A place counts for a room if it is at least in_m inside of the outline.
     std::vector<std::string> rooms(double from_s, double to_s, double in_m) const {
         std::vector<std::string> rooms;
         for (const FrameRow& frame : frames(from_s, to_s))
