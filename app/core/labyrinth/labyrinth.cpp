@@ -197,7 +197,6 @@ bool Labyrinth::act(Command command, double now_s) {
         case Command::Overview:
             list_corridors(now_s);
             return true;
-        case Command::RepeatLeg:  // nobody is led here, and R is the key of the game
         case Command::PutBack:
             bodies_.restart();
             begin(now_s);

@@ -33,7 +33,7 @@ void EarWay::stop() {
     word_.stop();
     room_.reset();
     wish_ = RouteWish::Safest;
-    faces_ = false;
+    faces_ = rest_asked_ = false;
 }
 
 EarWay::RoomRoute EarWay::route_to(std::uint32_t room) const {
@@ -209,16 +209,22 @@ void EarWay::tell(const std::string& words, double now_s) {
 }
 
 void EarWay::tell_leg(double now_s) {
+    rest_asked_ = false;
     if (!follower_.following() || !word_.at_work()) return tell_on(now_s);
     tell(word_.leg(), now_s);
 }
 
 void EarWay::tell_next_leg(double now_s) {
+    rest_asked_ = false;
     if (!follower_.following() || !word_.at_work()) return tell_on(now_s);
     tell(word_.next_leg(), now_s);
 }
 
-void EarWay::tell_rest(double now_s) { tell(fmt::format("{}", fmt::join(rest_of_way(), " ")), now_s); }
+void EarWay::tell_rest(double now_s) {
+    const std::vector<std::string> legs = rest_of_way();
+    rest_asked_ = legs.empty();
+    tell(fmt::format("{}", fmt::join(legs, " ")), now_s);
+}
 
 std::vector<std::string> EarWay::rest_of_way() {
     if (!follower_.following()) return {};
@@ -253,7 +259,8 @@ RouteFollower::Said EarWay::tick_words(double now_s) {
             wish_ = RouteWish::OnFoot;
             return said;
         }
-        context_.answer(word_.leg(), now_s);
+        if (std::exchange(rest_asked_, false)) tell_rest(now_s);
+        else context_.answer(word_.leg(), now_s);
     }
     tell_facing(now_s);
     said.left = news.left;

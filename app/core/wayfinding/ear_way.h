@@ -71,6 +71,7 @@ private:
     std::optional<std::uint32_t> room_;   // that one goes to by words
     RouteWish wish_ = RouteWish::Safest;  // OnFoot where legs are told, so that both tell the same way
     bool faces_ = false;                  // the leg that was told
+    bool rest_asked_ = false;             // the rest of the way was asked for before it was planned
     std::string name_;
     bool to_nearest_ = false;
     std::shared_ptr<const Scene> planned_in_;  // the world as it was when the way was planned

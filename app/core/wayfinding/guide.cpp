@@ -365,7 +365,7 @@ void Guide::lead_as_planned(const Goal& goal, double now_s) {
 void Guide::lead_to(const Goal& goal, const std::string& first, double now_s) {
     goal_ = goal;
     if (!hand_.may_lead()) return lead_by_ear(goal, first, now_s);
-    if (!hand_.force_may_act()) return lead_by_ear(goal, beside(first, phrase("lead.forces_off")), now_s);
+    if (const std::string why = hand_.why_no_force(); !why.empty()) return lead_by_ear(goal, beside(first, why), now_s);
     const WayForHand way = plans_.for_hand(goal, GuidancePath::kMostPoints);
     if (way.points_m.empty()) return lead_by_ear(goal, beside(first, way.problem), now_s);
     laps_.begin(fmt::format("{} {}", goal.name, goal.feature.value));  // ten windows have one name
@@ -414,7 +414,7 @@ void Guide::lead_by_ear(const Goal& goal, const std::string& first, double now_s
 void Guide::cross_lines(const Goal& goal, double now_s) {
     goal_ = goal;
     if (!context_.hands.right.present) return context_.answer(phrase("lead.lines_need_device"), now_s);
-    if (!hand_.force_may_act()) return context_.answer(phrase("lead.forces_off"), now_s);
+    if (const std::string why = hand_.why_no_force(); !why.empty()) return context_.answer(why, now_s);
     std::string why = phrase("lead.straight");
     if (context_.settings.guidance.along_way) {
         const WayForHand way = plans_.for_hand(goal, HandLead::kMostLinePoints);

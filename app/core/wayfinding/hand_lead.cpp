@@ -4,6 +4,7 @@
 #include <span>
 
 #include "app/core/context/telling.h"
+#include "app/core/dialogue/words.h"
 #include "app/core/wayfinding/sought_way.h"
 #include "worlds/base/language.h"
 #include "worlds/navigation/way_place.h"
@@ -56,10 +57,14 @@ bool HandLead::may_lead() const {
     return context_.hands.right.present && !context_.hands.keys_alone && context_.settings.guidance.pull;
 }
 
-bool HandLead::force_may_act() const {
+std::string HandLead::why_no_force() const {
     const HandsState& hands = context_.hands;
-    return hands.tuning.forces_on && !hands.tuning.panic && hands.tuning.focused && hands.tool.fault == Fault::None &&
-           hands.tool.ticks > 0;
+    if (hands.tuning.panic || !hands.tuning.forces_on) return phrase("lead.forces_off");
+    if (hands.tool.fault != Fault::None) return fault_sentence(hands.tool.fault);
+    if (!hands.tuning.focused) return fault_sentence(Fault::FocusLost);
+    if (hands.tool.pause != Fault::None) return fault_sentence(hands.tool.pause);
+    if (hands.tool.ticks == 0 || hands.tool.waiting_for_hand) return phrase("lead.hand_waits");
+    return {};
 }
 
 bool HandLead::lines_at_work() const {
@@ -203,8 +208,15 @@ std::optional<HandLead::Arrival> HandLead::tick(const std::optional<Goal>& goal,
         return Arrival{pull, led_.to_nearest};
     }
     context_.play(SoundKind::GuideStop, now_s);
-    context_.answer(phrase(felt.phase == GuidancePhase::LetGo ? "lead.let_go" : "lead.no_longer"), now_s);
+    context_.answer(felt.phase == GuidancePhase::LetGo ? phrase("lead.let_go") : no_longer_words(), now_s);
     return std::nullopt;
+}
+
+// The servo led no more, and why; a cause that is over by now was short.
+std::string HandLead::no_longer_words() const {
+    std::string why = why_no_force();
+    if (why.empty()) why = phrase("lead.force_was_off", {{"key", context_.keys.keys_of(Command::TakeMe)}});
+    return phrase("lead.no_longer") + " " + why;
 }
 
 // While it pulls: doors across the way, and how far off it the hand is.

@@ -26,7 +26,9 @@ public:
     void enter_world();
     // A hand that is only simulated for want of a device is led by ear.
     bool may_lead() const;
-    bool force_may_act() const;
+    // A sentence; empty: it may act.
+    std::string why_no_force() const;
+    bool force_may_act() const { return why_no_force().empty(); }
     // It leads, is about to, or does again when all is at rest.
     bool at_work() const { return led_.acts || led_.announced || led_.left; }
     // Lines act, or have been told.
@@ -66,6 +68,7 @@ public:
 private:
     void announce(GuidancePath path, std::string words, double now_s);
     bool hand_at(const std::optional<Goal>& goal) const;
+    std::string no_longer_words() const;
     void publish(GuidancePath path);
     void go_on_along(GuidancePath path);
     void watch_way(const std::optional<Goal>& goal, double now_s);

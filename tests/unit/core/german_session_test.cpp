@@ -27,6 +27,7 @@ struct Visitor : test::AppSession {
         tool.contacts.strongest = 0;
         tool.contacts.contacts[0].feature = FeatureId{static_cast<std::uint32_t>(found - features.begin())};
         tool.ticks = 1;
+        tool.waiting_for_hand = false;
     }
 };
 

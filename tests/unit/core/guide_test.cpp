@@ -66,6 +66,7 @@ struct Person : test::AppSession {
     }
     void hand_at(const Vec3& world_m) {
         tool.ticks = 1;
+        tool.waiting_for_hand = false;
         tool.hip_m = tool.proxy_m = world_m;
         tool.workspace_jump = app.hand().pose.jump;
     }
@@ -526,6 +527,58 @@ TEST(TakeMe, is_told_a_second_before_the_servo_knows_of_it_and_only_one_is_known
     p.tap(Command::TakeMe);
     EXPECT_TRUE(p.heard("Let go"));
     EXPECT_EQ(p.app.guide().path().number, 0U);
+}
+
+// Whatever took the force away is said, and not only that it is gone.
+TEST(TakeMe, says_why_the_hand_is_led_no_longer) {
+    struct Case {
+        void (*happens)(Person&);
+        const char* said;
+    };
+    const Case cases[] = {
+        {[](Person& p) { p.tool.fault = Fault::Stalled; },
+         "No longer led. The computer stopped for a moment. The force comes back slowly."},
+        {[](Person& p) { p.tool.pause = Fault::ButtonReleased; },
+         "No longer led. Button released. The force is off until you hold it."},
+        {[](Person&) {}, "No longer led. The force was off for a moment. H leads again."},
+    };
+    for (const Case& one : cases) {
+        SCOPED_TRACE(one.said);
+        Person p(true);
+        p.enter();
+        p.hand_at({3.0, 1.0, 1.0});
+        p.run(0.1);
+        p.tap(Command::TakeMe);
+        for (const char* key : {"Enter", "Down", "Enter"}) {
+            if (std::string(key) == "Enter" && p.app.dialogue().view().title != "Radiator") p.type("radiator");
+            p.key(key);
+        }
+        p.run(1.1);
+        ASSERT_NE(p.app.guide().path().number, 0U);
+        p.tool.guidance.number = p.app.guide().path().number;
+        p.tool.guidance.phase = GuidancePhase::Ended;
+        one.happens(p);
+        p.run(0.1);
+        EXPECT_TRUE(p.heard(one.said)) << testing::PrintToString(p.said);
+    }
+}
+
+// With the servo that holds its force back until somebody has the grip.
+TEST(TakeMe, waits_for_a_hand_on_the_grip_and_says_so) {
+    Person p(true);
+    p.enter();
+    p.hand_at({3.0, 1.0, 1.0});
+    p.tool.waiting_for_hand = true;
+    p.run(0.1);
+    p.tap(Command::Find);
+    p.type("radiator");
+    p.key("Enter");
+    p.key("Down");
+    p.key("Enter");
+    EXPECT_TRUE(p.heard("The force waits until you move the grip. Follow the beacon to Radiator"))
+        << testing::PrintToString(p.said);
+    p.run(2.0);
+    EXPECT_FALSE(p.heard("No longer led"));
 }
 
 TEST(TakeMe, leads_round_what_stands_between_along_the_planned_way_and_by_ear_where_there_is_no_force) {

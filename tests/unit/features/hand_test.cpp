@@ -41,6 +41,7 @@ struct WithHand {
     void feel_at(const Vec3& place_m) {
         ToolState& tool = plain.hands.tool;
         tool.ticks = 1;
+        tool.waiting_for_hand = false;
         tool.hip_m = tool.proxy_m = place_m;
         tool.workspace_jump = plain.hands.pose.jump;
         tool.hand_m = (place_m - plain.hands.pose.origin_m) / scale_now();  // while the workspace looks north

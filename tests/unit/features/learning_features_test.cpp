@@ -82,6 +82,7 @@ TEST(PlaceLearningFeature, plays_a_corner_once_where_the_hand_touches_two_walls)
     learner.hands.right.present = true;
     ToolState& tool = learner.hands.tool;
     tool.ticks = 1;
+    tool.waiting_for_hand = false;
     tool.contacts.count = 2;
     const auto feature_of = [&](const char* name) {
         const auto& features = learner.world.scene->features;
@@ -178,6 +179,7 @@ TEST(ClockHuntFeature, is_found_by_reaching_for_the_clock) {
     EXPECT_TRUE(hunter.hunt.act(Command::Hunt, 1.0));
     hunter.hands.right.present = true;
     hunter.hands.tool.ticks = 1;
+    hunter.hands.tool.waiting_for_hand = false;
     hunter.hands.tool.proxy_m = hunter.clock_m().value();
     (void)hunter.said();
     hunter.hunt.tick(5.0);

@@ -99,6 +99,7 @@ TEST(MarkListFeature, sets_a_mark_where_the_hand_is_when_its_button_goes_down) {
     m.person.settings.marks.button = 2;
     m.hands.right.present = true;
     m.hands.tool.ticks = 1;
+    m.hands.tool.waiting_for_hand = false;
     m.hands.tool.proxy_m = {3.0, 1.0, 1.0};
     m.marks.tick_button(0.0);
     EXPECT_THAT(m.world.marks, IsEmpty());

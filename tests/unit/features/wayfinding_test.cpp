@@ -44,6 +44,7 @@ struct Yard : test::PlainSession {
         hands.tuning.focused = true;
         hands.tuning.touch.radius_m = 0.02;
         hands.tool.ticks = 1;
+        hands.tool.waiting_for_hand = false;
         hands.tool.proxy_m = hands.tool.hip_m = at_m;
     }
     void felt(const GuidancePath& path, GuidancePhase phase) {

@@ -87,6 +87,17 @@ TEST(LegWords, come_when_the_way_is_planned_while_everything_goes_on) {
         [&] { return person.said.back() != "A moment." && person.said.back() != "Rooms and ways are known now."; }));
     const std::string first_leg = person.said.back();
     EXPECT_EQ(person.ask(Command::RepeatLeg), first_leg);
+    // Who asked for the rest of the way meanwhile hears that.
+    person.ask(Command::Routes);
+    person.line("Bathroom");
+    person.said.clear();
+    EXPECT_EQ(person.ask(Command::RestOfWay), "A moment.");
+    EXPECT_TRUE(wait_for([&] { return person.said.back() != "A moment."; }));
+    const std::string rest = person.said.back();
+    EXPECT_EQ(person.ask(Command::RestOfWay), rest);
+    const std::string leg = person.ask(Command::RepeatLeg);
+    EXPECT_TRUE(rest.starts_with(leg)) << rest;
+    EXPECT_GT(rest.size(), leg.size() + 10) << rest;
     // Another world, and another wish, give up what was being planned.
     person.ask(Command::Routes);
     person.line("Kitchen");
