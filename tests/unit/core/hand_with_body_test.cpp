@@ -68,7 +68,9 @@ int walk_into_the_study(Explorer& p) {
 TEST(AHandForWantOfADevice, is_where_one_stands_and_touches_nothing_on_the_way_through_a_door) {
     const auto p = with_keys_alone(test::our_world("house.map"));
     for (int step = 0; step < 2; ++step) {
-        if (step == 1) EXPECT_EQ(walk_into_the_study(*p), 0);
+        if (step == 1) {
+            EXPECT_EQ(walk_into_the_study(*p), 0);
+        }
         const Vec3 off = p->tool().proxy_m - p->app().feet_m();
         EXPECT_LT(std::hypot(off.x, off.y), 0.01);
     }

@@ -34,8 +34,9 @@ TEST(ToldSizes, of_a_building_are_those_of_its_walls_and_not_of_the_ground_round
         << said_on_entering(house);
     for (const auto& [file, told] :
          {std::pair("duplex-apartment.ifc", "9 by 18 metres."), std::pair("fzk-haus.ifc", "12 by 10 metres.")})
-        if (const auto path = test::real_world(file))
+        if (const auto path = test::real_world(file)) {
             EXPECT_NE(said_on_entering(test::world_once(*path)).find(told), std::string::npos) << file;
+        }
 }
 
 TEST(ToldSizes, of_a_room_are_those_of_its_outline_however_it_is_turned) {

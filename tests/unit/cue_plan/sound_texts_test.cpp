@@ -53,7 +53,9 @@ TEST(SoundTexts, say_the_side_of_a_sound_in_words_all_round) {
             const std::string said = SoundWords().tell(cue, Listener{}, 0.0);
             EXPECT_FALSE(said.empty());
             EXPECT_EQ(said.find("direction."), std::string::npos) << said;
-            if (eighth == 7) EXPECT_THAT(said, testing::HasSubstr(ahead));
+            if (eighth == 7) {
+                EXPECT_THAT(said, testing::HasSubstr(ahead));
+            }
         }
     }
 }

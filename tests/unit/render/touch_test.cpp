@@ -253,7 +253,9 @@ TEST(TouchTick, never_comes_back_into_a_solid_that_the_ball_has_left_and_the_han
         ASSERT_LE(glm::length(r.force_n - before_n), 0.17) << i;  // 0.1 mm at 0.8 kN/m, in a wedge of 45 degrees
         before_n = r.force_n;
         out = out || r.proxy_m.z > 0.3 + tuning.radius_m;
-        if (out) ASSERT_GE(r.proxy_m.z, 0.3 + tuning.radius_m - 1e-9) << i;
+        if (out) {
+            ASSERT_GE(r.proxy_m.z, 0.3 + tuning.radius_m - 1e-9) << i;
+        }
     }
     EXPECT_TRUE(out);
     EXPECT_FALSE(r.contacts.ghosted);

@@ -365,9 +365,10 @@ TEST(SaveFaults, what_has_a_folder_of_its_own_leaves_no_empty_one_if_an_allocati
             const End end = in_child([&] { return one.begin(folder.path()); }, step, false, struck);
             ++ends[static_cast<int>(end)];
             // A child that died could put nothing away.
-            if (end != End::Died)
+            if (end != End::Died) {
                 EXPECT_EQ(folders_in(folder.path() / one.folders).size(), end == End::Worked ? 1U : 0U)
                     << one.name << ", allocation " << step;
+            }
         }
         std::cout << "    " << one.name << ": worked " << ends[0] << ", told " << ends[1] << ", bad_alloc " << ends[2]
                   << ", died " << ends[3] << "\n";
