@@ -38,6 +38,7 @@ struct SpeechdSpeech::Shared : ServerClient {
     std::string language;
     std::optional<Utterance> job;  // the newest only: saying cuts
     bool silence = false;
+    std::string refused, refused_before;   // languages that the server does not speak: to be told, told last
     std::uint64_t said = 0, finished = 0;  // utterances by number; speaking while they differ
     std::uint64_t calls_begun = 0, calls_answered = 0;
     // What the server calls this client and the newest utterance, and up to which one it has reported an end.
@@ -124,7 +125,9 @@ struct SpeechdSpeech::Worker {
     // server that has gone is noticed by the next call.
     void speak(const std::string& wanted_language) {
         language = wanted_language;
-        call([&] { return spd_set_language(connection.get(), language.c_str()); });
+        const bool taken = call([&] { return spd_set_language(connection.get(), language.c_str()); }) == 0;
+        const std::lock_guard lock(shared.mutex);
+        if (!taken && shared.refused_before != language) shared.refused = shared.refused_before = language;
     }
 
     void close() {
@@ -277,6 +280,12 @@ void SpeechdSpeech::stop() {
         shared_->finished = shared_->said;
     }
     shared_->rouse();
+}
+
+std::optional<std::string> SpeechdSpeech::news() {
+    const std::lock_guard lock(shared_->mutex);
+    if (shared_->refused.empty() || shared_->state != VoiceState::Ready) return std::nullopt;
+    return phrase("voice.refuses_language", {{"language", std::exchange(shared_->refused, {})}});
 }
 
 bool SpeechdSpeech::speaking() const {

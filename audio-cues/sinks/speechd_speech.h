@@ -6,6 +6,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
 #include <thread>
 
 #include "audio-cues/sinks/voice.h"
@@ -34,6 +36,7 @@ public:
     void say(const Utterance& utterance) override;
     void stop() override;
     bool speaking() const override;
+    std::optional<std::string> news() override;
     void tick(double now_s) override;
     void set_speech(const Settings::Speech& settings) override;
 

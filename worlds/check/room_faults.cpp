@@ -7,6 +7,7 @@
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 #include "worlds/check/examined.h"
+#include "worlds/check/gap_width.h"
 #include "worlds/check/missing_doors.h"
 #include "worlds/navigation/reach.h"
 #include "worlds/scene/honest_report.h"
@@ -64,7 +65,7 @@ void tell_lack(const Examined& world, WorldFault& fault, const WayLacks& found) 
         }
     fault.lack = found.lack;
     fault.at_m = found.at_m;
-    fault.amount = found.has_m;
+    fault.amount = found.lack == Lack::Width ? gap_width(world, found.at_m, found.has_m) : found.has_m;
     fault.needed_m = found.needs_m;
 }
 

@@ -23,15 +23,20 @@ Flood::Flood(const Scene& scene, const WalkBody& body, const Obstacles& obstacle
 
 Flood::End Flood::run() {
     seed();
+    End end = spread_all();
+    if (end == End::Done) end = reach_closed_rooms();
+    if (end == End::Done) tiles_.drop_unreached();
+    return end;
+}
+
+Flood::End Flood::spread_all() {
     while (!waiting_.empty()) {
         const std::uint32_t tile = waiting_.front();
         waiting_.pop_front();
         tiles_[tile].waits = false;
         if (const End end = spread(tile); end != End::Done) return end;
     }
-    if (stop_.stop_requested()) return End::Stopped;
-    tiles_.drop_unreached();
-    return End::Done;
+    return stop_.stop_requested() ? End::Stopped : End::Done;
 }
 
 // From all that is open in one tile as far as the tile goes.
@@ -162,6 +167,7 @@ void Flood::seed() {
     if (scene_.stated)
         for (const StatedRoom& room : scene_.stated->rooms)
             if (!room.rings.empty()) seed_at(room.at_m, 1.0, 0.6, 0.6, false);
+    for (const RoomName& name : scene_.room_names) seed_at(name.at_m, 1.0, 0.6, 3.0, true);
     for (const Switch& s : scene_.switches)
         if (s.leads_elsewhere) seed_at(s.feet_m, 1.0, 0.6, 3.0, false);
     for (const SoundSource& sound : scene_.sounds) seed_at(sound.position_m, 1.5, 0.3, 3.0, true);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <deque>
 #include <stop_token>
+#include <unordered_map>
 #include <vector>
 
 #include "worlds/navigation/walk_tiles.h"
@@ -49,7 +50,14 @@ private:
     };
 
     void visit(Layer layer, std::uint32_t tile, std::uint32_t place, Cell cell);
+    End spread_all();
     End spread(std::uint32_t tile);
+    // Of walk_closed.cpp: rooms that nothing leads to, which are told as out of reach.
+    End reach_closed_rooms();
+    // Of places that were looked at, in which look; looked up, never walked through: no order of its own.
+    using SeenPlaces = std::unordered_map<std::uint64_t, std::uint32_t>;
+    bool is_closed_room(const Found& from, SeenPlaces& seen);
+    bool under_the_sky_at_the_start();
     // Where one steps to from a place, each way.
     struct Steps {
         std::array<std::uint32_t, 4> tile{}, place{};
