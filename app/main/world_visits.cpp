@@ -95,6 +95,7 @@ void WorldVisits::enter(EnteringWorld world, const std::filesystem::path& path, 
     }
     std::error_code ec;
     path_ = std::filesystem::absolute(path, ec);
+    watch_.begin(path_, asked_s);
     CommonArguments common = arguments_.common;
     if (!unit_said) common.unit_m.reset();
     const ReadOptions read = common.read_options(path);
@@ -149,7 +150,7 @@ void WorldVisits::change(double now_s) {
             begin_reading(last->world, arguments_.common);
         }
     }
-    if (!next_) return;
+    if (!next_) return watch_file(now_s);
     if (!next_->ready()) return next_->tell(now_s, [this](const std::string& words) { say_(words); });
     auto world = next_->take();
     next_.reset();
@@ -159,6 +160,15 @@ void WorldVisits::change(double now_s) {
                     now_s);
     enter(std::move(*world), next_path_, now_s);
     if (place) app_.apply(WentOnAt{*place}, now_s);
+}
+
+// What one is in stays as it was read, until the person wants it otherwise.
+void WorldVisits::watch_file(double now_s) {
+    const WorldWatch::News news = watch_.look(now_s);
+    if (news == WorldWatch::News::None) return;
+    say_(phrase(news == WorldWatch::News::Gone ? "program.world_gone" : "program.world_changed",
+                {{"file", path_.filename().string()}}),
+         now_s);
 }
 
 bool WorldVisits::give_up_reading(double now_s) {

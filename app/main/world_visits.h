@@ -16,6 +16,7 @@
 #include "app/main/crash_signal.h"
 #include "app/main/session_voice.h"
 #include "app/main/world_loading.h"
+#include "app/main/world_watch.h"
 
 namespace handrail {
 
@@ -53,6 +54,7 @@ public:
 private:
     bool of_learner() const { return !arguments_.common.data_in.empty(); }
     SideFile additions_to(const std::filesystem::path& path) const;
+    void watch_file(double now_s);
     void begin_reading(const std::filesystem::path& path, const CommonArguments& common);
 
     const ExploreArguments& arguments_;
@@ -67,6 +69,7 @@ private:
     bool unit_kept_ = false;               // that of the command line, beside its world
     std::filesystem::path path_;           // of the world that was entered, absolute
     std::optional<LastPlace> next_place_;  // where to go on in the world that is read
+    WorldWatch watch_;
     std::unique_ptr<WorldLoading> next_;
     std::filesystem::path next_path_;
 };

@@ -30,6 +30,10 @@ void Menu::open(double now_s) {
     };
     add(phrase("menu.what_i_can_do"), [this] { commands_.open(false, context_.tick_s); });
     add(phrase("menu.worlds"), [this] { worlds_.open(context_.tick_s); });
+    add(phrase("menu.read_again"), [this] {
+        context_.lists.dialogue.close_all();
+        context_.requests.read_again = true;
+    });
     add(phrase("language.menu"), [this] { languages_.open(context_.tick_s); });
     add(phrase("menu.settings"), [this] { open_setting_topics(context_, context_.tick_s); });
     add(phrase("menu.keys"), [this] { commands_.open(true, context_.tick_s); });

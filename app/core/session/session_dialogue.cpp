@@ -72,12 +72,13 @@ bool Session::take_line(std::string_view line, double now_s) {
     quiet(now_s);
     DialogueReply said = state_.lists.dialogue.line(line, now_s);
     const auto asked = [&]() -> std::optional<Command> {
+        if (is_quit_word(bare)) return Command::Leave;  // asked first: in a list it may be meant for the list
         if (const auto command = command_of_word(bare)) return command;
         const auto sentence = typed_sentence(bare);
         return sentence && sentence->choice.empty() ? std::optional(sentence->command) : std::nullopt;
     };
     if (const auto command = said.denied ? asked() : std::nullopt; command && !state_.lists.dialogue.typing()) {
-        if (only_asks(*command)) {
+        if (only_asks(*command) || *command == Command::Leave) {
             act(*command, now_s);
             return true;
         }

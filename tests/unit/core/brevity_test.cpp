@@ -249,5 +249,20 @@ TEST(Lists, answer_what_only_asks_and_refuse_other_commands_with_the_reason) {
     EXPECT_TRUE(s.app.dialogue().is_open());
 }
 
+TEST(Lists, are_left_with_the_program_by_quit_after_asking) {
+    for (const char* word : {"quit", "leave"}) {
+        SCOPED_TRACE(word);
+        AppSession s;
+        s.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
+        s.run(0.1);
+        s.ask(Command::Marks);
+        EXPECT_EQ(s.line(word), "Press Escape again to leave.");
+        EXPECT_TRUE(s.app.dialogue().is_open());
+        EXPECT_FALSE(s.app.requests().leave);
+        EXPECT_EQ(s.line(word), "Goodbye.");
+        EXPECT_TRUE(s.app.requests().leave);
+    }
+}
+
 }  // namespace brevity_test
 }  // namespace handrail

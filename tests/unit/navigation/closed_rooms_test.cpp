@@ -7,6 +7,7 @@
 
 #include "tests/support/box_scene.h"
 #include "tests/support/random_families.h"
+#include "worlds/navigation/navigation.h"
 #include "worlds/navigation/reach.h"
 #include "worlds/navigation/rooms.h"
 

@@ -1,0 +1,70 @@
+// A world's file that is changed or deleted while somebody is in it: said once, and read again when the person wants
+// it.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "tests/support/child_process.h"
+#include "tests/support/project_root.h"
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/times_in.h"
+
+namespace handrail::test {
+namespace changed_world_test {
+
+using testing::HasSubstr;
+
+void write_house(const std::filesystem::path& file, const std::string& name) {
+    std::ofstream(file) << "Building: " << name << ".\nHall, 6 by 5 metres. Door outside in the south wall.\n";
+}
+
+TEST(ChangedWorld, is_told_once_and_read_again_from_the_menu) {
+    const TemporaryFolder home;
+    const std::filesystem::path world = home.path() / "barn.rooms", told = home.path() / "told";
+    write_house(world, "Old barn");
+    Environment environment = bare_environment(home.path().string());
+    environment["XDG_CONFIG_HOME"] = (home.path() / "config").string();
+    const auto program = ChildProcess::start(
+        {built_program("handrail"), world.string(), "--device", "none", "--no-window", "--set", "speech.through=text"},
+        environment, told);
+    ASSERT_TRUE(program);
+    const auto says = [&](const std::string& words) {
+        return eventually([&] { return content_of(told).find(words) != std::string::npos; });
+    };
+    ASSERT_TRUE(says("Old barn,")) << content_of(told);
+    write_house(world, "New and larger barn");
+    EXPECT_TRUE(says("barn.rooms was changed meanwhile.")) << content_of(told);
+    program->type("where\n");
+    program->type("menu\nread this world again\n");
+    EXPECT_TRUE(says("New and larger barn,")) << content_of(told);
+    std::filesystem::remove(world);
+    EXPECT_TRUE(says("barn.rooms is no longer there.")) << content_of(told);
+    program->type("quit\n");
+    EXPECT_EQ(program->exit_status(), 0);
+    EXPECT_EQ(times_in(content_of(told), "was changed meanwhile"), 1U) << content_of(told);
+    EXPECT_EQ(times_in(content_of(told), "no longer there"), 1U);
+}
+
+// A key that nobody can press was taken without a word, and its command was dead; all faults of a file in one sentence
+// took a minute and a half.
+TEST(FaultySettings, are_told_by_the_first_with_a_count_and_the_rest_by_the_menu) {
+    const TemporaryFolder home;
+    std::filesystem::create_directories(home.path() / "handrail");
+    std::ofstream(home.path() / "handrail" / "settings.toml")
+        << "[keys]\nwhere = \"F99\"\nhome = \"Shift+\"\n[speech]\nrat = 3\n";
+    ProgramCall call;
+    call.program = built_program("handrail");
+    call.arguments = {bundled_world("house.map"), "--no-window", "--device", "none"};
+    call.environment["XDG_CONFIG_HOME"] = home.path().string();
+    call.input = "menu\nfaults in your settings\n2\nescape\nescape\nquit\n";
+    const ProgramRun run = run_program(call);
+    EXPECT_EQ(run.exit_status, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("3 faults in your settings. The menu lists them. The first: settings.toml, line 2"));
+    EXPECT_THAT(run.out, HasSubstr("F99 names no key for keys.where; the nearest is F9."));
+    EXPECT_THAT(run.out, HasSubstr("line 3")) << "in the list";
+}
+
+}  // namespace changed_world_test
+}  // namespace handrail::test
