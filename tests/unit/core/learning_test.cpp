@@ -380,6 +380,29 @@ TEST_P(Outlines, a_lap_by_keys_is_told_as_it_was_within_two_percent_at_every_par
     }
 }
 
+// A pocket that no body fits into has a wall of its own. Without it 95 percent of the walls are touched, which was told
+// as all of them.
+TEST(Learning, walls_that_nobody_touched_are_not_told_as_done) {
+    SceneBuilder b;
+    const auto wall = [&](const Vec3& from, const Vec3& to, const char* name) {
+        b.box(from, to, name, SolidRole::Solid, "plaster", FeatureKind::Wall);
+    };
+    b.box({-1, -1, -0.2}, {8, 6, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
+    wall({-0.2, 4, 0}, {6.8, 4.2, 2.6}, "north wall");
+    wall({-0.2, -0.2, 0}, {6.8, 0, 2.6}, "south wall");
+    wall({-0.2, 0, 0}, {0, 4, 2.6}, "west wall");
+    wall({6, 0, 0}, {6.3, 1.9, 2.6}, "east wall");
+    wall({6, 2.2, 0}, {6.3, 4, 2.6}, "east wall");
+    wall({6.3, 1.5, 0}, {6.8, 2.6, 2.6}, "back of the pocket");
+    b.start({3, 1, 0}, 0.0);
+    Lap lap(b.share());
+    lap.ask(Command::LearnPlace);
+    lap.walk(Command::TrailLeft, 60.0);
+    lap.walk(0.5);
+    EXPECT_TRUE(lap.told("All walls done but")) << testing::PrintToString(lap.said);
+    for (const std::string& line : lap.said) EXPECT_EQ(line.find("All walls done,"), std::string::npos) << line;
+}
+
 TEST(Learning, a_lap_past_a_door_finds_it) {
     const DoorRoom room(Vec3(0.0), 6.0, 4.0);
     Lap lap(room.scene);
