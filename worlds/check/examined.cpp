@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "worlds/geometry/clip.h"
+#include "worlds/scene/outer_ground.h"
 #include "worlds/scene/stated_building.h"
 
 namespace handrail {
@@ -154,7 +155,8 @@ std::string Examined::room_name(std::uint32_t room) const {
 
 bool Examined::is_thing(FeatureId id) const {
     const Feature* feature = scene.find(id);
-    return feature && feature->kind == FeatureKind::Object && !feature->bounds_m.empty() && !solids_of(id).empty();
+    return feature && feature->kind == FeatureKind::Object && !feature->bounds_m.empty() && !solids_of(id).empty() &&
+           !is_outer_ground(*feature);
 }
 
 }  // namespace handrail

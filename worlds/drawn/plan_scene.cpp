@@ -420,6 +420,8 @@ void PlanBuilder::write_report() {
     told(report.guessed, "plan.guessed_stairs",
          static_cast<int>(
              std::count_if(wells_.begin(), wells_.end(), [](const auto& well) { return well.has_value(); })));
+    if (widened_ > 0)
+        report.simplified.push_back(phrase("plan.widened", {{"n", widened_}, {"least", 100.0 * kLeastWay_m}}));
     told(report.simplified, "plan.moved_doors", moved_);
     told(report.simplified, "plan.revolving", revolving_);
     told(report.left_out, "plan.to_nowhere", to_nowhere_);

@@ -214,6 +214,7 @@ void PlanBuilder::add_doors(std::size_t level, const LevelWalls& walls) {
         portal.passable = gap.in_wall && gap.width_m >= kLeastWay_m;
         scene_.report.doors += portal.kind == StatedPortalKind::Door ? 1 : 0;
         guessed_widths_ += door.width_m ? 0 : 1;
+        widened_ += door.width_m && *door.width_m < kLeastWay_m ? 1 : 0;
         moved_ += gap.moved ? 1 : 0;
         narrow_ += gap.in_wall && gap.width_m < kLeastWay_m ? 1 : 0;
         const bool open_there = !gap.in_wall && portal.rooms.size() > 1;  // the spaces have no wall there

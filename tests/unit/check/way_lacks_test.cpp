@@ -3,12 +3,15 @@
 
 #include <gmock/gmock.h>
 
+#include <filesystem>
+#include <fstream>
 #include <random>
 
 #include "tests/support/box_scene.h"
 #include "tests/support/random_families.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
+#include "tests/support/temporary_folder.h"
 #include "worlds/check/faults.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/navigation/reach.h"
@@ -214,6 +217,20 @@ TEST(StairsInOneGo, say_why_nobody_walks_up_to_the_gallery_of_a_family_house) {
         EXPECT_LT(fault.at_m.z, 2.5);
     }
     EXPECT_EQ(told, 1);
+}
+
+// The ground round a building is made with it, and lies under its floors as it should.
+TEST(ThingFaults, find_none_in_the_ground_that_was_made_round_a_building) {
+    const test::TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "two.rooms";
+    std::ofstream(file) << "Hall, 5 by 4 metres.\n\nDen, 4 by 4 metres, east of Hall. Opening to Hall.\n";
+    const auto read = read_world(file);
+    ASSERT_TRUE(read);
+    const Result<WalkSpace> space = make_walk_space(*read, walk_body(*read, 0.25, 1.8, 0.25));
+    ASSERT_TRUE(space.has_value());
+    const RoomGraph graph = make_rooms(*read, *space);
+    for (const WorldFault& fault : find_faults(*read, &*space, &graph))
+        EXPECT_TRUE(fault.kind == FaultKind::NoLandmark) << fault_words(*read, fault);
 }
 
 }  // namespace way_lacks_test

@@ -54,6 +54,17 @@ TEST(RoomsInWords, rooms_are_laid_against_each_other_and_doors_where_they_are_sa
     EXPECT_TRUE(scene.starts[0].base);
 }
 
+TEST(RoomsInWords, a_door_that_is_made_wider_than_it_is_said_is_told) {
+    const auto simplified = [](const char* wide) {
+        return test::read_rooms(
+                   std::string("Hall, 5 by 4 metres.\n\nDen, 4 by 4 metres, east of Hall.\nOpening to Hall, ") + wide +
+                   " metres wide.\n")
+            .report.simplified;
+    };
+    EXPECT_THAT(simplified("0.4"), testing::Contains(HasSubstr("made 60 centimetres wide")));
+    EXPECT_THAT(simplified("0.7"), testing::Not(testing::Contains(HasSubstr("centimetres wide"))));
+}
+
 TEST(RoomsInWords, what_has_no_such_thing_beside_it_is_told_with_its_line) {
     const Scene scene = test::read_rooms(kLibrary);
     ASSERT_EQ(scene.report.warnings.size(), 1U);
