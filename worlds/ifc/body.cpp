@@ -9,6 +9,7 @@ namespace handrail {
 namespace {
 
 constexpr CutTolerance kTolerance{1e-6, 1e-5};
+constexpr double kLeast_m3 = 1e-9;  // smaller solids are left out
 
 Vec3 snapped(Vec3 normal) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -99,21 +100,31 @@ std::optional<ConvexSolid> prism(const Ring& outline, const Vec3& way_m, const F
             if (!is_finite(p)) return {};
             box.include(p);
         }
-    const Vec3 middle = box.centre_m();
+    // The middle of a box may lie outside a slanted form, so faces are turned outwards by the outline's direction.
+    const bool turned = (signed_area(outline) < 0.0) != (way_m.z < 0.0) != frame.mirrored();
     std::vector<Plane> planes;
+    std::vector<std::vector<Vec3>> sides;
     const auto add = [&](std::vector<Vec3> face) {
         Plane plane;
-        if (!plane_of(face, plane)) return;
-        if (signed_distance(plane, middle) > 0.0) plane = turned_round(plane);
-        planes.push_back(plane);
+        if (plane_of(face, plane)) planes.push_back(turned ? turned_round(plane) : plane);
+        sides.push_back(std::move(face));
     };
-    add(low);
+    add({low.rbegin(), low.rend()});
     add(high);
     for (std::size_t i = 0; i < low.size(); ++i) {
         const std::size_t j = (i + 1) % low.size();
         add({low[i], low[j], high[j], high[i]});
     }
-    return solid_within(std::move(planes), middle, glm::length(box.size_m()));
+    std::optional<ConvexSolid> built = solid_within(planes, box.centre_m(), glm::length(box.size_m()));
+    const double holds_m3 = std::abs(glm::dot(area_vector_m2(low), frame.turned(way_m)));
+    if (built || planes.size() != sides.size() || !(holds_m3 > kLeast_m3)) return built;
+    // A sliver too narrow to be found from its planes: the given corners.
+    ConvexSolid exact{std::move(planes), {}, box};
+    for (std::vector<Vec3>& side : sides) {
+        if (turned) std::reverse(side.begin(), side.end());
+        exact.faces.push_back({std::move(side)});
+    }
+    return exact;
 }
 
 std::optional<ConvexSolid> box_solid(const Vec3& least_m, const Vec3& most_m, const Frame& frame) {

@@ -5,6 +5,7 @@
 
 #include "tests/unit/ifc/ifc_text.h"
 #include "worlds/geometry/clip.h"
+#include "worlds/geometry/mass_properties.h"
 #include "worlds/ifc/body.h"
 #include "worlds/ifc/ifc_curves.h"
 
@@ -66,6 +67,53 @@ TEST(ConvexParts, leave_a_convex_outline_whole_and_cut_an_l_in_two) {
     EXPECT_EQ(convex_parts({{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}}).size(), 2U);
     EXPECT_EQ(convex_parts({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {3, 1}, {3, 3}, {1, 3}}}).size(), 4U);
     EXPECT_TRUE(convex_parts({{{0, 0}, {1, 0}, {2, 0}}}).empty());
+}
+
+// Corners at rising angles round a middle, near and far in turn: triangles, slivers and concave outlines.
+Ring outline_around(std::mt19937& random, const Vec2& middle, double least_m, double most_m, std::size_t fewest) {
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    std::vector<double> angles(fewest + random() % 10);
+    for (std::size_t i = 0; i < angles.size(); ++i)
+        angles[i] = 2.0 * kPi * (static_cast<double>(i) + 0.9 * share(random)) / static_cast<double>(angles.size());
+    Ring ring;
+    for (const double angle : angles)
+        ring.push_back(middle +
+                       Vec2(std::cos(angle), std::sin(angle)) * (least_m + (most_m - least_m) * share(random)));
+    return ring;
+}
+Ring sliver(std::mt19937& random) {
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    const double length_m = 0.5 + 20.0 * share(random), width_m = std::pow(10.0, -3.0 * share(random));
+    const double angle = 2.0 * kPi * share(random), at = share(random);
+    const Vec2 along{std::cos(angle), std::sin(angle)}, out{-along.y, along.x};
+    return {{0.0, 0.0}, along * length_m, along * (length_m * at) + out * width_m};
+}
+
+TEST(Prism, keeps_the_area_of_any_outline) {
+    std::mt19937 random(20261129);
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    for (int round = 0; round < 2000; ++round) {
+        SCOPED_TRACE(round);
+        std::vector<Ring> rings;
+        if (round % 4 == 0) rings.push_back(sliver(random));
+        else rings.push_back(outline_around(random, {share(random), share(random)}, 2.5, 15.0, round % 4 == 3 ? 6 : 3));
+        if (round % 4 == 3) rings.push_back(outline_around(random, {0.5, 0.5}, 0.05, 0.4, 3));  // a hole
+        if (round % 3 == 0) std::reverse(rings.front().begin(), rings.front().end());
+        double right_m2 = std::abs(signed_area(rings.front()));
+        if (rings.size() > 1) right_m2 -= std::abs(signed_area(rings.back()));
+        Frame frame;
+        const double angle = round % 5 == 0 ? 0.0 : 2.0 * kPi * share(random);
+        frame.x = {std::cos(angle), std::sin(angle), 0.0};
+        frame.y = {-std::sin(angle), std::cos(angle), 0.0};
+        if (round % 7 == 0) frame.y = -frame.y;  // a mirror image
+        const double high_m = round % 2 ? 0.25 : -3.0;
+        double held_m3 = 0.0;
+        for (const Ring& part : convex_parts(rings)) {
+            const std::optional<ConvexSolid> solid = prism(part, {0.0, 0.0, high_m}, frame);
+            if (solid) held_m3 += mass_properties(*solid).volume_m3;
+        }
+        EXPECT_NEAR(held_m3 / std::abs(high_m), right_m2, 1e-9 * std::max(right_m2, 1.0));
+    }
 }
 
 TEST(CutAway, takes_what_both_hold_and_nothing_else) {
