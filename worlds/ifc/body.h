@@ -40,6 +40,9 @@ std::optional<ConvexSolid> solid_within(std::vector<Plane> planes, const Vec3& n
 // Shells: each connected piece becomes one convex solid or a prism cut into convex ones where it is such, else sheets.
 Body body_of_faces(const std::vector<FlatFace>& faces);
 
+// Sheets that together enclose a volume become convex solids. Open or too complex ones stay sheets.
+void fill(Body& body);
+
 // Bit for bit the same forms in the same order; a number that is the same for those that are.
 bool same_body(const Body& a, const Body& b);
 std::uint64_t number_of(const Body& body);

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "worlds/geometry/clip.h"
+#include "worlds/geometry/closed_mesh.h"
 #include "worlds/geometry/exposed_surface.h"
 #include "worlds/ifc/body.h"
 
@@ -191,7 +192,49 @@ private:
     double all_m2_ = 0.0;
 };
 
+// Triangles of sheets, as closed_mesh.h takes them.
+struct Skin {
+    std::vector<Vec3> points_m;
+    std::vector<MeshCorners> triangles;
+    Vec3 open_m2{0.0};  // the sum of their area vectors; zero for a closed skin
+    double area_m2 = 0.0, six_volumes_m3 = 0.0;
+};
+
+Skin skin_of(const std::vector<Polygon>& sheets) {
+    Skin skin;
+    for (const Polygon& sheet : sheets) {
+        const auto first = static_cast<std::uint32_t>(skin.points_m.size());
+        skin.points_m.insert(skin.points_m.end(), sheet.points_m.begin(), sheet.points_m.end());
+        for (std::uint32_t k = 1; k + 1 < sheet.points_m.size(); ++k)
+            skin.triangles.push_back({first, first + k, first + k + 1});
+        const Vec3 area = area_vector_m2(sheet.points_m);
+        skin.open_m2 += area;
+        skin.area_m2 += glm::length(area);
+        skin.six_volumes_m3 += 2.0 * glm::dot(area, sheet.points_m[0] - skin.points_m[0]);
+    }
+    return skin;
+}
+
 }  // namespace
+
+void fill(Body& body) {
+    constexpr double kClosedShare = 1e-4;
+    if (body.sheets.size() < 4) return;
+    Skin skin = skin_of(body.sheets);
+    if (glm::length(skin.open_m2) > kClosedShare * skin.area_m2) return;
+    if (skin.six_volumes_m3 < 0.0)  // seen from inside
+        for (MeshCorners& corners : skin.triangles) std::swap(corners[1], corners[2]);
+    std::vector<std::uint32_t> all(skin.triangles.size());
+    for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
+    FillLimits limits;
+    std::size_t looks = 2'000'000;
+    limits.most_triangles = 5'000;
+    limits.looks_left = &looks;
+    std::optional<std::vector<ConvexSolid>> solids = solids_within(skin.points_m, skin.triangles, all, limits);
+    if (!solids || solids->empty()) return;
+    body.sheets.clear();
+    for (ConvexSolid& solid : *solids) body.solids.push_back(std::move(solid));
+}
 
 Body body_of_faces(const std::vector<FlatFace>& flat) {
     std::vector<Face> faces;

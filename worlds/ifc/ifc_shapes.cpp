@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "worlds/ifc/ifc_curves.h"
 
@@ -26,6 +27,8 @@ Ring regular(double radius_m, int corners) {
         ring.emplace_back(radius_m * std::cos(2.0 * kPi * i / corners), radius_m * std::sin(2.0 * kPi * i / corners));
     return ring;
 }
+
+bool is_boolean(std::string_view kind) { return kind == "IFCBOOLEANRESULT" || kind == "IFCBOOLEANCLIPPINGRESULT"; }
 
 Frame across(const Vec3& from, const Vec3& to) {
     Frame frame;
@@ -68,15 +71,19 @@ Body IfcShapes::representation(std::uint64_t id, int depth) {
 }
 
 Body IfcShapes::item(std::uint64_t id, int depth) {
-    if (depth > kDeepest || spent()) return {};
+    if (spent()) return {};
     ++items_;
     const std::string_view kind = model_.name(id);
+    if (depth > kDeepest) {
+        ++not_read_[std::string(kind)];
+        return {};
+    }
     const Values values = model_.values(id);
     if (kind == "IFCMAPPEDITEM") return mapped(values, depth);
     if (kind == "IFCEXTRUDEDAREASOLID" || kind == "IFCEXTRUDEDAREASOLIDTAPERED") return extruded(kind, values);
     if (kind == "IFCREVOLVEDAREASOLID") return revolved(values);
     if (kind == "IFCSWEPTDISKSOLID" || kind == "IFCSWEPTDISKSOLIDPOLYGONAL") return swept_disk(values);
-    if (kind == "IFCBOOLEANRESULT" || kind == "IFCBOOLEANCLIPPINGRESULT") return boolean(values, depth);
+    if (is_boolean(kind)) return boolean(id, depth);
     if (kind == "IFCCSGSOLID") return item(reference_at(values, 0), depth + 1);
     if (kind == "IFCFACETEDBREP" || kind == "IFCMANIFOLDSOLIDBREP" || kind == "IFCADVANCEDBREP")
         return shells({reference_at(values, 0)});
@@ -222,25 +229,46 @@ IfcShapes::Cutter IfcShapes::cutter(std::uint64_t id, int depth) {
         return half_space(kind, model_.values(id));
     }
     Cutter cutter;
-    const Body body = item(id, depth + 1);
+    Body body = item(id, depth + 1);
+    fill(body);
     cutter.known = !body.solids.empty() && body.sheets.empty();
     for (const ConvexSolid& solid : body.solids) cutter.parts.push_back(solid.planes);
     return cutter;
 }
 
-Body IfcShapes::boolean(const Values& values, int depth) {
-    const std::string_view operation = word_at(values, 0);
-    Body first = item(reference_at(values, 1), depth + 1);
-    if (operation == "UNION") {
-        first.add(item(reference_at(values, 2), depth + 1));
-        return first;
+// A wall with many openings is a long chain of first operands, so the chain is walked without recursion.
+Body IfcShapes::boolean(std::uint64_t id, int depth) {
+    std::vector<std::uint64_t> chain;
+    std::set<std::uint64_t> seen;
+    std::uint64_t at = id;
+    for (; is_boolean(model_.name(at)); at = reference_at(model_.values(at), 1)) {
+        if (!seen.insert(at).second) {
+            ++not_read_[std::string(model_.name(at))];
+            return {};
+        }
+        chain.push_back(at);
     }
+    Body body = item(at, depth + 1);
+    for (auto result = chain.rbegin(); result != chain.rend() && !spent(); ++result) {
+        ++items_;
+        combine(body, model_.values(*result), depth);
+    }
+    return body;
+}
+
+void IfcShapes::combine(Body& first, const Values& values, int depth) {
+    const std::string_view operation = word_at(values, 0);
+    if (operation == "UNION") return first.add(item(reference_at(values, 2), depth + 1));
     const Cutter second = cutter(reference_at(values, 2), depth + 1);
-    if (!second.known) ++approximated_;
+    if (!second.known) {  // the uncut body stands
+        ++approximated_;
+        return;
+    }
+    fill(first);
     if (operation == "DIFFERENCE") {
         for (const std::vector<Plane>& part : second.parts)
             if (!spent()) cut_away(first, part);
-        return first;
+        return;
     }
     Body common;
     for (const std::vector<Plane>& part : second.parts) {
@@ -248,7 +276,7 @@ Body IfcShapes::boolean(const Values& values, int depth) {
         keep_within(within, part);
         common.add(std::move(within));
     }
-    return common;
+    first = std::move(common);
 }
 
 }  // namespace handrail

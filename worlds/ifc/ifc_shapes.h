@@ -13,7 +13,8 @@ namespace handrail {
 
 class IfcShapes {
 public:
-    static constexpr int kDeepest = 24;                 // mapped items and boolean trees within each other
+    // Mapped items and second operands within each other. First operands may be nested without end.
+    static constexpr int kDeepest = 200;
     static constexpr std::size_t kMostItems = 400'000;  // items looked at in all
     static constexpr std::size_t kMostFaces = 3'000'000;
 
@@ -36,7 +37,8 @@ private:
     Body extruded(std::string_view kind, const Values& values);
     Body revolved(const Values& values);
     Body swept_disk(const Values& values);
-    Body boolean(const Values& values, int depth);
+    Body boolean(std::uint64_t id, int depth);
+    void combine(Body& body, const Values& values, int depth);
     Body primitive(std::string_view kind, const Values& values);
     Cutter cutter(std::uint64_t id, int depth);
     Cutter half_space(std::string_view kind, const Values& values);
