@@ -103,6 +103,8 @@ Json honesty_json(const Scene& scene) {
               {"stairs", report.stairs},
               {"ramps", report.ramps},
               {"lifts", report.lifts},
+              {"escalators", report.escalators},
+              {"moving_walkways", report.walkways},
               {"furnishings", report.furnishings},
               {"landmarks", report.landmarks}}},
             {"guessed", report.guessed},

@@ -19,8 +19,9 @@ std::string without_path(std::string name) {
     return name;
 }
 
-constexpr double kFarAway_m = 10'000.0;  // numbers further from zero are an origin elsewhere
-constexpr double kThrough_m = 1.0;       // how far an opening is lengthened through its wall
+constexpr double kFarAway_m = 10'000.0;                          // numbers further from zero are an origin elsewhere
+constexpr double kThrough_m = 1.0;                               // how far an opening is lengthened through its wall
+constexpr double kNarrowestLeaf_m = 0.4, kThickestLeaf_m = 0.6;  // else it is drawn open, or no leaf
 
 bool is_part(PartRole role) { return role != PartRole::Opening && role != PartRole::Space && role != PartRole::Storey; }
 
@@ -81,9 +82,10 @@ public:
             if (progress_ && (i & 0xff) == 0)
                 progress_(0.9 + 0.1 * static_cast<double>(i) / static_cast<double>(building_.parts.size()));
         }
+        for (auto& [i, gap] : building_.gaps)
+            if (!gap.cut && building_.parts[i].role == PartRole::Door && !stop_.stop_requested()) cut_leaf(i, gap);
         if (progress_) progress_(1.0);
         building_.skipped = relations_.skipped;
-        for (const auto& [name, count] : lone_panels_) building_.skipped[name] += count;
         building_.not_read = shapes_.not_read();
         building_.approximated = shapes_.approximated();
         building_.odd_placements = model_.odd_placements();
@@ -114,17 +116,22 @@ private:
             for (const StepInstance& instance : model_.file().instances())
                 if (instance.name == wanted)
                     consider(model_.placement(reference_at(model_.values(instance.id), 5)).origin_m);
-        for (const StepInstance& instance : model_.file().instances()) {
-            if (role_of(instance.name) != PartRole::Wall && role_of(instance.name) != PartRole::Slab) continue;
-            const Frame frame = model_.placement(reference_at(model_.values(instance.id), 5));
-            if (const Aabb box = shapes_.body_of(reference_at(model_.values(instance.id), 6)).bounds_m();
-                !box.empty()) {
+        const auto consider_first = [&](bool structure) {
+            for (const StepInstance& instance : model_.file().instances()) {
+                const std::optional<PartRole> role = role_of(instance.name);
+                if (!role || !is_part(*role)) continue;
+                if (structure && *role != PartRole::Wall && *role != PartRole::Slab) continue;
+                const Frame frame = model_.placement(reference_at(model_.values(instance.id), 5));
+                const Aabb box = shapes_.body_of(reference_at(model_.values(instance.id), 6)).bounds_m();
+                if (box.empty()) continue;
                 if (const Vec3 at = frame.at(box.centre_m());
                     glm::length(at - building_.origin_m) > kFarAway_m && is_finite(at))
                     building_.origin_m = at;
-                break;
+                return true;
             }
-        }
+            return false;
+        };
+        if (!consider_first(true)) consider_first(false);
     }
 
     void read_names() {
@@ -156,6 +163,7 @@ private:
             part.line = instance.line;
             part.guid = text_at(v, 0);
             part.name = text_at(v, 2);
+            if (part.role == PartRole::Lift) part.role = kind_of_transport(part, v);
             part.frame = frame_of(instance.id);
             part.body = body_of(instance.id, part.frame);
             part.same_as = building_.parts.size();
@@ -203,6 +211,15 @@ private:
         alike.push_back(building_.parts.size());
     }
 
+    // IFC has one class for all that carries people, and a word for the kind.
+    PartRole kind_of_transport(const IfcPart& part, const Values& v) const {
+        for (const std::string& word : kind_words(part, v)) {
+            if (word == "ESCALATOR") return PartRole::Escalator;
+            if (word == "MOVINGWALKWAY") return PartRole::Walkway;
+        }
+        return PartRole::Lift;
+    }
+
     // Furniture that has a place and a kind but no form gets that of its kind, its front to the placement's y.
     void take_prefab(IfcPart& part, const Values& v) {
         if (part.role != PartRole::Furniture && part.role != PartRole::Fixture && part.role != PartRole::Lift) return;
@@ -243,27 +260,20 @@ private:
         return std::string(word_at(of_type, model_.name(type->second) == "IFCDOORSTYLE" ? 8 : 10));
     }
 
-    // Flights, landings and stringers are the stairs; panels of a curtain wall are wall; a panel of nothing is no
-    // building.
+    // Flights, landings and stringers are the stairs.
     void join_to_whole(std::size_t i) {
         IfcPart& part = building_.parts[i];
         std::uint64_t at = part.id;
-        bool within = false;
         for (int depth = 0; depth < 8; ++depth) {
             const auto whole = relations_.whole_of.find(at);
             if (whole == relations_.whole_of.end()) break;
             at = whole->second;
             const auto found = place_.find(at);
             if (found == place_.end()) break;
-            within = true;
             const PartRole role = building_.parts[found->second].role;
             if ((role == PartRole::Stairs || role == PartRole::Ramp) && part.role != PartRole::Railing)
                 part.whole = found->second;
         }
-        if (part.role != PartRole::Panel) return;
-        if (within) return;
-        ++lone_panels_[std::string(model_.name(part.id))];
-        part.body = {};
     }
 
     void cut_openings(const IfcPart& voided) {
@@ -274,38 +284,67 @@ private:
             if (stop_.stop_requested()) return;
             const bool building = blocks(host.role);  // not the niche of a cabinet
             building_.openings += building ? 1 : 0;
-            const Body shape = body_of(opening, frame_of(opening));
-            const bool filled = relations_.filled_by.contains(opening);
-            bool cut = host.body.empty() && !shape.empty() && cut_pieces(host, opening, shape, filled);
-            for (const ConvexSolid& solid : solids_around(shape))
-                cut = cut_through(host.body, solid, frame_of(opening), filled, host.role) || cut;
+            Body shape = body_of(opening, frame_of(opening));
+            fill(shape);
+            const std::vector<ConvexSolid> solids = solids_around(shape, frame_of(opening));
+            const bool passage = is_passage(opening);
+            bool cut = host.body.empty() && cut_pieces(host, opening, solids, passage);
+            for (const ConvexSolid& solid : solids)
+                cut = cut_through(host.body, solid, frame_of(opening), passage, host.role) || cut;
             building_.openings_cut += cut && building ? 1 : 0;
             if (!cut && building) building_.openings_uncut.push_back(static_cast<std::size_t>(model_.line(opening)));
         }
     }
     // The host has no body of its own, its parts have.
-    bool cut_pieces(const IfcPart& host, std::uint64_t opening, const Body& shape, bool filled) {
+    bool cut_pieces(const IfcPart& host, std::uint64_t opening, const std::vector<ConvexSolid>& solids, bool passage) {
         bool cut = false;
         const auto pieces = pieces_of_.find(host.id);
         if (pieces == pieces_of_.end()) return false;
         for (const std::size_t i : pieces->second) {
             IfcPart& piece = building_.parts[i];
             if (piece.body.empty()) continue;
-            for (const ConvexSolid& solid : solids_around(shape))
-                cut = cut_through(piece.body, solid, frame_of(opening), filled, piece.role) || cut;
+            for (const ConvexSolid& solid : solids)
+                cut = cut_through(piece.body, solid, frame_of(opening), passage, piece.role) || cut;
         }
         return cut;
     }
 
-    // An opening without an inside is taken as the box of its corners.
-    static std::vector<ConvexSolid> solids_around(const Body& shape) {
+    // Filled by a door or window. A cupboard or a radiator in a niche leaves the wall behind it.
+    bool is_passage(std::uint64_t opening) const {
+        const auto filling = relations_.filled_by.find(opening);
+        if (filling == relations_.filled_by.end()) return false;
+        const std::optional<PartRole> role = role_of(model_.name(filling->second));
+        return role == PartRole::Door || role == PartRole::Window;
+    }
+
+    // An opening without an inside is taken as the box of its corners, in the axes of its placement.
+    static std::vector<ConvexSolid> solids_around(const Body& shape, const Frame& opening) {
         if (!shape.solids.empty() || shape.sheets.empty()) return shape.solids;
-        const Aabb box = shape.bounds_m();
-        if (std::optional<ConvexSolid> solid = box_solid(box.min_m, box.max_m, {})) return {*solid};
+        const Frame axes = upright(opening);
+        Vec3 least, most;
+        for (int axis = 0; axis < 3; ++axis) {
+            const Vec3 way = axis == 0 ? axes.x : axis == 1 ? axes.y : axes.z;
+            const Reach reach = *reach_along(shape, way);
+            least[axis] = reach.least - glm::dot(axes.origin_m, way);
+            most[axis] = reach.most - glm::dot(axes.origin_m, way);
+        }
+        if (std::optional<ConvexSolid> solid = box_solid(least, most, axes)) return {*solid};
         return {};
     }
 
-    static bool cut_through(Body& body, const ConvexSolid& solid, const Frame& opening, bool filled, PartRole role) {
+    // Whether a solid reaches from one face of a body to the other, where it meets it.
+    static bool reaches_both_faces(const Body& body, const ConvexSolid& solid, const Vec3& way) {
+        constexpr double kNearFace_m = 0.03;
+        std::vector<Plane> beside = solid.planes;
+        std::erase_if(beside, [&](const Plane& plane) { return std::abs(glm::dot(plane.normal, way)) > 0.9; });
+        Body within = body;
+        keep_within(within, beside);
+        const std::optional<Reach> host = reach_along(within, way);
+        const Reach own = reach_along(solid, way);
+        return host && own.least < host->least + kNearFace_m && own.most > host->most - kNearFace_m;
+    }
+
+    static bool cut_through(Body& body, const ConvexSolid& solid, const Frame& opening, bool passage, PartRole role) {
         const bool flat = role == PartRole::Slab || role == PartRole::Roof;
         const Frame axes = upright(opening);
         // Through a wall: the level direction in which the opening is thinner than the host is long.
@@ -315,7 +354,7 @@ private:
                 x && y && x->most - x->least < y->most - y->least)
                 way = axes.x;
         std::vector<Plane> planes = solid.planes;
-        const double longer_m = filled ? kThrough_m : 2e-3;
+        const double longer_m = passage && reaches_both_faces(body, solid, way) ? kThrough_m : 2e-3;
         for (Plane& plane : planes)
             if (std::abs(glm::dot(plane.normal, way)) > 0.9) plane.offset_m += longer_m;
         const bool hollow = body.solids.empty();
@@ -380,6 +419,37 @@ private:
             building_.gaps.emplace(i, gap);
     }
 
+    // A door that no opening belongs to is cut as its leaf's outline through the walls that it stands in, or hangs
+    // close before.
+    void cut_leaf(std::size_t i, WallGap& gap) {
+        constexpr double kNear_m = 0.1, kWithin_m = 1.0, kThickest_m = 1.5;
+        Vec3 least = gap.least_m, most = gap.most_m;
+        if (most.x - least.x < kNarrowestLeaf_m || most.y - least.y > kThickestLeaf_m) return;
+        const auto box = [&](double out_m) {
+            return box_solid({least.x, least.y - out_m, least.z}, {most.x, most.y + out_m, most.z}, gap.axes);
+        };
+        const std::optional<ConvexSolid> leaf = box(kNear_m), column = box(kWithin_m);
+        if (!leaf || !column) return;
+        std::vector<std::uint32_t> near;
+        building_.by_place->find(leaf->bounds_m, near);
+        const double at = glm::dot(gap.axes.origin_m, gap.axes.y);
+        for (const std::uint32_t p : near) {
+            IfcPart& part = building_.parts[p];
+            const bool wall = part.role == PartRole::Wall || part.role == PartRole::Panel ||
+                              part.role == PartRole::Structure || part.role == PartRole::Other;
+            if (!wall || !overlap(part.box, leaf->bounds_m) || !meets(part.body, *leaf)) continue;
+            Body within = part.body;
+            keep_within(within, column->planes);
+            const std::optional<Reach> reach = reach_along(within, gap.axes.y);
+            if (!reach || reach->most - reach->least > kThickest_m) continue;
+            gap.least_m.y = std::min(gap.least_m.y, reach->least - at);
+            gap.most_m.y = std::max(gap.most_m.y, reach->most - at);
+            const std::optional<ConvexSolid> hole = box_solid({least.x, reach->least - at - kFlush_m, least.z},
+                                                              {most.x, reach->most - at + kFlush_m, most.z}, gap.axes);
+            if (hole && cut_away(part.body, hole->planes)) building_.cut_as_leaf[i].push_back(part.name);
+        }
+    }
+
     IfcModel& model_;
     const IfcRelations& relations_;
     const std::function<void(double)>& progress_;
@@ -389,16 +459,15 @@ private:
     std::unordered_map<std::uint64_t, std::size_t> place_;  // of parts, by their instances
     std::unordered_map<std::uint64_t, std::vector<std::size_t>> pieces_of_;
     std::unordered_map<std::uint64_t, std::vector<std::size_t>> by_body_;  // the first of each, by numbers
-    std::map<std::string, int, std::less<>> lone_panels_;
 };
 
 // What of a gap a body takes that goes through: 0.5 m wide and up to 1.8 m tall, above a threshold.
-std::optional<ConvexSolid> way_through(const WallGap& gap) {
-    constexpr double kWide_m = 0.5, kTall_m = 1.8, kThreshold_m = 0.2, kBeyond_m = 0.1;
+std::optional<ConvexSolid> way_through(const WallGap& gap, double beyond_m = 0.1) {
+    constexpr double kWide_m = 0.5, kTall_m = 1.8, kThreshold_m = 0.2;
     const double middle = 0.5 * (gap.least_m.x + gap.most_m.x),
                  half = 0.5 * std::min(kWide_m, gap.most_m.x - gap.least_m.x - 0.02);
-    const Vec3 least{middle - half, gap.least_m.y - kBeyond_m, gap.least_m.z + kThreshold_m};
-    const Vec3 most{middle + half, gap.most_m.y + kBeyond_m, std::min(gap.least_m.z + kTall_m, gap.most_m.z - 0.02)};
+    const Vec3 least{middle - half, gap.least_m.y - beyond_m, gap.least_m.z + kThreshold_m};
+    const Vec3 most{middle + half, gap.most_m.y + beyond_m, std::min(gap.least_m.z + kTall_m, gap.most_m.z - 0.02)};
     return box_solid(least, most, gap.axes);
 }
 
@@ -411,10 +480,14 @@ IfcBuilding read_building(IfcModel& model, const IfcRelations& relations, const 
 
 namespace {
 
-// The parts that may stand in a body's way, in file order.
-std::vector<std::uint32_t> parts_near(const IfcBuilding& building, const ConvexSolid& body) {
+// The parts that stand in a body's way, in file order.
+std::vector<std::uint32_t> blocking(const IfcBuilding& building, const ConvexSolid& body) {
     std::vector<std::uint32_t> near;
     building.by_place->find(body.bounds_m, near);
+    std::erase_if(near, [&](std::uint32_t i) {
+        const IfcPart& part = building.parts[i];
+        return !blocks(part.role) || !overlap(part.box, body.bounds_m) || !meets(part.body, body);
+    });
     return near;
 }
 
@@ -422,21 +495,23 @@ std::vector<std::uint32_t> parts_near(const IfcBuilding& building, const ConvexS
 
 bool can_pass(const IfcBuilding& building, const WallGap& gap) {
     const std::optional<ConvexSolid> body = way_through(gap);
-    if (!body) return false;
-    const std::vector<std::uint32_t> near = parts_near(building, *body);
-    return std::none_of(near.begin(), near.end(), [&](std::uint32_t i) {
-        const IfcPart& part = building.parts[i];
-        return blocks(part.role) && overlap(part.box, body->bounds_m) && meets(part.body, *body);
-    });
+    return body && blocking(building, *body).empty();
+}
+
+std::vector<std::string> in_the_way(const IfcBuilding& building, const WallGap& gap) {
+    constexpr double kPerson_m = 0.5;
+    std::vector<std::string> names;
+    if (const std::optional<ConvexSolid> body = way_through(gap, kPerson_m))
+        for (const std::uint32_t i : blocking(building, *body)) names.push_back(building.parts[i].name);
+    return names;
 }
 
 std::vector<std::string> free_the_way(IfcBuilding& building, const WallGap& gap) {
     std::vector<std::string> cut;
     const std::optional<ConvexSolid> body = way_through(gap);
     if (!body) return cut;
-    for (const std::uint32_t i : parts_near(building, *body)) {
+    for (const std::uint32_t i : blocking(building, *body)) {
         IfcPart& part = building.parts[i];
-        if (!blocks(part.role) || !overlap(part.box, body->bounds_m) || !meets(part.body, *body)) continue;
         cut_away(part.body, body->planes);
         cut.push_back(part.name);
     }

@@ -49,6 +49,8 @@ struct IfcBuilding {
     std::unordered_map<std::uint64_t, std::uint32_t> room_of_id;  // their places in `rooms`
     std::shared_ptr<const BoxIndex> by_place;                     // of `parts`, by their boxes
     std::map<std::size_t, WallGap> gaps;                          // of doors and windows, by their place in `parts`
+    // Names of the walls that a door without an opening was cut through, by its place in `parts`.
+    std::map<std::size_t, std::vector<std::string>> cut_as_leaf;
     int openings = 0, openings_cut = 0;
     std::vector<std::size_t> openings_uncut;  // lines
     std::map<std::string, int, std::less<>> skipped, not_read;
@@ -65,5 +67,7 @@ IfcBuilding read_building(IfcModel& model, const IfcRelations& relations, const 
 std::vector<std::string> free_the_way(IfcBuilding& building, const WallGap& gap);
 // A body of 0.5 m passes through.
 bool can_pass(const IfcBuilding& building, const WallGap& gap);
+// Names of what keeps a person of 0.5 m from standing before the gap, passing, and standing behind it.
+std::vector<std::string> in_the_way(const IfcBuilding& building, const WallGap& gap);
 
 }  // namespace handrail

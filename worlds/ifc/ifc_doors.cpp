@@ -1,5 +1,6 @@
 // Leaves, panes, who joins whom, the ground outside and where one starts: the ways of an IFC building.
 #include <algorithm>
+#include <array>
 
 #include "worlds/base/language.h"
 #include "worlds/geometry/clip.h"
@@ -18,7 +19,21 @@ constexpr double kCeiling_m = 1.0;  // between the rooms of two storeys, at most
 constexpr double kBeforeDoor_m = 1.5;
 constexpr std::size_t kMostCellars = 2'000;  // rooms that the ground is cut away over
 
+// What one walks or rides along, and how it joins rooms.
+constexpr std::array<std::pair<PartRole, StatedPortalKind>, 5> kFlights{
+    {{PartRole::Stairs, StatedPortalKind::Stairs},
+     {PartRole::Ramp, StatedPortalKind::Ramp},
+     {PartRole::Lift, StatedPortalKind::Lift},
+     {PartRole::Escalator, StatedPortalKind::Stairs},
+     {PartRole::Walkway, StatedPortalKind::Ramp}}};
+
 double middle(double a, double b) { return 0.5 * (a + b); }
+
+std::string joined(const std::vector<std::string>& names) {
+    std::string all;
+    for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+    return all;
+}
 
 // Of an outline seen from above.
 struct Edge {
@@ -186,11 +201,16 @@ StatedPortal IfcScene::portal_of(std::size_t i, const WallGap& gap) {
     if (!stated.empty() && portal.rooms != beside) ++differing_;
     if (const auto freed = freed_.find(i); freed != freed_.end()) {
         portal.opened_by_box = true;
-        std::string names;
-        for (const std::string& name : freed->second) names += (names.empty() ? "" : ", ") + name;
-        warn(part.line, phrase("ifc.door_blocked", {{"door", part.name}, {"names", names}}), phrase("ifc.then_opened"));
+        warn(part.line, phrase("ifc.door_blocked", {{"door", part.name}, {"names", joined(freed->second)}}),
+             phrase("ifc.then_opened"));
     }
-    portal.passable = !impassable_.contains(i);  // the parts have given their bodies away by now
+    if (const auto shut = impassable_.find(i); shut != impassable_.end()) {
+        portal.passable = false;  // the parts have given their bodies away by now
+        warn(part.line,
+             shut->second.empty() ? phrase("ifc.door_small", {{"door", part.name}})
+                                  : phrase("ifc.door_shut", {{"door", part.name}, {"names", joined(shut->second)}}),
+             phrase("ifc.then_left_as_is"));
+    }
     return portal;
 }
 
@@ -198,13 +218,13 @@ StatedPortal IfcScene::portal_of(std::size_t i, const WallGap& gap) {
 void IfcScene::join_flights() {
     for (const auto& [i, feature] : thing_) {
         const IfcPart& part = building_.parts[i];
-        if (part.role != PartRole::Stairs && part.role != PartRole::Ramp && part.role != PartRole::Lift) continue;
+        const auto moves = std::find_if(kFlights.begin(), kFlights.end(),
+                                        [&](const auto& flight) { return flight.first == part.role; });
+        if (moves == kFlights.end()) continue;
         const Aabb box = scene_.features[feature.value].bounds_m;
         if (box.empty()) continue;
         StatedPortal portal;
-        portal.kind = part.role == PartRole::Stairs ? StatedPortalKind::Stairs
-                      : part.role == PartRole::Ramp ? StatedPortalKind::Ramp
-                                                    : StatedPortalKind::Lift;
+        portal.kind = moves->second;
         portal.name = part.name;
         portal.guid = part.guid;
         portal.feature = feature;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "worlds/base/text.h"
+#include "worlds/ifc/ifc_curves.h"
 
 namespace handrail {
 
@@ -81,6 +82,54 @@ Vec3 IfcModel::direction(std::uint64_t id, const Vec3& otherwise) const {
 
 namespace {
 
+double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
+
+// The corners of a grid's axis, moved to its left by that distance.
+std::vector<Vec2> grid_axis(const IfcModel& model, std::uint64_t axis, double left_m) {
+    const Values values = model.values(axis);
+    const std::uint64_t curve = reference_at(values, 1);
+    std::vector<Vec2> line;
+    if (model.name(curve) == "IFCLINE") {
+        const Values of_line = model.values(curve);
+        const Vec3 from = model.point(reference_at(of_line, 0));
+        const Values vector = model.values(reference_at(of_line, 1));
+        const Vec3 way = model.direction(reference_at(vector, 0), {1, 0, 0});
+        line = {{from.x, from.y}, {from.x + way.x, from.y + way.y}};
+    } else {
+        for (const Vec3& p : curve_points(model, curve)) line.emplace_back(p.x, p.y);
+    }
+    if (word_at(values, 2) == "F") std::reverse(line.begin(), line.end());
+    std::vector<Vec2> moved = line;
+    for (std::size_t i = 0; i < line.size() && line.size() > 1; ++i) {
+        const Vec2 way = line[std::min(i + 1, line.size() - 1)] - line[i == 0 ? 0 : i - 1];
+        moved[i] += Vec2(-way.y, way.x) * (left_m / std::max(glm::length(way), 1e-12));
+    }
+    return moved;
+}
+
+struct GridCrossing {
+    Vec2 at{0.0}, along{1.0, 0.0};
+};
+
+// Of two axes, which may end before they meet: of their pieces, the pair that is lengthened least.
+std::optional<GridCrossing> crossing_of(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+    std::optional<GridCrossing> best;
+    double least_m = 1e300;
+    for (std::size_t i = 0; i + 1 < a.size(); ++i)
+        for (std::size_t j = 0; j + 1 < b.size(); ++j) {
+            const Vec2 p = a[i + 1] - a[i], q = b[j + 1] - b[j], off = b[j] - a[i];
+            const double across = cross(p, q);
+            if (std::abs(across) <= 1e-9 * glm::length(p) * glm::length(q)) continue;
+            const double s = cross(off, q) / across, t = cross(off, p) / across;
+            const double beyond_m =
+                std::max({0.0, -s, s - 1.0}) * glm::length(p) + std::max({0.0, -t, t - 1.0}) * glm::length(q);
+            if (beyond_m >= least_m) continue;
+            least_m = beyond_m;
+            best = GridCrossing{a[i] + p * s, p / glm::length(p)};
+        }
+    return best;
+}
+
 // Right-handed unit axes from a z and a wish for x.
 Frame frame_of(const Vec3& z, const Vec3& wish_x, const Vec3& origin_m) {
     Frame frame;
@@ -130,6 +179,43 @@ Frame IfcModel::transformation(std::uint64_t id) const {
     return frame;
 }
 
+// Where two axes of a grid cross, moved sideways by the stated distances; x runs along the first axis.
+Frame IfcModel::on_grid(const Values& values) {
+    if (grid_of_.empty())
+        for (const StepInstance& instance : file_.instances())
+            if (instance.name == "IFCGRID") {
+                const Values grid = file_.values_of(instance);
+                for (const std::size_t axes : {7U, 8U, 9U})
+                    for (const std::uint64_t axis : references_at(grid, axes)) grid_of_.emplace(axis, instance.id);
+            }
+    // IFC 4.3 puts what the placement is relative to before the two others.
+    std::size_t first = 0;
+    while (first < values.size() && name(reference_at(values, first)) != "IFCVIRTUALGRIDINTERSECTION") ++first;
+    const Values crossing = this->values(reference_at(values, first));
+    const std::vector<std::uint64_t> axes = references_at(crossing, 0);
+    const std::vector<double> offsets = numbers_of(value_at(crossing, 1));
+    const auto grid = axes.size() == 2 ? grid_of_.find(axes[0]) : grid_of_.end();
+    if (grid == grid_of_.end()) {
+        ++odd_placements_;
+        return {};
+    }
+    const auto line_of = [&](std::size_t i) {
+        return grid_axis(*this, axes[i], i < offsets.size() ? offsets[i] * metres_per_unit_ : 0.0);
+    };
+    const std::optional<GridCrossing> found = crossing_of(line_of(0), line_of(1));
+    if (!found) {
+        ++odd_placements_;
+        return {};
+    }
+    Vec3 x{found->along.x, found->along.y, 0.0};
+    const std::uint64_t stated = reference_at(values, first + 1);
+    if (name(stated) == "IFCDIRECTION") x = direction(stated, x);
+    const Frame own =
+        frame_of({0, 0, 1}, x, {found->at.x, found->at.y, offsets.size() > 2 ? offsets[2] * metres_per_unit_ : 0.0});
+    const std::uint64_t of_grid = reference_at(this->values(grid->second), 5);
+    return (name(of_grid) == "IFCLOCALPLACEMENT" ? placement(of_grid) : Frame{}).of(own);
+}
+
 Frame IfcModel::placement(std::uint64_t id) {
     constexpr std::size_t kLongest = 100;
     std::vector<std::pair<std::uint64_t, Frame>> chain;  // from the inner to the outer, with their own frames
@@ -141,6 +227,11 @@ Frame IfcModel::placement(std::uint64_t id) {
         }
         const bool again = std::any_of(chain.begin(), chain.end(), [&](const auto& link) { return link.first == at; });
         const std::string_view kind = name(at);
+        if (kind == "IFCGRIDPLACEMENT" && !again && chain.size() < kLongest) {
+            chain.emplace_back(at, Frame{});
+            outer = on_grid(values(at));
+            break;
+        }
         if (again || chain.size() >= kLongest || kind != "IFCLOCALPLACEMENT") {
             ++odd_placements_;
             break;

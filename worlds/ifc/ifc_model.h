@@ -66,12 +66,14 @@ public:
 
 private:
     void read_units();
+    Frame on_grid(const Values& values);  // of an IfcGridPlacement
     double length_of_unit(std::uint64_t id, int depth) const;
 
     const StepFile& file_;
     double metres_per_unit_ = 1.0, radians_per_unit_ = 1.0;
     bool unit_stated_ = false;
     std::unordered_map<std::uint64_t, Frame> placements_;
+    std::unordered_map<std::uint64_t, std::uint64_t> grid_of_;  // of axes; filled at the first use
     int odd_placements_ = 0;
 };
 

@@ -23,6 +23,8 @@ enum class PartRole : std::uint8_t {
     Stairs,
     Ramp,
     Lift,
+    Escalator,
+    Walkway,  // a moving one
     Railing,
     Furniture,
     Fixture,

@@ -24,6 +24,8 @@ constexpr std::array kCalled{
     Called{PartRole::Stairs, "stairs"},
     Called{PartRole::Ramp, "ramp"},
     Called{PartRole::Lift, "lift"},
+    Called{PartRole::Escalator, "escalator"},
+    Called{PartRole::Walkway, "moving walkway"},
     Called{PartRole::Railing, "railing"},
     Called{PartRole::Column, "column"},
     Called{PartRole::Beam, "beam"},
@@ -87,9 +89,13 @@ void IfcScene::prove_doors() {
     for (const auto& [i, gap] : building_.gaps) {
         if (building_.parts[i].role != PartRole::Door) continue;
         if (options_.stop.stop_requested()) return;
-        if (can_pass(building_, gap)) continue;
-        freed_[i] = free_the_way(building_, gap);
-        if (!can_pass(building_, gap)) impassable_.insert(i);
+        if (const auto cut = building_.cut_as_leaf.find(i); cut != building_.cut_as_leaf.end()) freed_[i] = cut->second;
+        if (!can_pass(building_, gap)) {
+            const std::vector<std::string> freed = free_the_way(building_, gap);
+            freed_[i].insert(freed_[i].end(), freed.begin(), freed.end());
+        }
+        if (std::vector<std::string> names = in_the_way(building_, gap); !names.empty() || !can_pass(building_, gap))
+            impassable_.emplace(i, std::move(names));
     }
 }
 
@@ -207,6 +213,8 @@ void IfcScene::add_parts() {
         stated_->stairs += part.role == PartRole::Stairs && whole && !within_stairs ? 1 : 0;
         stated_->ramps += part.role == PartRole::Ramp && whole && !within_stairs ? 1 : 0;
         stated_->lifts += part.role == PartRole::Lift ? 1 : 0;
+        stated_->escalators += part.role == PartRole::Escalator ? 1 : 0;
+        stated_->walkways += part.role == PartRole::Walkway ? 1 : 0;
         stated_->furnishings += part.role == PartRole::Furniture ? 1 : 0;
         if (part.role == PartRole::Door && gap != building_.gaps.end()) add_door(i, gap->second);
         else if (part.role == PartRole::Window && gap != building_.gaps.end()) add_window(i, gap->second);

@@ -47,7 +47,8 @@ private:
     std::map<std::string, std::set<std::string>> guessed_from_;
     std::map<std::string, int> prefabs_;                     // that stand for parts without a form
     std::map<std::size_t, std::vector<std::string>> freed_;  // what was cut to open a door, by its part
-    std::set<std::size_t> impassable_;                       // doors that nobody comes through even then
+    // Doors that nobody comes through even then, with the names of what stands in the way.
+    std::map<std::size_t, std::vector<std::string>> impassable_;
     struct OuterDoor {
         std::size_t portal = 0;  // its place in stated_->portals
         std::size_t part = 0;    // in building_.parts

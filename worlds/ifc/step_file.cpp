@@ -1,5 +1,6 @@
 #include "worlds/ifc/step_file.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include "worlds/base/contract.h"
@@ -12,6 +13,18 @@ namespace {
 bool is_blank(char c) { return static_cast<unsigned char>(c) <= ' '; }
 bool is_name(char c) {
     return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+}
+
+// How many characters after \S\ belong to it. An apostrophe there is a shifted one (a section sign), which some
+// programs double. It ends the text instead if a comma or a bracket follows, as in a path that nobody escaped.
+int shifted_length(std::string_view after) {
+    if (!after.starts_with('\'')) return after.empty() ? 0 : 1;
+    const auto ends_text = [&](std::size_t from) {
+        const std::size_t next = after.find_first_not_of(" \t\r\n", from);
+        return next == std::string_view::npos || after[next] == ',' || after[next] == ')';
+    };
+    if (ends_text(1)) return 0;
+    return after.starts_with("''") && !ends_text(2) ? 2 : 1;
 }
 
 // Walks over the bytes, counting lines.
@@ -47,6 +60,21 @@ public:
         while (!at_end() && is_name(bytes_[at_])) ++at_;
         return bytes_.substr(begin, at_ - begin);
     }
+    // From its opening apostrophe to behind its closing one. False: it never ends.
+    bool skip_text() {
+        step();
+        for (; !at_end(); step()) {
+            if (bytes_.substr(at_, 2) == "\\\\") {
+                step();
+            } else if (bytes_.substr(at_, 3) == "\\S\\") {
+                for (int left = 2 + shifted_length(bytes_.substr(at_ + 3)); left > 0; --left) step();
+            } else if (bytes_[at_] == '\'') {
+                step();
+                if (peek() != '\'') return true;
+            }
+        }
+        return false;
+    }
     // To behind the next semicolon that stands in no string or comment; the text before it. Nothing: the file ends
     // first.
     bool statement(std::string_view& text) {
@@ -54,9 +82,8 @@ public:
         while (!at_end()) {
             const char c = bytes_[at_];
             if (c == '\'') {
-                step();
-                while (!at_end() && bytes_[at_] != '\'') step();  // a doubled apostrophe is two strings side by side
-                if (at_end()) return false;
+                if (!skip_text()) return false;
+                continue;
             } else if (c == '/' && bytes_.substr(at_, 2) == "/*") {
                 if (!skip_blanks()) return false;
                 continue;
@@ -154,14 +181,7 @@ private:
             cursor_.step();
         } else if (c == '\'') {
             value.kind = StepValue::Kind::Text;
-            cursor_.step();
-            for (;;) {
-                while (!cursor_.at_end() && cursor_.peek() != '\'') cursor_.step();
-                if (cursor_.at_end()) return false;
-                cursor_.step();
-                if (cursor_.peek() != '\'') break;
-                cursor_.step();
-            }
+            if (!cursor_.skip_text()) return false;
             value.text = text_.substr(begin + 1, cursor_.place() - begin - 2);
         } else if (c == '.') {
             value.kind = StepValue::Kind::Word;
@@ -262,7 +282,11 @@ Result<StepFile> StepFile::read(std::string_view bytes, const std::string& file_
         }
         if (name != "FILE_SCHEMA") continue;
         const std::vector<StepValue> schema = ValueParser(values).all();
-        if (!schema.empty() && !schema[0].items.empty()) file.schema_ = decoded(schema[0].items[0].text);
+        if (!schema.empty() && !schema[0].items.empty()) {
+            file.schema_ = decoded(schema[0].items[0].text);
+            std::transform(file.schema_.begin(), file.schema_.end(), file.schema_.begin(),
+                           [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+        }
     }
     if (!ended || !in_data) return cut();
     return file;

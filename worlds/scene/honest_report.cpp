@@ -88,6 +88,8 @@ HonestReport honest_report(const Scene& scene) {
     report.stairs = stated.stairs;
     report.ramps = stated.ramps;
     report.lifts = stated.lifts;
+    report.escalators = stated.escalators;
+    report.walkways = stated.walkways;
     report.furnishings = stated.furnishings;
     report.largest_connected = largest_connected(stated);
     report.landmarks = static_cast<int>(std::count_if(scene.features.begin(), scene.features.end(),
@@ -119,6 +121,8 @@ std::string honest_sentence(const Scene& scene, const HonestReport& report) {
                                                   {"stairs", report.stairs},
                                                   {"ramps", report.ramps},
                                                   {"lifts", report.lifts},
+                                                  {"escalators", report.escalators},
+                                                  {"walkways", report.walkways},
                                                   {"furnishings", report.furnishings},
                                                   {"landmarks", report.landmarks}});
     if (!report.check.empty())

@@ -35,7 +35,7 @@ std::string_view word_of(ToCheck what);
 struct HonestReport {
     // Understood.
     int storeys = 0, storeys_with_rooms = 0, rooms = 0, doors = 0, windows = 0, openings = 0;
-    int stairs = 0, ramps = 0, lifts = 0, furnishings = 0;
+    int stairs = 0, ramps = 0, lifts = 0, escalators = 0, walkways = 0, furnishings = 0;
     int doors_of_two_rooms = 0, doors_of_one_room = 0, doors_of_no_room = 0;
     int largest_connected = 0;  // rooms of the largest group joined by doors, openings and stairs
     int landmarks = 0;          // things that the file marks so

@@ -57,7 +57,8 @@ struct StatedBuilding {
     std::vector<StatedRoom> rooms;      // in file order
     std::vector<StatedPortal> portals;  // in file order
     double wall_m = 0.0;                // how thick its walls are, where all are alike; 0: not known
-    int windows = 0, openings = 0, openings_cut = 0, stairs = 0, ramps = 0, lifts = 0, furnishings = 0, skipped = 0;
+    int windows = 0, openings = 0, openings_cut = 0, stairs = 0, ramps = 0, lifts = 0, escalators = 0, walkways = 0,
+        furnishings = 0, skipped = 0;
 };
 
 // True when the place lies within the outline and, with the tolerance of a step, between floor and ceiling.

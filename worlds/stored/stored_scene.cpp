@@ -216,10 +216,10 @@ void fields(A& a, T& v) {
 }
 template <class A, Is<StatedBuilding> T>
 void fields(A& a, T& v) {
-    auto& [schema, storeys, rooms, portals, wall, windows, openings, openings_cut, stairs, ramps, lifts, furnishings,
-           skipped] = v;
-    a(schema, storeys, rooms, portals, wall, windows, openings, openings_cut, stairs, ramps, lifts, furnishings,
-      skipped);
+    auto& [schema, storeys, rooms, portals, wall, windows, openings, openings_cut, stairs, ramps, lifts, escalators,
+           walkways, furnishings, skipped] = v;
+    a(schema, storeys, rooms, portals, wall, windows, openings, openings_cut, stairs, ramps, lifts, escalators,
+      walkways, furnishings, skipped);
 }
 template <class A, Is<ReadReport> T>
 void fields(A& a, T& v) {

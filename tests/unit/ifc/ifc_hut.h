@@ -1,0 +1,112 @@
+// Small IFC files built from boxes, for tests of how single kinds of parts are read.
+#pragma once
+
+#include <sstream>
+
+#include "tests/unit/ifc/ifc_text.h"
+#include "worlds/geometry/flat_parts.h"
+#include "worlds/geometry/mass_properties.h"
+
+namespace handrail::test {
+
+class Hut {
+public:
+    // Writes an instance and returns its number.
+    int add(const std::string& text) {
+        data_ << '#' << ++last_ << '=' << text << ";\n";
+        return last_;
+    }
+    static std::string ref(int id) { return '#' + std::to_string(id); }
+    static std::string refs(const std::vector<int>& ids) {
+        std::string all;
+        for (const int id : ids) all += (all.empty() ? "(" : ",") + ref(id);
+        return all + ")";
+    }
+    int point(const Vec3& p) {
+        std::ostringstream text;
+        text.precision(12);
+        text << std::showpoint << "IFCCARTESIANPOINT((" << p.x << ',' << p.y << ',' << p.z << "))";
+        return add(text.str());
+    }
+    int placed(const Vec3& at) { return add("IFCAXIS2PLACEMENT3D(" + ref(point(at)) + ",$,$)"); }
+    int block(const Vec3& least, const Vec3& most) {
+        std::ostringstream text;
+        text.precision(12);
+        text << std::showpoint << "IFCBLOCK(" << ref(placed(least)) << ',' << most.x - least.x << ','
+             << most.y - least.y << ',' << most.z - least.z << ')';
+        return add(text.str());
+    }
+    // A closed shell whose outline, seen from above, need not be convex.
+    int brep(const Ring& outline, double low, double high) {
+        const auto face = [this](const std::vector<Vec3>& ring) {
+            std::vector<int> points;
+            for (const Vec3& p : ring) points.push_back(point(p));
+            return add("IFCFACE((" +
+                       ref(add("IFCFACEOUTERBOUND(" + ref(add("IFCPOLYLOOP(" + refs(points) + ")")) + ",.T.)")) + "))");
+        };
+        std::vector<Vec3> lower, upper;
+        for (const Vec2& p : outline) {
+            lower.insert(lower.begin(), {p.x, p.y, low});
+            upper.push_back({p.x, p.y, high});
+        }
+        std::vector<int> faces{face(lower), face(upper)};
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            const Vec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
+            faces.push_back(face({{a.x, a.y, low}, {b.x, b.y, low}, {b.x, b.y, high}, {a.x, a.y, high}}));
+        }
+        return add("IFCFACETEDBREP(" + ref(add("IFCCLOSEDSHELL(" + refs(faces) + ")")) + ")");
+    }
+    int less(int from, int what) { return add("IFCBOOLEANRESULT(.DIFFERENCE.," + ref(from) + "," + ref(what) + ")"); }
+    // A part of that class; `more` are its attributes after the tag.
+    int part(const std::string& kind, const std::string& name, int item, const std::string& more = {},
+             int placement = kPlacement) {
+        const int shape = add("IFCPRODUCTDEFINITIONSHAPE($,$,(" +
+                              ref(add("IFCSHAPEREPRESENTATION(#5,'Body','Brep',(" + ref(item) + "))")) + "))");
+        parts_.push_back(add(kind + "('E" + std::to_string(last_ + 1) + "',$,'" + name + "',$,$," + ref(placement) +
+                             "," + ref(shape) + ",$" + more + ")"));
+        return parts_.back();
+    }
+    void opening(int host, int item, int filling = 0) {
+        const int made = part("IFCOPENINGELEMENT", "Opening", item, ",$");
+        parts_.pop_back();
+        add("IFCRELVOIDSELEMENT('V" + std::to_string(last_) + "',$,$,$," + ref(host) + "," + ref(made) + ")");
+        if (filling)
+            add("IFCRELFILLSELEMENT('F" + std::to_string(last_) + "',$,$,$," + ref(made) + "," + ref(filling) + ")");
+    }
+    std::string text(const std::string& schema = "IFC4") const {
+        return "ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('" + schema +
+               "'));\nENDSEC;\nDATA;\n#1=IFCCARTESIANPOINT((0.,0.,0.));\n#2=IFCAXIS2PLACEMENT3D(#1,$,$);\n"
+               "#3=IFCSIUNIT(*,.LENGTHUNIT.,$,.METRE.);\n#4=IFCUNITASSIGNMENT((#3));\n"
+               "#5=IFCGEOMETRICREPRESENTATIONCONTEXT($,'Model',3,1.E-5,#2,$);\n"
+               "#6=IFCPROJECT('P',$,'Plan',$,$,$,$,(#5),#4);\n#7=IFCLOCALPLACEMENT($,#2);\n"
+               "#8=IFCBUILDING('B',$,'Hut',$,$,#7,$,$,.ELEMENT.,$,$,$);\n"
+               "#9=IFCBUILDINGSTOREY('S',$,'Ground',$,$,#7,$,$,.ELEMENT.,0.);\n"
+               "#10=IFCRELAGGREGATES('R1',$,$,$,#6,(#8));\n#11=IFCRELAGGREGATES('R2',$,$,$,#8,(#9));\n" +
+               data_.str() + "#999999=IFCRELCONTAINEDINSPATIALSTRUCTURE('C',$,$,$," + refs(parts_) +
+               ",#9);\nENDSEC;\nEND-ISO-10303-21;\n";
+    }
+    Scene scene(const std::string& schema = "IFC4") const {
+        Result<Scene> read = read_world_bytes("hut.ifc", text(schema), {});
+        EXPECT_TRUE(read.has_value()) << (read ? "" : read.error().message);
+        return read ? *std::move(read) : Scene{};
+    }
+    static constexpr int kPlacement = 7;
+
+private:
+    std::ostringstream data_;
+    int last_ = 20;
+    std::vector<int> parts_;
+};
+
+// Of the solids that lie wholly in a box.
+inline double volume_within_m3(const Scene& scene, const Aabb& box) {
+    double sum = 0.0;
+    for (const Solid& solid : scene.solids)
+        if (solid.shape.bounds_m.min_m.x >= box.min_m.x - 1e-3 && solid.shape.bounds_m.max_m.x <= box.max_m.x + 1e-3 &&
+            solid.shape.bounds_m.min_m.y >= box.min_m.y - 1e-3 && solid.shape.bounds_m.max_m.y <= box.max_m.y + 1e-3 &&
+            solid.shape.bounds_m.min_m.z >= box.min_m.z - 1e-3 && solid.shape.bounds_m.max_m.z <= box.max_m.z + 1e-3)
+            sum += mass_properties(solid.shape).volume_m3;
+    return sum;
+}
+
+}  // namespace handrail::test

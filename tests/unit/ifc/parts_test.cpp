@@ -1,0 +1,266 @@
+// Each kind of part that once vanished, stayed shut or was put in the wrong place.
+#include <gmock/gmock.h>
+
+#include "tests/unit/ifc/ifc_hut.h"
+#include "worlds/ifc/step_file.h"
+#include "worlds/scene/honest_report.h"
+
+namespace handrail {
+namespace parts_test {
+
+using test::Hut;
+using test::in_a_solid;
+using test::volume_within_m3;
+
+constexpr Aabb kWall{{0.0, 0.0, 0.0}, {6.0, 0.3, 2.5}};
+
+TEST(PartsOfIfc, stand_however_many_cuts_are_nested) {
+    for (const int cuts : {1, 24, 25, 400}) {
+        SCOPED_TRACE(cuts);
+        Hut hut;
+        int wall = hut.block(kWall.min_m, kWall.max_m);
+        for (int i = 0; i < cuts; ++i) {
+            const double at = 0.01 + 0.01 * (i % 30);
+            wall = hut.less(wall, hut.block({at, -1.0, 1.0}, {at + 0.005, 1.0, 1.1}));
+        }
+        hut.part("IFCWALL", "North", wall, ",$");
+        const Scene scene = hut.scene();
+        EXPECT_NEAR(volume_within_m3(scene, kWall), 4.5 - std::min(cuts, 30) * 0.005 * 0.3 * 0.1, 1e-4);
+    }
+}
+
+TEST(PartsOfIfc, stand_however_deep_a_cutter_is_made_of_cutters) {
+    Hut hut;
+    int cutter = hut.block({1.0, -1.0, 0.0}, {2.0, 1.0, 2.0});
+    for (int i = 0; i < 60; ++i)  // the last of an even number leaves what the first takes
+        cutter = hut.less(hut.block({1.0, -1.0, 0.0}, {2.0, 1.0, 2.0}), cutter);
+    hut.part("IFCWALL", "North", hut.less(hut.block(kWall.min_m, kWall.max_m), cutter), ",$");
+    EXPECT_NEAR(volume_within_m3(hut.scene(), kWall), 4.5 - 0.3 * 2.0, 1e-4);
+}
+
+TEST(PartsOfIfc, are_named_when_a_cut_refers_to_itself) {
+    Hut hut;
+    hut.part("IFCSLAB", "Floor", hut.block({0.0, 0.0, -0.2}, {6.0, 6.0, 0.0}), ",$");
+    const int tool = hut.block({1.0, -1.0, 0.0}, {2.0, 1.0, 2.0});
+    hut.part("IFCWALL", "North", hut.less(tool + 1, tool), ",$");
+    const Scene scene = hut.scene();
+    EXPECT_THAT(scene.report.left_out, testing::Contains(testing::HasSubstr("IFCBOOLEANRESULT")));
+}
+
+TEST(PartsOfIfc, are_cut_by_shells_that_are_not_convex) {
+    const Ring rebated{{1.5, -0.3}, {1.5, 0.1}, {1.7, 0.1}, {1.7, 0.6},
+                       {2.7, 0.6},  {2.7, 0.1}, {2.9, 0.1}, {2.9, -0.3}};
+    Hut by_cut;
+    by_cut.part("IFCWALL", "North", by_cut.less(by_cut.block(kWall.min_m, kWall.max_m), by_cut.brep(rebated, 0.0, 2.1)),
+                ",$");
+    const double right_m3 = 4.5 - 2.1 * (1.4 * 0.1 + 1.0 * 0.2);
+    EXPECT_NEAR(volume_within_m3(by_cut.scene(), kWall), right_m3, 1e-4);
+    Hut by_opening;
+    const int wall = by_opening.part("IFCWALL", "North", by_opening.block(kWall.min_m, kWall.max_m), ",$");
+    by_opening.opening(wall, by_opening.brep(rebated, 0.0, 2.1));
+    const Scene scene = by_opening.scene();
+    EXPECT_NEAR(volume_within_m3(scene, kWall), right_m3, 0.01);
+    EXPECT_TRUE(in_a_solid(scene, {1.6, 0.2, 1.0}));
+    EXPECT_FALSE(in_a_solid(scene, {1.6, 0.05, 1.0}));
+    EXPECT_FALSE(in_a_solid(scene, {2.2, 0.2, 1.0}));
+}
+
+// A wedge with a step: neither convex nor a prism.
+TEST(PartsOfIfc, are_cut_by_any_closed_shell) {
+    Hut hut;
+    const int step = hut.brep({{1.0, -1.0}, {2.0, -1.0}, {2.0, 1.0}, {1.0, 1.0}}, 0.5, 1.0);
+    const int tool = hut.less(hut.brep({{1.0, -1.0}, {2.0, -1.0}, {2.0, 1.0}, {1.0, 1.0}}, 0.0, 2.0), step);
+    hut.part("IFCWALL", "North", hut.less(hut.block(kWall.min_m, kWall.max_m), tool), ",$");
+    EXPECT_NEAR(volume_within_m3(hut.scene(), kWall), 4.5 - 0.3 * 1.5, 1e-4);
+}
+
+TEST(PartsOfIfc, keep_the_wall_behind_a_niche_whatever_fills_it) {
+    for (const std::string filling : {"IFCFURNISHINGELEMENT", "IFCBUILDINGELEMENTPROXY", "IFCDOOR", "IFCWINDOW"}) {
+        SCOPED_TRACE(filling);
+        Hut hut;
+        const int wall = hut.part("IFCWALL", "South", hut.block(kWall.min_m, kWall.max_m), ",$");
+        const int thing = hut.part(filling, "Cupboard", hut.block({1.1, 0.15, 0.5}, {1.9, 0.3, 1.5}),
+                                   filling == "IFCDOOR" || filling == "IFCWINDOW" ? ",1.,1.,$,$,$" : ",$");
+        hut.opening(wall, hut.block({1.0, 0.15, 0.4}, {2.0, 0.31, 1.6}), thing);
+        const Scene scene = hut.scene();
+        const bool leads_through = filling == "IFCDOOR";  // nobody could pass it, so a way is cut free and reported
+        EXPECT_EQ(in_a_solid(scene, {1.05, 0.1, 1.2}), true);
+        EXPECT_EQ(in_a_solid(scene, {1.5, 0.1, 1.2}), !leads_through);
+        if (filling != "IFCWINDOW") EXPECT_FALSE(in_a_solid(scene, {1.05, 0.2, 1.2}));  // else the pane
+    }
+}
+
+TEST(PartsOfIfc, are_cut_through_by_windows_that_end_at_their_faces) {
+    Hut hut;
+    const int wall = hut.part("IFCWALL", "South", hut.block(kWall.min_m, kWall.max_m), ",$");
+    const int window = hut.part("IFCWINDOW", "Window", hut.block({1.0, 0.1, 1.0}, {2.0, 0.2, 2.0}), ",1.,1.,$,$,$");
+    hut.opening(wall, hut.block({1.0, 0.005, 1.0}, {2.0, 0.295, 2.0}), window);  // 5 mm short on both sides
+    EXPECT_FALSE(in_a_solid(hut.scene(), {1.5, 0.002, 1.5}));
+}
+
+TEST(DoorsOfIfc, without_an_opening_are_cut_as_the_whole_leaf) {
+    for (const double off : {0.0, 0.1, 0.25}) {  // in the wall, and hung before it
+        SCOPED_TRACE(off);
+        Hut hut;
+        hut.part("IFCSLAB", "Floor", hut.block({-3.0, -3.0, -0.2}, {9.0, 5.0, 0.0}), ",$");
+        hut.part("IFCWALL", "South", hut.block(kWall.min_m, kWall.max_m), ",$");
+        hut.part("IFCDOOR", "Entrance", hut.block({2.5, 0.1 + off, 0.0}, {3.5, 0.2 + off, 2.1}), ",2.1,1.,.DOOR.,$,$");
+        const Scene scene = hut.scene();
+        for (const double x : {2.52, 3.0, 3.48})
+            for (const double z : {0.05, 1.0, 2.05})
+                for (const double y : {0.01, 0.29})
+                    EXPECT_FALSE(in_a_solid(scene, {x, y, z})) << x << " " << y << " " << z;
+        EXPECT_TRUE(in_a_solid(scene, {2.48, 0.15, 1.0}));
+        EXPECT_TRUE(in_a_solid(scene, {3.0, 0.15, 2.15}));
+        EXPECT_TRUE(in_a_solid(scene, {3.0, 0.15, -0.1}));  // the floor stays
+        const HonestReport report = honest_report(scene);
+        EXPECT_EQ(report.doors_cut_free, 1);
+        EXPECT_EQ(report.doors_impassable, 0);
+    }
+}
+
+TEST(DoorsOfIfc, that_lead_against_a_wall_are_reported_with_it) {
+    for (const double behind : {0.1, 0.3, 2.0}) {
+        SCOPED_TRACE(behind);
+        Hut hut;
+        hut.part("IFCSLAB", "Floor", hut.block({-3.0, -3.0, -0.2}, {9.0, 5.0, 0.0}), ",$");
+        const int wall = hut.part("IFCWALL", "South", hut.block(kWall.min_m, kWall.max_m), ",$");
+        const int door =
+            hut.part("IFCDOOR", "Entrance", hut.block({2.5, 0.1, 0.0}, {3.5, 0.2, 2.1}), ",2.1,1.,.DOOR.,$,$");
+        hut.opening(wall, hut.block({2.5, 0.0, 0.0}, {3.5, 0.3, 2.1}), door);
+        hut.part("IFCWALL", "Lining", hut.block({0.0, 0.3 + behind, 0.0}, {6.0, 0.4 + behind, 2.5}), ",$");
+        const Scene scene = hut.scene();
+        const HonestReport report = honest_report(scene);
+        EXPECT_EQ(report.doors_impassable, behind < 0.5 ? 1 : 0);
+        const auto named = [](const Diagnostic& d) { return d.message.find("Lining") != std::string::npos; };
+        EXPECT_EQ(std::any_of(scene.report.warnings.begin(), scene.report.warnings.end(), named), behind < 0.5);
+    }
+}
+
+TEST(PartsOfIfc, stand_where_the_axes_of_a_grid_cross) {
+    for (const bool relative : {false, true}) {  // IFC 4.3 has one attribute more
+        SCOPED_TRACE(relative);
+        Hut hut;
+        const auto axis = [&](const Vec3& from, const Vec3& to, const char* same = ".T.") {
+            return hut.add("IFCGRIDAXIS('1'," +
+                           Hut::ref(hut.add("IFCPOLYLINE(" + Hut::refs({hut.point(from), hut.point(to)}) + ")")) + "," +
+                           same + ")");
+        };
+        const int one = axis({0, -2, 0}, {0, 12, 0}), two = axis({6, -2, 0}, {6, 5, 0}),
+                  back = axis({12.5, -2, 0}, {12.5, 12, 0}, ".F."), a = axis({-2, 0, 0}, {30, 0, 0}),
+                  b = axis({-2, 7, 0}, {30, 7, 0});
+        const int moved = hut.add("IFCLOCALPLACEMENT($," + Hut::ref(hut.placed({100.0, 0.0, 0.0})) + ")");
+        hut.add("IFCGRID('G',$,'Grid',$,$," + Hut::ref(moved) + ",$," + Hut::refs({one, two, back}) + "," +
+                Hut::refs({a, b}) + ",$,$)");
+        hut.part("IFCSLAB", "Floor", hut.block({98.0, -2.0, -0.2}, {120.0, 10.0, 0.0}), ",$");
+        const auto column = [&](int first, int second, const char* offsets) {
+            const int crossing =
+                hut.add("IFCVIRTUALGRIDINTERSECTION(" + Hut::refs({first, second}) + "," + offsets + ")");
+            const int at =
+                hut.add(std::string("IFCGRIDPLACEMENT(") + (relative ? "$," : "") + Hut::ref(crossing) + ",$)");
+            hut.part("IFCCOLUMN", "Column", hut.block({-0.2, -0.2, 0.0}, {0.2, 0.2, 3.0}), ",$", at);
+        };
+        column(one, a, "(0.,0.)");
+        column(two, b, "(0.,0.)");         // the axis ends before it
+        column(back, b, "(0.5,0.,0.25)");  // to the left of an axis that runs the other way, and higher
+        const Scene scene = hut.scene();
+        EXPECT_TRUE(in_a_solid(scene, {100.0, 0.0, 1.5}));
+        EXPECT_TRUE(in_a_solid(scene, {106.0, 7.0, 1.5}));
+        EXPECT_TRUE(in_a_solid(scene, {113.0, 7.0, 3.1}));
+        EXPECT_FALSE(in_a_solid(scene, {112.5, 7.0, 0.1}));
+        EXPECT_TRUE(std::none_of(scene.report.left_out.begin(), scene.report.left_out.end(),
+                                 [](const std::string& s) { return s.find("plac") != std::string::npos; }));
+    }
+}
+
+TEST(PartsOfIfc, stand_though_no_curtain_wall_holds_them) {
+    Hut hut;
+    hut.part("IFCSLAB", "Floor", hut.block({0.0, 0.0, -0.2}, {6.0, 6.0, 0.0}), ",$");
+    hut.part("IFCPLATE", "Pane", hut.block({1.0, 2.0, 0.0}, {1.05, 4.0, 2.0}), ",$");
+    hut.part("IFCMEMBER", "Post", hut.block({3.0, 2.0, 0.0}, {3.1, 2.1, 2.0}), ",$");
+    const Scene scene = hut.scene();
+    EXPECT_TRUE(in_a_solid(scene, {1.02, 3.0, 1.0}));
+    EXPECT_TRUE(in_a_solid(scene, {3.05, 2.05, 1.0}));
+    EXPECT_TRUE(scene.report.left_out.empty());
+}
+
+TEST(PartsOfIfc, that_carry_people_are_called_what_they_are) {
+    Hut hut;
+    hut.part("IFCSLAB", "Floor", hut.block({0.0, 0.0, -0.2}, {16.0, 6.0, 0.0}), ",$");
+    hut.part("IFCTRANSPORTELEMENT", "Up", hut.block({1.0, 1.0, 0.0}, {2.0, 2.0, 1.0}), ",.ESCALATOR.");
+    hut.part("IFCTRANSPORTELEMENT", "Along", hut.block({5.0, 1.0, 0.0}, {9.0, 2.0, 0.1}), ",.MOVINGWALKWAY.");
+    hut.part("IFCTRANSPORTELEMENT", "Cabin", hut.block({11.0, 1.0, 0.0}, {12.0, 2.0, 2.0}), ",.ELEVATOR.");
+    const Scene scene = hut.scene();
+    const HonestReport report = honest_report(scene);
+    EXPECT_EQ(report.lifts, 1);
+    EXPECT_EQ(report.escalators, 1);
+    EXPECT_EQ(report.walkways, 1);
+    EXPECT_THAT(honest_sentence(scene, report), testing::HasSubstr("one lift, one escalator, one moving walkway"));
+    for (const std::string name : {"escalator", "moving walkway", "lift"})
+        EXPECT_TRUE(std::any_of(scene.features.begin(), scene.features.end(), [&](const Feature& feature) {
+            return spoken_name(feature) == name;
+        })) << name;
+}
+
+TEST(PartsOfIfc, are_read_at_national_coordinates_whatever_their_class) {
+    for (const std::string kind : {"IFCBUILDINGELEMENTPROXY", "IFCCOLUMN", "IFCFURNISHINGELEMENT", "IFCWALL"}) {
+        SCOPED_TRACE(kind);
+        Hut hut;
+        const int far = hut.add("IFCLOCALPLACEMENT($," + Hut::ref(hut.placed({412300.0, 5654100.0, 71.0})) + ")");
+        hut.part(kind, "One", hut.block({0.0, 0.0, 0.0}, {6.0, 0.2, 2.7}), ",$", far);
+        hut.part(kind, "Other", hut.block({0.0, 4.0, 0.0}, {6.0, 4.2, 2.7}), ",$", far);
+        const Scene scene = hut.scene();
+        EXPECT_NEAR(volume_within_m3(scene, {Vec3(-100.0), Vec3(100.0)}) -
+                        volume_within_m3(scene, {{-100.0, -100.0, -100.0}, {100.0, 100.0, -1.3}}),
+                    2 * 6.0 * 0.2 * 2.7, 1e-4);
+    }
+}
+
+TEST(StepFile, takes_an_apostrophe_that_is_shifted_for_a_letter) {
+    struct Row {
+        std::string raw, right;
+    };
+    const Row rows[] = {
+        {R"('\S\' 5',$)", "§ 5"},    {R"('\S\'',$)", "§"},     {R"('\S\'' 5',$)", "§ 5"}, {R"('a\S\D',$)", "aÄ"},
+        {R"('D:\S\',$)", "D:\\S\\"}, {R"('it''s',$)", "it's"}, {R"('\\S\\',$)", "\\S\\"}, {R"('',$)", ""}};
+    for (const Row& row : rows) {
+        SCOPED_TRACE(row.raw);
+        const std::string text = "ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('ifc4'));\nENDSEC;\nDATA;\n#1=IFCMATERIAL(" +
+                                 row.raw + ");\nENDSEC;\nEND-ISO-10303-21;\n";
+        const Result<StepFile> file = StepFile::read(text, "text.ifc");
+        ASSERT_TRUE(file.has_value()) << file.error().message;
+        EXPECT_EQ(file->schema(), "IFC4");
+        const std::vector<StepValue> values = file->values_of(*file->find(1));
+        ASSERT_EQ(values.size(), 2U);
+        EXPECT_EQ(decoded(values[0].text), row.right);
+    }
+}
+
+TEST(PartsOfIfc, are_read_whatever_the_case_of_the_schema) {
+    Hut hut;
+    hut.part("IFCWALL", "South", hut.block(kWall.min_m, kWall.max_m), ",$");
+    for (const std::string schema : {"ifc4", "Ifc2x3", "IFC4X3_ADD2"})
+        EXPECT_NEAR(volume_within_m3(hut.scene(schema), kWall), 4.5, 1e-6) << schema;
+}
+
+TEST(PartsOfIfc, stand_with_slanted_outlines) {
+    Hut hut;
+    const auto slab = [&](const Ring& outline) {
+        std::vector<int> points;
+        for (const Vec2& p : outline) points.push_back(hut.point({p.x, p.y, 0.0}));
+        points.push_back(points.front());
+        const int profile = hut.add("IFCARBITRARYCLOSEDPROFILEDEF(.AREA.,$," +
+                                    Hut::ref(hut.add("IFCPOLYLINE(" + Hut::refs(points) + ")")) + ")");
+        const int up = hut.add("IFCDIRECTION((0.,0.,1.))");
+        hut.part("IFCSLAB", "Terrace",
+                 hut.add("IFCEXTRUDEDAREASOLID(" + Hut::ref(profile) + ",#2," + Hut::ref(up) + ",0.2)"), ",$");
+    };
+    slab({{14.4, 18.6}, {22.8, 24.6}, {14.4, 24.6}});
+    slab({{4.0, 16.0}, {14.0, 16.0}, {14.0, 26.0}, {4.0, 26.0}});
+    const Scene scene = hut.scene();
+    EXPECT_NEAR(volume_within_m3(scene, {{14.4, 18.6, 0.0}, {22.8, 24.6, 0.2}}), 5.04, 1e-6);
+    EXPECT_NEAR(volume_within_m3(scene, {{4.0, 16.0, 0.0}, {14.0, 26.0, 0.2}}), 20.0, 1e-6);
+}
+
+}  // namespace parts_test
+}  // namespace handrail
