@@ -1,5 +1,6 @@
 // glTF 2.0, as .glb or .gltf: metres, y up, turned here to z up. Nodes are things with their names; their triangles are
 // placed as the file says. Source: Khronos, glTF 2.0 specification. Compressed meshes, lines and points are not read.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -74,14 +75,8 @@ bool numbers(const Json& list, std::array<double, N>& into) {
     return true;
 }
 
-Matrix placement_of(const Json& node) {
+Matrix placed(const std::array<double, 3>& shift, const std::array<double, 4>& q, const std::array<double, 3>& scale) {
     Matrix matrix = kUnmoved;
-    if (numbers(in(node, "matrix"), matrix)) return matrix;
-    std::array<double, 3> shift{0, 0, 0}, scale{1, 1, 1};
-    std::array<double, 4> q{0, 0, 0, 1};
-    numbers(in(node, "translation"), shift);
-    numbers(in(node, "scale"), scale);
-    numbers(in(node, "rotation"), q);
     const auto [x, y, z, w] = q;
     const std::array<double, 9> turn{1 - 2 * (y * y + z * z), 2 * (x * y + z * w),     2 * (x * z - y * w),
                                      2 * (x * y - z * w),     1 - 2 * (x * x + z * z), 2 * (y * z + x * w),
@@ -90,6 +85,55 @@ Matrix placement_of(const Json& node) {
         for (std::size_t row = 0; row < 3; ++row) matrix[4 * column + row] = turn[3 * column + row] * scale[column];
     for (std::size_t row = 0; row < 3; ++row) matrix[12 + row] = shift[row];
     return matrix;
+}
+
+Matrix placement_of(const Json& node) {
+    Matrix matrix = kUnmoved;
+    if (numbers(in(node, "matrix"), matrix)) return matrix;
+    std::array<double, 3> shift{0, 0, 0}, scale{1, 1, 1};
+    std::array<double, 4> q{0, 0, 0, 1};
+    numbers(in(node, "translation"), shift);
+    numbers(in(node, "scale"), scale);
+    numbers(in(node, "rotation"), q);
+    return placed(shift, q, scale);
+}
+
+// A kind of number in an accessor, and what a normalized one is divided by.
+struct Component {
+    unsigned type;
+    std::size_t size;
+    double most;
+    double (*read)(const char* bytes);
+};
+template <class T>
+double read_as(const char* bytes) {
+    T value{};
+    std::memcpy(&value, bytes, sizeof(T));
+    return static_cast<double>(value);
+}
+constexpr std::array kComponents{
+    Component{5120, 1, 127.0, read_as<std::int8_t>},
+    Component{5121, 1, 255.0, read_as<std::uint8_t>},
+    Component{5122, 2, 32767.0, read_as<std::int16_t>},
+    Component{5123, 2, 65535.0, read_as<std::uint16_t>},
+    Component{5126, 4, 1.0, read_as<float>},
+};
+
+// Extensions that are read, and those that only change looks. A file that requires any other cannot be read as meant.
+bool leaves_form_alone(std::string_view extension) {
+    constexpr std::array<std::string_view, 11> kBegin{"KHR_mesh_quantization",
+                                                      "EXT_mesh_gpu_instancing",
+                                                      "KHR_materials_",
+                                                      "KHR_texture_",
+                                                      "EXT_texture_",
+                                                      "MSFT_texture_",
+                                                      "KHR_lights_",
+                                                      "EXT_lights_",
+                                                      "KHR_xmp",
+                                                      "KHR_animation_",
+                                                      "KHR_audio"};
+    return std::any_of(kBegin.begin(), kBegin.end(),
+                       [&](std::string_view begin) { return extension.starts_with(begin); });
 }
 
 std::string decoded_base64(std::string_view letters) {
@@ -133,6 +177,8 @@ public:
         for (const Json& name : in(document_, "extensionsRequired"))
             if (text(name).find("compression") != std::string::npos)
                 return fail(phrase("mesh.compressed", {{"name", excerpt(text(name), 40)}}), file_name_);
+            else if (!leaves_form_alone(text(name)))
+                return fail(phrase("mesh.extension", {{"name", excerpt(text(name), 40)}}), file_name_);
         if (auto buffers = read_buffers(); !buffers) return tl::unexpected(buffers.error());
         const Json first = 0;
         const Json& named = in(document_, "scene");
@@ -205,18 +251,53 @@ private:
         return Numbers{bytes.substr(begin + skip, *length - skip), *count, stride};
     }
 
-    std::optional<std::vector<Vec3>> points_of(const Json& accessor, const Matrix& at) const {
-        if (text(in(accessor, "type")) != "VEC3" || whole(in(accessor, "componentType")) != 5126U) return std::nullopt;
-        const auto raw = numbers_of(accessor, 12);
+    // Rows of N numbers, which may be whole ones of one or two bytes (KHR_mesh_quantization).
+    template <std::size_t N>
+    std::optional<std::vector<std::array<double, N>>> rows_of(const Json& accessor) const {
+        const auto* const kind = std::find_if(kComponents.begin(), kComponents.end(), [&](const Component& c) {
+            return whole(in(accessor, "componentType")) == c.type;
+        });
+        if (kind == kComponents.end() || text(in(accessor, "type")) != "VEC" + std::to_string(N)) return std::nullopt;
+        const auto raw = numbers_of(accessor, N * kind->size);
         if (!raw) return std::nullopt;
+        const bool share = in(accessor, "normalized") == true;
+        std::vector<std::array<double, N>> rows(raw->count);
+        for (std::size_t i = 0; i < raw->count; ++i)
+            for (std::size_t k = 0; k < N; ++k) {
+                const double value = kind->read(raw->bytes.data() + i * raw->stride + k * kind->size);
+                rows[i][k] = share ? std::max(value / kind->most, -1.0) : value;
+            }
+        return rows;
+    }
+
+    std::optional<std::vector<Vec3>> points_of(const Json& accessor, const Matrix& at) const {
+        const auto rows = rows_of<3>(accessor);
+        if (!rows) return std::nullopt;
         std::vector<Vec3> points;
-        for (std::size_t i = 0; i < raw->count; ++i) {
-            std::array<float, 3> p{};
-            std::memcpy(p.data(), raw->bytes.data() + i * raw->stride, sizeof(p));
-            points.push_back(
-                to_world(at, {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])}));
-        }
+        for (const auto& [x, y, z] : *rows) points.push_back(to_world(at, {x, y, z}));
         return points;
+    }
+
+    // Where copies of a node's mesh stand in it (EXT_mesh_gpu_instancing); once where nothing says so.
+    std::optional<std::vector<Matrix>> copies_of(const Json& node) const {
+        const Json& attributes = in(in(in(node, "extensions"), "EXT_mesh_gpu_instancing"), "attributes");
+        if (!attributes.is_object()) return std::vector<Matrix>{kUnmoved};
+        const Json& accessors = in(document_, "accessors");
+        const auto stated = [&](const char* key) { return !in(attributes, key).is_null(); };
+        const auto shifts = rows_of<3>(entry(accessors, in(attributes, "TRANSLATION"))),
+                   scales = rows_of<3>(entry(accessors, in(attributes, "SCALE")));
+        const auto turns = rows_of<4>(entry(accessors, in(attributes, "ROTATION")));
+        if ((stated("TRANSLATION") && !shifts) || (stated("SCALE") && !scales) || (stated("ROTATION") && !turns))
+            return std::nullopt;
+        const std::size_t count = shifts ? shifts->size() : scales ? scales->size() : turns ? turns->size() : 0;
+        if (count > kMostNodes || (scales && scales->size() != count) || (turns && turns->size() != count))
+            return std::nullopt;
+        std::vector<Matrix> copies;
+        for (std::size_t i = 0; i < count; ++i)
+            copies.push_back(placed(shifts ? (*shifts)[i] : std::array{0.0, 0.0, 0.0},
+                                    turns ? (*turns)[i] : std::array{0.0, 0.0, 0.0, 1.0},
+                                    scales ? (*scales)[i] : std::array{1.0, 1.0, 1.0}));
+        return copies;
     }
 
     // The corners of triangles one after the other; all points in their order where the file names none.
@@ -280,11 +361,15 @@ private:
         const Matrix at = product(above, placement_of(node));
         const Json& mesh = entry(in(document_, "meshes"), in(node, "mesh"));
         const std::string name = text(in(node, "name"));
-        const std::size_t thing = nodes_;
-        for (const Json& primitive : in(mesh, "primitives")) {
-            if (is_too_large()) return;
-            ++nodes_;
-            add(primitive, thing, name.empty() ? text(in(mesh, "name")) : name, at);
+        const auto copies = copies_of(node);
+        if (!copies) ++file_.parts_left_out;
+        for (const Matrix& copy : copies.value_or(std::vector<Matrix>{})) {
+            const std::size_t thing = nodes_;
+            for (const Json& primitive : in(mesh, "primitives")) {
+                if (is_too_large() || options_.stop.stop_requested()) return;
+                ++nodes_;
+                add(primitive, thing, name.empty() ? text(in(mesh, "name")) : name, product(at, copy));
+            }
         }
         for (const Json& child : in(node, "children")) {
             if (is_too_large()) return;

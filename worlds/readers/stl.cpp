@@ -17,11 +17,15 @@ std::uint32_t count_in(std::string_view bytes) {
     return count;
 }
 
+bool begins(std::string_view text, std::string_view word) {
+    return text.size() >= word.size() && lower_ascii(text.substr(0, word.size())) == word;
+}
+
 // A binary file may begin with "solid" too; its length says what it is.
 bool is_binary(std::string_view bytes) {
     if (bytes.size() < kHead) return false;
     if (bytes.size() == kHead + kTriangle * count_in(bytes)) return true;
-    return !bytes.starts_with("solid") || bytes.substr(0, 1000).find('\0') != std::string_view::npos;
+    return !begins(bytes, "solid") || bytes.substr(0, 1000).find('\0') != std::string_view::npos;
 }
 
 Vec3 point_at(std::string_view bytes, std::size_t at) {
@@ -63,13 +67,13 @@ Result<Scene> read_stl(std::string_view bytes, const std::string& file_name, con
         std::string_view text = trimmed(bytes.substr(0, end));
         bytes.remove_prefix(std::min(end + (bytes.substr(end).starts_with("\r\n") ? 2 : 1), bytes.size()));
         ++line;
-        if (text.starts_with("solid")) {
+        if (begins(text, "solid")) {
             file.parts.emplace_back();
             file.parts.back().thing = static_cast<std::uint32_t>(file.parts.size());
             file.parts.back().name = trimmed(text.substr(5));
         }
-        if (text.starts_with("facet")) corners = 0;
-        if (!text.starts_with("vertex") || file.parts.empty()) continue;
+        if (begins(text, "facet")) corners = 0;
+        if (!begins(text, "vertex") || file.parts.empty()) continue;
         MeshPart& part = file.parts.back();
         Vec3 p{0.0};
         text = trimmed(text.substr(6));

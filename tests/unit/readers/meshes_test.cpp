@@ -56,6 +56,95 @@ TEST(ReadGltf, reads_a_description_with_its_numbers_in_it_or_beside_it) {
     EXPECT_THAT(none.error().message, HasSubstr("table.bin"));
 }
 
+// Numbers as base64.
+std::string base64(const std::string& bytes) {
+    constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        std::uint32_t three = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            three = three << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+        for (int shift = 18; shift >= 0; shift -= 6) text += kLetters[three >> shift & 63U];
+    }
+    return text;
+}
+
+// One triangle of 0 0 0, 2 0 0 and 0 2 0 units, each number `type`, with more in the node and the file.
+template <class T>
+std::string triangle_gltf(int type, T unit, bool normalized, const std::string& in_node, const std::string& required,
+                          const std::string& more_bytes = {}, const std::string& more_accessors = {}) {
+    std::string bytes;
+    for (const std::array<int, 3>& p : {std::array{0, 0, 0}, std::array{2, 0, 0}, std::array{0, 2, 0}}) {
+        std::array<T, 4> row{};
+        for (std::size_t k = 0; k < 3; ++k) row[k] = static_cast<T>(static_cast<T>(p[k]) * unit);
+        bytes.append(reinterpret_cast<const char*>(row.data()), sizeof(row));
+    }
+    const std::size_t points = bytes.size();
+    bytes += more_bytes;
+    return R"({"asset":{"version":"2.0"},"extensionsRequired":[)" + required +
+           R"(],"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0)" + in_node +
+           R"(}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,"count":3,)" +
+           R"("type":"VEC3","componentType":)" + std::to_string(type) + (normalized ? R"(,"normalized":true)" : "") +
+           "}" + more_accessors + R"(],"bufferViews":[{"buffer":0,"byteLength":)" + std::to_string(points) +
+           R"(,"byteStride":)" + std::to_string(4 * sizeof(T)) + R"(},{"buffer":0,"byteOffset":)" +
+           std::to_string(points) + R"(,"byteLength":)" + std::to_string(bytes.size() - points) +
+           R"(}],"buffers":[{"byteLength":)" + std::to_string(bytes.size()) +
+           R"(,"uri":"data:application/octet-stream;base64,)" + base64(bytes) + "\"}]}";
+}
+
+TEST(ReadGltf, reads_points_in_every_kind_of_number) {
+    const std::string name = "\"KHR_mesh_quantization\"", scaled = ",\"scale\":[0.5,0.5,0.5]";
+    const auto size_of = [](const std::string& file) {
+        const Result<Scene> scene = read_gltf(file, "triangle.gltf");
+        EXPECT_TRUE(scene.has_value()) << (scene ? "" : scene.error().sentence());
+        return scene ? scene->bounds_m.size_m().x : 0.0;
+    };
+    EXPECT_NEAR(size_of(triangle_gltf<std::int8_t>(5120, 10, false, scaled, name)), 10.0, 1e-9);
+    EXPECT_NEAR(size_of(triangle_gltf<std::uint8_t>(5121, 100, false, scaled, name)), 100.0, 1e-9);
+    EXPECT_NEAR(size_of(triangle_gltf<std::int16_t>(5122, 1000, false, scaled, name)), 1000.0, 1e-9);
+    EXPECT_NEAR(size_of(triangle_gltf<std::uint16_t>(5123, 20000, false, scaled, name)), 20000.0, 1e-9);
+    EXPECT_NEAR(size_of(triangle_gltf<float>(5126, 1.5F, false, scaled, name)), 1.5, 1e-9);
+    EXPECT_NEAR(size_of(triangle_gltf<std::uint8_t>(5121, 102, true, ",\"scale\":[5,5,5]", name)), 4.0, 1e-9);
+    EXPECT_NEAR(size_of(triangle_gltf<std::int16_t>(5122, 16383, true, ",\"scale\":[5,5,5]", name)),
+                5.0 * 32766.0 / 32767.0, 1e-9);
+}
+
+TEST(ReadGltf, puts_copies_where_instances_stand) {
+    std::string shifts;
+    for (const float x : {0.0F, 10.0F, 20.0F})
+        for (const float value : {x, 0.0F, 0.0F}) shifts.append(reinterpret_cast<const char*>(&value), sizeof(value));
+    const Result<Scene> scene = read_gltf(
+        triangle_gltf<float>(
+            5126, 1.0F, false, R"(,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":1}}})",
+            "\"EXT_mesh_gpu_instancing\"", shifts, R"(,{"bufferView":1,"count":3,"type":"VEC3","componentType":5126})"),
+        "copies.gltf");
+    ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
+    EXPECT_EQ(scene->triangles.size(), 3U);
+    EXPECT_NEAR(scene->bounds_m.size_m().x, 22.0, 1e-6);
+}
+
+TEST(ReadGltf, names_an_extension_without_which_it_cannot_read_a_file) {
+    const Result<Scene> other =
+        read_gltf(triangle_gltf<float>(5126, 1.0F, false, "", "\"VENDOR_other_shapes\""), "a.gltf");
+    ASSERT_FALSE(other.has_value());
+    EXPECT_THAT(other.error().message, HasSubstr("VENDOR_other_shapes"));
+    EXPECT_TRUE(
+        read_gltf(triangle_gltf<float>(5126, 1.0F, false, "", "\"KHR_materials_unlit\""), "a.gltf").has_value());
+}
+
+TEST(ReadStl, takes_its_words_in_any_case) {
+    for (const bool upper : {false, true}) {
+        std::string text =
+            "solid Roof\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 4 0 0\nvertex 0 4 0\nendloop\n"
+            "endfacet\nendsolid\n";
+        if (upper)
+            for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+        const Result<Scene> scene = read_stl(text, "roof.stl");
+        ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
+        EXPECT_EQ(scene->triangles.size(), 1U);
+    }
+}
+
 // Parts of one STL in words: a block of these sides.
 std::string block(const std::string& name, double low, double high) {
     std::string text = "solid " + name + "\n";
