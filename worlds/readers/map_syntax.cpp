@@ -1,5 +1,8 @@
 #include "worlds/readers/map_syntax.h"
 
+#include <algorithm>
+#include <span>
+
 #include "worlds/base/text.h"
 
 namespace handrail {
@@ -191,6 +194,7 @@ public:
             const Token token = lexer_.take();
             if (token.kind == TokenKind::End) return std::move(file_);
             if (token.is('{')) read_entity(token.place);
+            else if (token.text == "Version" && is_number(lexer_.peek())) read_version();
             else if (!complained_outside_) {
                 complained_outside_ = true;  // once: a file of another kind would give thousands
                 diagnostics_.error(token.place, "map.then_passed_over", "map.no_entity",
@@ -202,6 +206,31 @@ public:
 private:
     // What a text about {found} asks besides: the end of the file is no word.
     static const char* is_end(const Token& token) { return token.kind == TokenKind::End ? "yes" : "no"; }
+
+    void read_version() {
+        double version = 0.0;
+        parse_finite(lexer_.take().text, version);
+        file_.version = static_cast<int>(std::clamp(version, 0.0, 1000.0));
+    }
+
+    // From version 2 on what is written of an entity lies around its own origin.
+    void move_to_origin(MapEntity& entity) const {
+        constexpr int kFirstRelative = 2;
+        std::string_view words = entity.value("origin");
+        if (file_.version < kFirstRelative || entity.value("classname") == "worldspawn") return;
+        Vec3 origin(0.0);
+        for (int axis = 0; axis < 3; ++axis) {
+            words = trimmed(words);
+            const std::size_t end = std::min(words.find(' '), words.size());
+            if (!parse_finite(words.substr(0, end), origin[axis])) return;
+            words.remove_prefix(end);
+        }
+        for (MapBrush& brush : entity.brushes)
+            for (MapFace& face : brush.faces)
+                for (Vec3& p : face.points_units) p += origin;
+        for (MapPatch& patch : entity.patches)
+            for (Vec3& p : patch.grid_units.points_m) p += origin;
+    }
 
     void read_entity(TextPlace place) {
         MapEntity entity;
@@ -236,6 +265,7 @@ private:
                                        {{"found", excerpt(token.text)}, {"end", is_end(token)}});
             }
         }
+        move_to_origin(entity);
         if (!entity.keys.empty() || !entity.brushes.empty() || !entity.patches.empty())
             file_.entities.push_back(std::move(entity));
     }
@@ -260,10 +290,10 @@ private:
         if (first.kind == TokenKind::Word) {
             const std::string form = lower_ascii(first.text.substr(0, 12));
             if (form == "patchdef2" || form == "patchdef3") return read_patch(entity, first.place);
-            if (form == "brushdef") {
+            if (form == "brushdef" || form == "brushdef3") {
                 lexer_.take();
                 if (lexer_.peek().is('{')) lexer_.take();
-                read_faces(entity, place, true);
+                read_faces(entity, place, form == "brushdef" ? FaceForm::PointsAndMatrix : FaceForm::PlaneAndMatrix);
                 if (lexer_.peek().is('}')) lexer_.take();
                 return;
             }
@@ -347,9 +377,11 @@ private:
         return {};
     }
 
+    enum class FaceForm { Points, PointsAndMatrix, PlaneAndMatrix };
+
     // Faces up to and with the closing brace, plain ones or those of brushDef. One damaged face costs the brush, not
     // the map.
-    void read_faces(MapEntity& entity, TextPlace place, bool primitive = false) {
+    void read_faces(MapEntity& entity, TextPlace place, FaceForm form = FaceForm::Points) {
         MapBrush brush;
         brush.place = place;
         bool damaged = false;
@@ -358,7 +390,7 @@ private:
             const Token& token = lexer_.peek();
             if (token.is('(')) {
                 MapFace face;
-                if (read_face(face, damaged, primitive)) {
+                if (read_face(face, damaged, form)) {
                     brush.faces.push_back(face);
                 } else {
                     damaged = true;
@@ -408,7 +440,7 @@ private:
 
     // "( x y z ) ( x y z ) ( x y z ) TEXTURE" and then numbers, or two axes in square brackets and numbers. Games add
     // numbers: none is required.
-    bool read_face(MapFace& face, bool silent, bool primitive) {
+    bool read_face(MapFace& face, bool silent, FaceForm form) {
         face.place = lexer_.peek().place;
         const auto refuse = [&](const Token& found, std::string_view what, int point = 0) {
             if (!silent)
@@ -419,25 +451,49 @@ private:
                                     {"before", brushes_before()}});
             return false;
         };
-        for (int point = 0; point < 3; ++point) {
-            if (!lexer_.peek().is('(')) return refuse(lexer_.peek(), "map.face_open", point + 1);
+        const auto bracket = [&](std::span<double> values, int point) {
+            if (!lexer_.peek().is('(')) return refuse(lexer_.peek(), "map.face_open", point);
             lexer_.take();
-            for (int axis = 0; axis < 3; ++axis) {
+            for (double& value : values) {
                 const Token& number = lexer_.peek();
-                if (number.kind != TokenKind::Word ||
-                    !parse_finite(number.text, face.points_units[static_cast<std::size_t>(point)][axis]))
-                    return refuse(number, "map.face_number", point + 1);
+                if (number.kind != TokenKind::Word || !parse_finite(number.text, value))
+                    return refuse(number, "map.face_number", point);
                 lexer_.take();
             }
-            if (!lexer_.peek().is(')')) return refuse(lexer_.peek(), "map.face_close", point + 1);
+            if (!lexer_.peek().is(')')) return refuse(lexer_.peek(), "map.face_close", point);
             lexer_.take();
+            return true;
+        };
+        if (form == FaceForm::PlaneAndMatrix) {
+            std::array<double, 4> plane{};
+            const Token first = lexer_.peek();
+            if (!bracket(plane, 1)) return false;
+            if (!points_of_plane(plane, face)) return refuse(first, "map.face_plane");
+        } else {
+            for (std::size_t point = 0; point < 3; ++point) {
+                std::array<double, 3> p{};
+                if (!bracket(p, static_cast<int>(point) + 1)) return false;
+                face.points_units[point] = {p[0], p[1], p[2]};
+            }
         }
         // Looked at only here: elsewhere a texture's name may begin with a bracket.
-        if (primitive && !skip_texture_matrix()) return refuse(lexer_.peek(), "map.face_matrix");
+        if (form != FaceForm::Points && !skip_texture_matrix()) return refuse(lexer_.peek(), "map.face_matrix");
         const Token texture = lexer_.take_texture();
         if (texture.kind == TokenKind::End) return refuse(texture, "map.face_texture");
         face.texture = texture.text;
         while (lexer_.peek().is('[') || lexer_.peek().is(']') || is_number(lexer_.peek())) lexer_.take();
+        return true;
+    }
+
+    // "( a b c d )" of brushDef3: what lies on ax + by + cz + d = 0, seen from where that is more. False: no direction.
+    static bool points_of_plane(const std::array<double, 4>& plane, MapFace& face) {
+        constexpr double kApart_units = 128.0;
+        const Vec3 normal(plane[0], plane[1], plane[2]);
+        const double length = glm::length(normal);
+        if (!(length > 1e-9) || !std::isfinite(length)) return false;
+        const Vec3 out = normal / length, u = any_perpendicular(out), v = glm::cross(out, u);
+        const Vec3 at = out * (-plane[3] / length);
+        face.points_units = {at + u * kApart_units, at, at + v * kApart_units};
         return true;
     }
 

@@ -1,6 +1,6 @@
 // The grammar of Quake-family .map files, without its meaning: entities with keys brushes of three-point faces,
-// Standard or Valve 220 per face or within brushDef, and curved patches. Takes any bytes: damage is reported and what
-// is complete is kept. No recursion. Time and memory are proportional to the file.
+// Standard or Valve 220 per face or within brushDef, planes of brushDef3 (Doom 3), and curved patches. Takes any bytes:
+// damage is reported and what is complete is kept. No recursion. Time and memory are proportional to the file.
 #pragma once
 
 #include <array>
@@ -54,7 +54,8 @@ struct MapFile {
     int brushes = 0;          // complete ones and damaged ones
     int brushes_damaged = 0;  // left out
     int curves_damaged = 0;   // patchDef2, patchDef3: left out
-    int primitives = 0;       // brushDef3 and other forms: left out
+    int primitives = 0;       // other forms: left out
+    int version = 0;          // as its first line says; 2 and later: forms lie around the origin of their entity
 };
 
 // Stopped in the middle it gives what it has by then.
