@@ -1,6 +1,7 @@
 #include "worlds/readers/reader.h"
 #include "worlds/imdf/read_imdf.h"
 #include "worlds/osm/osm_data.h"
+#include "worlds/readers/foreign_formats.h"
 #include "worlds/readers/units.h"
 
 #include "worlds/base/files.h"
@@ -43,39 +44,14 @@ constexpr std::array kReaders{
     MapReader{"imdf", [](const fs::path&, std::string_view bytes) { return is_imdf(bytes); }, read_imdf},
 };
 
-// Files that are often given by mistake, told by their first bytes, and what to do then.
-struct ForeignFile {
-    std::string_view first_bytes, says;  // a text's key
-};
-constexpr std::array kForeign{
-    ForeignFile{"version https://git-lfs", "reader.lfs_pointer"},
-    ForeignFile{std::string_view("\x1D\0\0\0", 4), "reader.compiled_quake"},
-    ForeignFile{std::string_view("\x1E\0\0\0", 4), "reader.compiled_half_life"},
-    ForeignFile{"IBSP", "reader.compiled_game"},
-    ForeignFile{"VBSP", "reader.compiled_source"},
-    ForeignFile{"BSP2", "reader.compiled_quake"},
-    ForeignFile{"PACK", "reader.game_archive"},
-    ForeignFile{"PK\x03\x04", "reader.zip"},
-    ForeignFile{"WAD2", "reader.textures"},
-    ForeignFile{"WAD3", "reader.textures"},
-    ForeignFile{"\x1F\x8B", "reader.compressed"},
-    ForeignFile{"%PDF", "reader.document"},
-    ForeignFile{"\x89PNG", "reader.picture"},
-    ForeignFile{"<?xml", "reader.xml"},
-};
-
-// Worldcraft's own format begins with a number and then three letters.
-bool is_rmf(std::string_view bytes) { return bytes.size() > 7 && bytes.substr(4, 3) == "RMF"; }
-
 }  // namespace
 
 Result<Scene> read_world_bytes(const fs::path& path, std::string_view bytes, const ReadOptions& options) {
     const std::string name = path.filename().string();
     if (bytes.empty()) return fail(phrase("reader.empty"), name);
     const bool ours = osm_form(bytes, name) != OsmForm::None || is_imdf(bytes) || is_ifczip(path, bytes);
-    for (const ForeignFile& foreign : kForeign)
-        if (!ours && bytes.starts_with(foreign.first_bytes)) return fail(phrase(foreign.says), name);
-    if (is_rmf(bytes)) return fail(phrase("reader.worldcraft"), name);
+    if (!ours)
+        if (const std::string foreign = foreign_by_content(bytes); !foreign.empty()) return fail(foreign, name);
     ReadOptions with_folder = options;
     if (!with_folder.read_beside)
         with_folder.read_beside = [&](const std::string& other) { return read_file_beside(path, other, options.stop); };
@@ -85,7 +61,8 @@ Result<Scene> read_world_bytes(const fs::path& path, std::string_view bytes, con
             if (scene && !options.unit_is_known) ask_about_unit(*scene);
             return scene;
         }
-    return fail(phrase("reader.other_ending"), name);
+    const std::string foreign = foreign_by_ending(path);
+    return fail(foreign.empty() ? phrase("reader.other_ending") : foreign, name);
 }
 
 Result<OpenFile> open_file_beside(const fs::path& world, const std::string& other) {
