@@ -109,6 +109,7 @@ Json honesty_json(const Scene& scene) {
               {"landmarks", report.landmarks}}},
             {"guessed", report.guessed},
             {"missing", report.left_out},
+            {"parts_missing", report.parts_missing},
             {"openings_uncut", report.openings_uncut},
             {"simplified_for_touch", report.simplified},
             {"problems", report.problems},

@@ -16,6 +16,7 @@ constexpr std::array kRows{
     FaultRow{FaultKind::StartLost, "start_lost", true},
     FaultRow{FaultKind::RoomOutOfReach, "room_out_of_reach", true},
     FaultRow{FaultKind::ImpassableDoor, "impassable_door", true},
+    FaultRow{FaultKind::MissingPart, "missing_part", true},
     FaultRow{FaultKind::DoorOnNoWall, "door_on_no_wall", true},
     FaultRow{FaultKind::DoorOverLevels, "door_over_levels", true},
     FaultRow{FaultKind::FloorEnds, "floor_ends", true},

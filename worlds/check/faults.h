@@ -21,6 +21,7 @@ enum class FaultKind : std::uint8_t {
     StartLost,         // nobody can stand where a start is
     RoomOutOfReach,    // no way on foot from the base
     ImpassableDoor,    // no body gets through, or it cannot open
+    MissingPart,       // it has a form in the file, and not here, or not all of it
     DoorOnNoWall,      // stands free
     DoorOverLevels,    // reaches over the floors of two storeys
     FloorEnds,         // with nothing below and nothing to stop at

@@ -98,6 +98,12 @@ void from_the_report(const Scene& scene, std::vector<WorldFault>& faults) {
     const StatedBuilding& stated = *scene.stated;
     for (const CheckPoint& point : honest_report(scene).check) {
         WorldFault fault{FaultKind::OddName, point.at_m, point.source};
+        if (point.what == ToCheck::MissingPart) {
+            fault.kind = FaultKind::MissingPart;
+            fault.name = missing_words(stated.missing[point.index]);
+            faults.push_back(std::move(fault));
+            continue;
+        }
         if (point.what == ToCheck::ImpassableDoor) fault.kind = FaultKind::ImpassableDoor;
         else if (point.what == ToCheck::DoorToNoRoom) fault.kind = FaultKind::DoorToNoRoom;
         else if (point.what == ToCheck::DoorCutFree) fault.kind = FaultKind::DoorCutFree;

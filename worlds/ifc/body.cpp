@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "worlds/geometry/clip.h"
+#include "worlds/geometry/mass_properties.h"
 
 namespace handrail {
 namespace {
@@ -160,6 +161,12 @@ std::uint64_t number_of(const Body& body) {
     return number;
 }
 
+double volume_m3(const Body& body) {
+    double sum = 0.0;
+    for (const ConvexSolid& solid : body.solids) sum += mass_properties(solid).volume_m3;
+    return sum;
+}
+
 Body transformed(const Body& body, const Frame& frame) {
     Body moved;
     for (const ConvexSolid& solid : body.solids) {
@@ -291,6 +298,30 @@ void keep_within(Body& body, std::span<const Plane> planes) {
         if (inner.points_m.size() >= 3) sheets.push_back(std::move(inner));
     }
     body.sheets = std::move(sheets);
+}
+
+bool crosses(const Body& body, const Vec3& low, const Vec3& high) {
+    const Vec3 way = high - low;
+    for (const ConvexSolid& solid : body.solids) {
+        double from = 0.0, to = 1.0;
+        for (const Plane& plane : solid.planes) {
+            const double at = signed_distance(plane, low), slope = glm::dot(plane.normal, way);
+            if (std::abs(slope) < 1e-12) to = at > 0.0 ? -1.0 : to;
+            else if (slope > 0.0) to = std::min(to, -at / slope);
+            else from = std::max(from, -at / slope);
+        }
+        if (from <= to) return true;
+    }
+    for (const Polygon& sheet : body.sheets) {
+        Ring ring;
+        for (const Vec3& p : sheet.points_m) ring.emplace_back(p.x, p.y);
+        const Vec3 area = area_vector_m2(sheet.points_m);
+        if (std::abs(area.z) < 1e-9 || !inside({ring}, {low.x, low.y})) continue;
+        const double z = sheet.points_m[0].z -
+                         (area.x * (low.x - sheet.points_m[0].x) + area.y * (low.y - sheet.points_m[0].y)) / area.z;
+        if (z >= low.z && z <= high.z) return true;
+    }
+    return false;
 }
 
 bool meets(const Body& body, const ConvexSolid& shape) {

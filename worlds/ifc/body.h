@@ -47,6 +47,9 @@ void fill(Body& body);
 bool same_body(const Body& a, const Body& b);
 std::uint64_t number_of(const Body& body);
 
+// Of its solids.
+double volume_m3(const Body& body);
+
 // The same elsewhere. What becomes flat or not finite is left out.
 Body transformed(const Body& body, const Frame& frame);
 
@@ -65,6 +68,8 @@ std::optional<Reach> reach_along(const Body& body, const Vec3& direction);
 // What lies behind all planes is taken away, or all else. True where something changed.
 bool cut_away(Body& body, std::span<const Plane> planes);
 void keep_within(Body& body, std::span<const Plane> planes);
+// Whether something lies across the upright line from one place to another above it.
+bool crosses(const Body& body, const Vec3& low, const Vec3& high);
 // True where a body of that shape and this one share more than a flush touch.
 bool meets(const Body& body, const ConvexSolid& shape);
 

@@ -4,6 +4,7 @@
 
 #include "worlds/geometry/box_index.h"
 #include "worlds/geometry/clip.h"
+#include "worlds/ifc/ifc_made_parts.h"
 #include "worlds/ifc/ifc_scene.h"
 #include "worlds/ifc/ifc_spaces.h"
 
@@ -66,11 +67,14 @@ public:
         find_origin();
         read_names();
         read_parts();
+        read_spaces(building_, model_, relations_, shapes_);
+        building_.walls_made = make_walls(building_);
+        for (const std::uint32_t room : make_floors(building_))
+            building_.floors_made.push_back(building_.rooms[room].name);
         std::vector<Aabb> boxes;
         boxes.reserve(building_.parts.size());
         for (const IfcPart& part : building_.parts) boxes.push_back(part.box);
         building_.by_place = std::make_shared<const BoxIndex>(boxes);
-        read_spaces(building_, model_, relations_, shapes_);
         if (progress_) progress_(0.7);
         for (std::size_t i = 0; i < building_.parts.size() && !stop_.stop_requested(); ++i) {
             cut_openings(building_.parts[i]);
@@ -99,6 +103,29 @@ private:
         frame.origin_m -= building_.origin_m;
         return frame;
     }
+    // Compares what the file states of a part with what stands here.
+    void note_missing(const IfcPart& part, double own_m3, int far) {
+        constexpr double kLostShare = 0.05, kLeastStated_m3 = 1e-6;
+        const IfcShapes::Account& account = shapes_.account();
+        if (!account.formed || part.prefab || stop_.stop_requested()) return;
+        MissingPart missing;
+        const double stated_m3 = std::max(account.stated_m3, account.made_m3);
+        const double lost_m3 = stated_m3 - account.made_m3 + std::max(0.0, own_m3 - volume_m3(part.body));
+        if (far > 0) missing.reason = "ifc.lost_far";
+        else if (!account.unread.empty() && (part.body.empty() || lost_m3 <= kLostShare * stated_m3))
+            missing.reason = "ifc.lost_unread", missing.detail = account.unread;
+        else if (part.body.empty()) missing.reason = "ifc.lost_empty";
+        else if (stated_m3 > kLeastStated_m3 && lost_m3 > kLostShare * stated_m3)
+            missing.reason = "ifc.lost_share", missing.share = std::min(1.0, lost_m3 / stated_m3);
+        else return;
+        missing.name = part.name;
+        missing.guid = part.guid;
+        missing.storey = text_at(model_.values(relations_.whole_named(model_, part.id, "IFCBUILDINGSTOREY")), 2);
+        missing.at_m = is_finite(part.frame.origin_m) ? part.frame.origin_m : Vec3(0.0);
+        missing.source = {part.line, 0};
+        building_.missing.push_back(std::move(missing));
+    }
+
     Body body_of(std::uint64_t product, const Frame& frame) {
         Body body = transformed(shapes_.body_of(reference_at(model_.values(product), 6)), frame);
         building_.far += drop_far(body);
@@ -116,11 +143,10 @@ private:
             for (const StepInstance& instance : model_.file().instances())
                 if (instance.name == wanted)
                     consider(model_.placement(reference_at(model_.values(instance.id), 5)).origin_m);
-        const auto consider_first = [&](bool structure) {
+        const auto consider_first = [&](auto&& wanted) {
             for (const StepInstance& instance : model_.file().instances()) {
                 const std::optional<PartRole> role = role_of(instance.name);
-                if (!role || !is_part(*role)) continue;
-                if (structure && *role != PartRole::Wall && *role != PartRole::Slab) continue;
+                if (!role || !wanted(*role)) continue;
                 const Frame frame = model_.placement(reference_at(model_.values(instance.id), 5));
                 const Aabb box = shapes_.body_of(reference_at(model_.values(instance.id), 6)).bounds_m();
                 if (box.empty()) continue;
@@ -131,7 +157,9 @@ private:
             }
             return false;
         };
-        if (!consider_first(true)) consider_first(false);
+        if (!consider_first([](PartRole role) { return role == PartRole::Wall || role == PartRole::Slab; }) &&
+            !consider_first(is_part))
+            consider_first([](PartRole role) { return role == PartRole::Space; });
     }
 
     void read_names() {
@@ -165,9 +193,13 @@ private:
             part.name = text_at(v, 2);
             if (part.role == PartRole::Lift) part.role = kind_of_transport(part, v);
             part.frame = frame_of(instance.id);
-            part.body = body_of(instance.id, part.frame);
+            const Body own = shapes_.body_of(reference_at(v, 6));
+            part.body = transformed(own, part.frame);
+            const int far = drop_far(part.body);
+            building_.far += far;
             part.same_as = building_.parts.size();
             if (part.body.empty()) take_prefab(part, v);
+            note_missing(part, volume_m3(own), far);
             for (const std::string& word : material_words(model_, relations_, instance.id))
                 part.words += (part.words.empty() ? "" : "; ") + word;
             if (part.role == PartRole::Door || part.role == PartRole::Window) {
@@ -496,6 +528,20 @@ std::vector<std::uint32_t> blocking(const IfcBuilding& building, const ConvexSol
 bool can_pass(const IfcBuilding& building, const WallGap& gap) {
     const std::optional<ConvexSolid> body = way_through(gap);
     return body && blocking(building, *body).empty();
+}
+
+double sky_side(const IfcBuilding& building, const WallGap& gap) {
+    constexpr double kAway_m = 1.0, kOver_m = 1.0, kSky_m = 200.0;
+    const double middle = 0.5 * (gap.least_m.x + gap.most_m.x);
+    const auto is_open = [&](double y) {
+        const Vec3 low = gap.axes.at({middle, y, gap.least_m.z + kOver_m}), high = low + Vec3(0.0, 0.0, kSky_m);
+        std::vector<std::uint32_t> near;
+        building.by_place->find({low, high}, near);
+        return std::none_of(near.begin(), near.end(),
+                            [&](std::uint32_t i) { return crosses(building.parts[i].body, low, high); });
+    };
+    const bool before = is_open(gap.least_m.y - kAway_m), behind = is_open(gap.most_m.y + kAway_m);
+    return before == behind ? 0.0 : before ? -1.0 : 1.0;
 }
 
 std::vector<std::string> in_the_way(const IfcBuilding& building, const WallGap& gap) {

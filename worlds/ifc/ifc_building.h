@@ -54,6 +54,9 @@ struct IfcBuilding {
     int openings = 0, openings_cut = 0;
     std::vector<std::size_t> openings_uncut;  // lines
     std::map<std::string, int, std::less<>> skipped, not_read;
+    std::vector<MissingPart> missing;      // in file order
+    std::vector<std::string> floors_made;  // names of rooms that nothing lay under
+    int walls_made = 0;                    // rooms of a file without walls
     int approximated = 0, odd_placements = 0, far = 0, repeated = 0;
     bool too_large = false;
 };
@@ -67,6 +70,8 @@ IfcBuilding read_building(IfcModel& model, const IfcRelations& relations, const 
 std::vector<std::string> free_the_way(IfcBuilding& building, const WallGap& gap);
 // A body of 0.5 m passes through.
 bool can_pass(const IfcBuilding& building, const WallGap& gap);
+// Which side of a gap lies under open sky, as the sign of its y; 0: neither or both.
+double sky_side(const IfcBuilding& building, const WallGap& gap);
 // Names of what keeps a person of 0.5 m from standing before the gap, passing, and standing behind it.
 std::vector<std::string> in_the_way(const IfcBuilding& building, const WallGap& gap);
 

@@ -157,8 +157,9 @@ void IfcScene::add_door(std::size_t i, const WallGap& gap) {
         add_leaf(gap, gap.least_m.x, gap.most_m.x, part.operation.find("RIGHT") == std::string::npos, i, group);
     }
     if (scene_.features.size() > before) portal.feature = {static_cast<std::uint32_t>(before)};
-    // In a file without rooms any door may lead out.
-    if (portal.rooms.size() == 1 || stated_->rooms.empty()) outer_doors_.push_back({stated_->portals.size(), i});
+    // In a file without rooms those lead out that have open sky on one side; if none has, any door may.
+    if (portal.rooms.size() == 1 || (stated_->rooms.empty() && (sky_side_.empty() || sky_side_.contains(i))))
+        outer_doors_.push_back({stated_->portals.size(), i});
     stated_->portals.push_back(std::move(portal));
 }
 
@@ -352,7 +353,10 @@ void IfcScene::add_starts() {
         const auto gap = building_.gaps.find(door.part);
         if (gap == building_.gaps.end()) continue;
         const std::array<std::uint32_t, 2> beside = rooms_beside(rooms_, gap->second);
-        const Vec3 out = gap->second.axes.y * (beside[0] == kNotStated ? -1.0 : 1.0);
+        const auto sky = sky_side_.find(door.part);
+        const Vec3 out = gap->second.axes.y * (sky != sky_side_.end()    ? sky->second
+                                               : beside[0] == kNotStated ? -1.0
+                                                                         : 1.0);
         Start start;
         start.feet_m = portal.place_m + out * kBeforeDoor_m;
         start.heading_rad = std::atan2(-out.x, -out.y);

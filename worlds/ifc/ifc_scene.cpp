@@ -46,6 +46,7 @@ std::shared_ptr<StatedBuilding> stated_part_of(const IfcBuilding& building) {
     stated->schema = building.schema;
     stated->storeys = building.storeys;
     stated->rooms = building.rooms;
+    stated->missing = building.missing;
     return stated;
 }
 
@@ -89,6 +90,8 @@ void IfcScene::prove_doors() {
     for (const auto& [i, gap] : building_.gaps) {
         if (building_.parts[i].role != PartRole::Door) continue;
         if (options_.stop.stop_requested()) return;
+        if (const double side = stated_->rooms.empty() ? sky_side(building_, gap) : 0.0; side != 0.0)
+            sky_side_.emplace(i, side);
         if (const auto cut = building_.cut_as_leaf.find(i); cut != building_.cut_as_leaf.end()) freed_[i] = cut->second;
         if (!can_pass(building_, gap)) {
             const std::vector<std::string> freed = free_the_way(building_, gap);
@@ -256,6 +259,14 @@ void IfcScene::write_report() {
         }
         report.guessed.push_back(phrase("ifc.prefabs", {{"n", all}, {"names", names}}));
     }
+    if (!building_.floors_made.empty()) {
+        constexpr std::size_t kMostNamed = 4;
+        std::string names;
+        for (std::size_t i = 0; i < std::min(building_.floors_made.size(), kMostNamed); ++i)
+            names += (i > 0 ? ", " : "") + one_line(building_.floors_made[i]);
+        report.guessed.push_back(phrase("ifc.floors_made", {{"n", building_.floors_made.size()}, {"names", names}}));
+    }
+    if (building_.walls_made > 0) report.guessed.push_back(phrase("ifc.walls_made", {{"n", building_.walls_made}}));
     if (plain_ > 0) report.simplified.push_back(phrase("ifc.plain_leaves", {{"n", plain_}}));
     if (building_.approximated > 0)
         report.simplified.push_back(phrase("ifc.approximated", {{"n", building_.approximated}}));

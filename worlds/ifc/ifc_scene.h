@@ -54,7 +54,8 @@ private:
         std::size_t part = 0;    // in building_.parts
     };
     std::vector<OuterDoor> outer_doors_;
-    RoomsByPlace rooms_;  // of stated_
+    std::map<std::size_t, double> sky_side_;  // of doors in a file without rooms: which side of y lies under open sky
+    RoomsByPlace rooms_;                      // of stated_
     int differing_ = 0, plain_ = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <utility>
 
 #include "worlds/ifc/ifc_curves.h"
 
@@ -53,13 +54,19 @@ Body IfcShapes::body_of(std::uint64_t shape) {
         const Values of = model_.values(id);
         return text_at(of, 1) == word || text_at(of, 2) == word;
     };
+    account_ = {};
+    const auto read = [&](std::uint64_t id) {
+        account_.stated_m3 = account_.made_m3 = 0.0;
+        account_.formed = account_.formed || !references_at(model_.values(id), 3).empty();
+        return representation(id, 0);
+    };
     for (const std::string_view word : kWanted)
         for (const std::uint64_t id : all)
             if (called(id, word))
-                if (Body body = representation(id, 0); !body.empty()) return body;
+                if (Body body = read(id); !body.empty()) return body;
     for (const std::uint64_t id : all)
         if (std::none_of(kNever.begin(), kNever.end(), [&](std::string_view word) { return called(id, word); }))
-            if (Body body = representation(id, 0); !body.empty()) return body;
+            if (Body body = read(id); !body.empty()) return body;
     return {};
 }
 
@@ -70,12 +77,41 @@ Body IfcShapes::representation(std::uint64_t id, int depth) {
     return body;
 }
 
+void IfcShapes::note_unread(std::string_view kind) {
+    account_.unread = kind.empty() ? "nothing" : kind;
+    ++not_read_[account_.unread];
+}
+
 Body IfcShapes::item(std::uint64_t id, int depth) {
+    Body body = read_item(id, depth);
+    weigh(model_.name(id), model_.values(id), body);
+    return body;
+}
+
+// Adds what a sweep holds by its outline, counted without the parts that it is cut into.
+void IfcShapes::weigh(std::string_view kind, const Values& values, const Body& body) {
+    if (kind != "IFCEXTRUDEDAREASOLID") return;
+    const double up = std::abs(model_.direction(reference_at(values, 2), {0, 0, 1}).z);
+    const double depth_m = std::abs(number_at(values, 3)) * model_.metres_per_unit();
+    for (const std::vector<Ring>& rings : profile_rings(model_, reference_at(values, 0))) {
+        double area_m2 = 0.0, largest_m2 = 0.0;
+        for (const Ring& ring : rings) {
+            const double ring_m2 = std::abs(signed_area(ring));
+            area_m2 += ring_m2;
+            largest_m2 = std::max(largest_m2, ring_m2);
+        }
+        // The largest is the outline, all others are holes in it.
+        account_.stated_m3 += std::max(0.0, 2.0 * largest_m2 - area_m2) * depth_m * up;
+    }
+    account_.made_m3 += volume_m3(body);
+}
+
+Body IfcShapes::read_item(std::uint64_t id, int depth) {
     if (spent()) return {};
     ++items_;
     const std::string_view kind = model_.name(id);
     if (depth > kDeepest) {
-        ++not_read_[std::string(kind)];
+        note_unread(kind);
         return {};
     }
     const Values values = model_.values(id);
@@ -102,23 +138,30 @@ Body IfcShapes::item(std::uint64_t id, int depth) {
     if (kind == "IFCCLOSEDSHELL" || kind == "IFCOPENSHELL" || kind == "IFCCONNECTEDFACESET") return shells({id});
     if (kind == "IFCTRIANGULATEDFACESET" || kind == "IFCPOLYGONALFACESET" || kind == "IFCTRIANGULATEDIRREGULARNETWORK")
         return tessellated(kind, values);
-    if (Body made = primitive(kind, values); !made.empty()) return made;
-    ++not_read_[std::string(kind.empty() ? "nothing" : kind)];
+    if (kind == "IFCBLOCK" || kind == "IFCRIGHTCIRCULARCYLINDER") return primitive(kind, values);
+    note_unread(kind);
     return {};
 }
 
 Body IfcShapes::mapped(const Values& values, int depth) {
     const std::uint64_t source = reference_at(values, 0);
-    std::shared_ptr<const Body>& known = maps_[source];
+    std::shared_ptr<const Mapped>& known = maps_[source];
     const Values of_source = model_.values(source);
     if (!known) {
-        known = std::make_shared<const Body>();  // a map that holds itself is empty there
-        known = std::make_shared<const Body>(representation(reference_at(of_source, 1), depth + 1));
+        known = std::make_shared<const Mapped>();  // a map that holds itself is empty there
+        const Account before = std::exchange(account_, {});
+        Mapped made{representation(reference_at(of_source, 1), depth + 1), {}};
+        made.account = std::exchange(account_, before);
+        maps_[source] = std::make_shared<const Mapped>(std::move(made));
     }
-    faces_ += known->sheets.size() + known->solids.size();
+    const Mapped& map = *maps_[source];
+    account_.stated_m3 += map.account.stated_m3;
+    account_.made_m3 += map.account.made_m3;
+    if (!map.account.unread.empty()) account_.unread = map.account.unread;
+    faces_ += map.body.sheets.size() + map.body.solids.size();
     const Frame target = model_.transformation(reference_at(values, 1)),
                 origin = model_.axes(reference_at(of_source, 0));
-    return spent() ? Body{} : transformed(*known, target.of(origin));
+    return spent() ? Body{} : transformed(map.body, target.of(origin));
 }
 
 Body IfcShapes::extruded(std::string_view kind, const Values& values) {
@@ -243,7 +286,7 @@ Body IfcShapes::boolean(std::uint64_t id, int depth) {
     std::uint64_t at = id;
     for (; is_boolean(model_.name(at)); at = reference_at(model_.values(at), 1)) {
         if (!seen.insert(at).second) {
-            ++not_read_[std::string(model_.name(at))];
+            note_unread(model_.name(at));
             return {};
         }
         chain.push_back(at);

@@ -22,6 +22,14 @@ public:
 
     // Of an IfcProductDefinitionShape: its body, else what other solid form there is.
     Body body_of(std::uint64_t shape);
+    // Of the last body_of: what its sweeps and closed shells hold by their outlines and faces, and in solids. Cuts are
+    // not in either.
+    struct Account {
+        double stated_m3 = 0.0, made_m3 = 0.0;
+        std::string unread;   // a class that is not read
+        bool formed = false;  // it has a representation that is a body
+    };
+    const Account& account() const { return account_; }
     const std::map<std::string, int, std::less<>>& not_read() const { return not_read_; }
     int approximated() const { return approximated_; }  // curved faces, cuts with what has no inside
     bool too_large() const { return items_ >= kMostItems || faces_ >= kMostFaces; }
@@ -32,6 +40,9 @@ private:
         bool known = true;
     };
     Body item(std::uint64_t id, int depth);
+    Body read_item(std::uint64_t id, int depth);
+    void weigh(std::string_view kind, const Values& values, const Body& body);
+    void note_unread(std::string_view kind);
     Body representation(std::uint64_t id, int depth);
     Body mapped(const Values& values, int depth);
     Body extruded(std::string_view kind, const Values& values);
@@ -52,7 +63,12 @@ private:
 
     const IfcModel& model_;
     std::stop_token stop_;
-    std::map<std::uint64_t, std::shared_ptr<const Body>> maps_;  // mapped representations in their own frame
+    struct Mapped {
+        Body body;
+        Account account;
+    };
+    std::map<std::uint64_t, std::shared_ptr<const Mapped>> maps_;  // mapped representations in their own frame
+    Account account_;
     std::map<std::string, int, std::less<>> not_read_;
     std::size_t items_ = 0, faces_ = 0;
     int approximated_ = 0;

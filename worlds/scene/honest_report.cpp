@@ -1,6 +1,7 @@
 #include "worlds/scene/honest_report.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
@@ -12,6 +13,8 @@ namespace {
 // Of the sentence that says it.
 std::string_view key_of(ToCheck what) {
     switch (what) {
+        case ToCheck::MissingPart:
+            return "honest.missing_part";
         case ToCheck::ImpassableDoor:
             return "honest.impassable_door";
         case ToCheck::DoorToNoRoom:
@@ -98,6 +101,9 @@ HonestReport honest_report(const Scene& scene) {
     report.simplified = static_cast<int>(scene.report.simplified.size());
     report.left_out = static_cast<int>(scene.report.left_out.size());
     report.problems = scene.report.warnings_in_all;
+    report.parts_missing = static_cast<int>(stated.missing.size());
+    for (std::uint32_t m = 0; m < stated.missing.size(); ++m)
+        report.check.push_back({ToCheck::MissingPart, m, stated.missing[m].at_m, stated.missing[m].source});
     note_doors(stated, report);
     note_rooms(stated, report);
     std::stable_sort(report.check.begin(), report.check.end(),
@@ -105,8 +111,20 @@ HonestReport honest_report(const Scene& scene) {
     return report;
 }
 
+std::string missing_words(const MissingPart& part) {
+    const std::string name = one_line(part.name.empty() ? part.guid : part.name);
+    return phrase("honest.missing_part",
+                  {{"name", name},
+                   {"guid", one_line(part.guid)},
+                   {"storey", one_line(part.storey)},
+                   {"on", part.storey.empty() ? "no" : "yes"},
+                   {"reason", phrase(part.reason, {{"detail", one_line(part.detail)},
+                                                   {"percent", std::round(part.share * 100.0)}})}});
+}
+
 std::string check_words(const Scene& scene, const CheckPoint& point) {
     const std::string key(key_of(point.what));
+    if (point.what == ToCheck::MissingPart) return missing_words(scene.stated->missing[point.index]);
     if (is_of_a_room(point.what)) return phrase(key, {{"room", room_words(scene.stated->rooms[point.index])}});
     return phrase(key, {{"door", one_line(scene.stated->portals[point.index].name)}});
 }

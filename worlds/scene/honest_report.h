@@ -14,6 +14,7 @@ namespace handrail {
 
 // The gravest first: what cannot be walked, then what is told wrongly, then what may be so in the building itself.
 enum class ToCheck : std::uint8_t {
+    MissingPart,      // it has a form in the file, and not here, or not all of it
     ImpassableDoor,   // no body came through, even after cutting
     DoorToNoRoom,     // the file's rooms lie on neither side of it
     OddName,          // the room holds stairs and its name does not say so
@@ -24,7 +25,7 @@ enum class ToCheck : std::uint8_t {
 
 struct CheckPoint {
     ToCheck what = ToCheck::OddName;
-    std::uint32_t index = 0;  // of StatedBuilding::rooms or portals, as `what` says
+    std::uint32_t index = 0;  // of StatedBuilding::rooms, portals or missing, as `what` says
     Vec3 at_m{0.0};           // on the floor, world metres
     SourcePlace source;
 };
@@ -40,6 +41,7 @@ struct HonestReport {
     int largest_connected = 0;  // rooms of the largest group joined by doors, openings and stairs
     int landmarks = 0;          // things that the file marks so
     // Not, or not quite.
+    int parts_missing = 0;                          // or with another volume than in the file
     int openings_uncut = 0;                         // stay wall
     int doors_cut_free = 0;                         // something in the way was cut away
     int doors_impassable = 0;                       // and these could not be
@@ -57,6 +59,9 @@ std::string honest_sentence(const Scene& scene, const HonestReport& report);
 std::vector<std::string> honest_details(const Scene& scene, const HonestReport& report);
 // How much was guessed, made simpler, left out and found wrong while reading any file; where each is told.
 std::string honest_counts(const ReadReport& report);
+// "North wall, 2O2Fr$t4X7Zf8NOew3FLOH, on Level 1, is not there: Handrail does not read IFCSWEPTDISKSOLID"; no stop at
+// the end.
+std::string missing_words(const MissingPart& part);
 // "Room B105 holds stairs, and its name does not say so"; no stop at the end.
 std::string check_words(const Scene& scene, const CheckPoint& point);
 

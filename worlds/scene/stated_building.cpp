@@ -9,8 +9,10 @@
 namespace handrail {
 
 bool holds(const StatedRoom& room, const Vec3& at_m) {
+    // The same above as below, so that a space as high as its storey does not hold the floor over it.
     constexpr double kStep_m = 0.35;
-    if (at_m.z < room.floor_m - kStep_m || at_m.z > room.floor_m + room.height_m) return false;
+    const double top_m = room.floor_m + std::max(0.5 * room.height_m, room.height_m - kStep_m);
+    if (at_m.z < room.floor_m - kStep_m || at_m.z >= top_m) return false;
     bool inside = false;
     for (const std::vector<Vec2>& ring : room.rings)
         for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {

@@ -51,17 +51,28 @@ struct StatedPortal {
     SourcePlace source;
 };
 
+// A part that has a form in the file and stands here not at all, or with another volume.
+struct MissingPart {
+    std::string name, guid, storey;  // as the file has them; may be empty
+    std::string reason;              // the key of its text: "ifc.lost_unread"
+    std::string detail;              // for the text: a class that is not read
+    double share = 0.0;              // of its volume that is missing
+    Vec3 at_m{0.0};                  // of its placement
+    SourcePlace source;
+};
+
 struct StatedBuilding {
     std::string schema;                 // "IFC2X3"
     std::vector<StatedStorey> storeys;  // from the lowest up
     std::vector<StatedRoom> rooms;      // in file order
     std::vector<StatedPortal> portals;  // in file order
+    std::vector<MissingPart> missing;   // in file order
     double wall_m = 0.0;                // how thick its walls are, where all are alike; 0: not known
     int windows = 0, openings = 0, openings_cut = 0, stairs = 0, ramps = 0, lifts = 0, escalators = 0, walkways = 0,
         furnishings = 0, skipped = 0;
 };
 
-// True when the place lies within the outline and, with the tolerance of a step, between floor and ceiling.
+// True when the place lies within the outline, and from a step below the room's floor to a step below its ceiling.
 bool holds(const StatedRoom& room, const Vec3& at_m);
 // Of the least rectangle round its outline that lies along one of its sides: first the side that runs more from west to
 // east.

@@ -214,11 +214,16 @@ void fields(A& a, T& v) {
     auto& [kind, name, guid, feature, rooms, place, width, height, by_boundaries, opened_by_box, passable, source] = v;
     a(kind, name, guid, feature, rooms, place, width, height, by_boundaries, opened_by_box, passable, source);
 }
+template <class A, Is<MissingPart> T>
+void fields(A& a, T& v) {
+    auto& [name, guid, storey, reason, detail, share, at, source] = v;
+    a(name, guid, storey, reason, detail, share, at, source);
+}
 template <class A, Is<StatedBuilding> T>
 void fields(A& a, T& v) {
-    auto& [schema, storeys, rooms, portals, wall, windows, openings, openings_cut, stairs, ramps, lifts, escalators,
-           walkways, furnishings, skipped] = v;
-    a(schema, storeys, rooms, portals, wall, windows, openings, openings_cut, stairs, ramps, lifts, escalators,
+    auto& [schema, storeys, rooms, portals, missing, wall, windows, openings, openings_cut, stairs, ramps, lifts,
+           escalators, walkways, furnishings, skipped] = v;
+    a(schema, storeys, rooms, portals, missing, wall, windows, openings, openings_cut, stairs, ramps, lifts, escalators,
       walkways, furnishings, skipped);
 }
 template <class A, Is<ReadReport> T>

@@ -66,6 +66,12 @@ public:
                              "," + ref(shape) + ",$" + more + ")"));
         return parts_.back();
     }
+    // A space on the storey.
+    void space(const std::string& name, int item, int placement = kPlacement) {
+        const int made = part("IFCSPACE", name, item, {}, placement);
+        parts_.pop_back();
+        spaces_.push_back(made);
+    }
     void opening(int host, int item, int filling = 0) {
         const int made = part("IFCOPENINGELEMENT", "Opening", item, ",$");
         parts_.pop_back();
@@ -82,8 +88,11 @@ public:
                "#8=IFCBUILDING('B',$,'Hut',$,$,#7,$,$,.ELEMENT.,$,$,$);\n"
                "#9=IFCBUILDINGSTOREY('S',$,'Ground',$,$,#7,$,$,.ELEMENT.,0.);\n"
                "#10=IFCRELAGGREGATES('R1',$,$,$,#6,(#8));\n#11=IFCRELAGGREGATES('R2',$,$,$,#8,(#9));\n" +
-               data_.str() + "#999999=IFCRELCONTAINEDINSPATIALSTRUCTURE('C',$,$,$," + refs(parts_) +
-               ",#9);\nENDSEC;\nEND-ISO-10303-21;\n";
+               data_.str() +
+               (spaces_.empty() ? "" : "#999998=IFCRELAGGREGATES('R3',$,$,$,#9," + refs(spaces_) + ");\n") +
+               (parts_.empty() ? ""
+                               : "#999999=IFCRELCONTAINEDINSPATIALSTRUCTURE('C',$,$,$," + refs(parts_) + ",#9);\n") +
+               "ENDSEC;\nEND-ISO-10303-21;\n";
     }
     Scene scene(const std::string& schema = "IFC4") const {
         Result<Scene> read = read_world_bytes("hut.ifc", text(schema), {});
@@ -95,7 +104,7 @@ public:
 private:
     std::ostringstream data_;
     int last_ = 20;
-    std::vector<int> parts_;
+    std::vector<int> parts_, spaces_;
 };
 
 // Of the solids that lie wholly in a box.

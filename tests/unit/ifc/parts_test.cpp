@@ -243,6 +243,105 @@ TEST(PartsOfIfc, are_read_whatever_the_case_of_the_schema) {
         EXPECT_NEAR(volume_within_m3(hut.scene(schema), kWall), 4.5, 1e-6) << schema;
 }
 
+TEST(MissingParts, are_named_with_their_guid_storey_and_reason) {
+    Hut hut;
+    hut.part("IFCSLAB", "Floor", hut.block({0.0, 0.0, -0.2}, {6.0, 6.0, 0.0}), ",$");
+    const int odd = hut.add("IFCSPHERE(" + Hut::ref(hut.placed({3.0, 3.0, 1.0})) + ",0.5)");
+    const int lost = hut.part("IFCWALL", "Round", odd, ",$");
+    const int flat = hut.part("IFCWALL", "Flat", hut.block({0.0, 0.0, 0.0}, {6.0, 0.0, 2.5}), ",$");
+    const int away = hut.part("IFCWALL", "Away", hut.block({0.0, 0.0, 0.0}, {1.0, 0.2, 2.5}), ",$",
+                              hut.add("IFCLOCALPLACEMENT($," + Hut::ref(hut.placed({2e6, 0.0, 0.0})) + ")"));
+    const Scene scene = hut.scene();
+    const HonestReport report = honest_report(scene);
+    EXPECT_EQ(report.parts_missing, 3);
+    std::string said;
+    for (const CheckPoint& point : report.check) said += check_words(scene, point) + "\n";
+    EXPECT_THAT(said, testing::HasSubstr("Round, E" + std::to_string(lost) + ", on Ground, is not there"));
+    EXPECT_THAT(said, testing::HasSubstr("IFCSPHERE"));
+    EXPECT_THAT(said, testing::HasSubstr("Flat, E" + std::to_string(flat) + ", on Ground, is not there"));
+    EXPECT_THAT(said,
+                testing::HasSubstr("Away, E" + std::to_string(away) + ", on Ground, is not there: it lies too far"));
+    EXPECT_THAT(said, testing::Not(testing::HasSubstr("Floor")));
+}
+
+TEST(RoomsOfIfc, without_a_slab_get_a_floor_that_is_reported) {
+    for (const double high : {3.0, 0.5}) {  // and none what is too low to be a room
+        SCOPED_TRACE(high);
+        Hut hut;
+        hut.part("IFCSLAB", "Floor", hut.block({0.0, 0.0, -0.2}, {10.0, 5.0, 0.0}), ",$");
+        hut.part("IFCWALL", "South", hut.block({0.0, -0.3, 0.0}, {10.0, 0.0, 6.0}), ",$");
+        hut.space("Hall", hut.block({0.0, 0.0, 0.0}, {10.0, 5.0, 2.8}));
+        hut.space("Office", hut.block({0.0, 0.0, 3.0}, {5.0, 5.0, 3.0 + high}));
+        hut.space("Void over the hall", hut.block({5.0, 0.0, 3.0}, {10.0, 5.0, 6.0}));
+        const Scene scene = hut.scene();
+        EXPECT_EQ(in_a_solid(scene, {2.5, 2.5, 2.95}), high > 1.0);
+        EXPECT_FALSE(in_a_solid(scene, {2.5, 2.5, 3.05}));
+        EXPECT_FALSE(in_a_solid(scene, {7.5, 2.5, 2.95}));
+        EXPECT_EQ(std::any_of(scene.report.guessed.begin(), scene.report.guessed.end(),
+                              [](const std::string& s) { return s.find("Office") != std::string::npos; }),
+                  high > 1.0);
+    }
+}
+
+// A hut over a cellar with three doors within, and one door out of the hut.
+TEST(StartsOfIfc, without_rooms_are_before_doors_to_the_open_sky) {
+    for (const bool out_to_south : {true, false}) {
+        SCOPED_TRACE(out_to_south);
+        Hut hut;
+        hut.part("IFCSLAB", "Cellar floor", hut.block({0.0, 0.0, -3.2}, {8.0, 6.0, -3.0}), ",$");
+        hut.part("IFCSLAB", "Floor", hut.block({0.0, 0.0, -0.2}, {8.0, 6.0, 0.0}), ",$");
+        hut.part("IFCROOF", "Roof", hut.block({0.0, 0.0, 3.0}, {8.0, 6.0, 3.2}), ",$");
+        const double outer_y = out_to_south ? 0.0 : 5.7;
+        const int outer =
+                      hut.part("IFCWALL", "Outer", hut.block({0.0, outer_y, -3.0}, {8.0, outer_y + 0.3, 3.0}), ",$"),
+                  inner = hut.part("IFCWALL", "Inner", hut.block({0.0, 3.0, -3.0}, {8.0, 3.2, -0.2}), ",$");
+        const auto door = [&](int wall, const std::string& name, const Vec3& at) {
+            const int made = hut.part("IFCDOOR", name, hut.block(at + Vec3(0.0, 0.1, 0.0), at + Vec3(1.0, 0.15, 2.1)),
+                                      ",2.1,1.,.DOOR.,$,$");
+            hut.opening(wall, hut.block(at, at + Vec3(1.0, 0.3, 2.1)), made);
+        };
+        for (const double x : {1.0, 3.0, 5.0}) door(inner, "Cellar door", {x, 3.0, -3.0});
+        door(outer, "Entrance", {3.0, outer_y, 0.0});
+        const Scene scene = hut.scene();
+        ASSERT_FALSE(scene.starts.empty());
+        EXPECT_NEAR(scene.starts.front().feet_m.z, 0.0, 0.1);
+        EXPECT_TRUE(scene.starts.front().base);
+        if (out_to_south) EXPECT_LT(scene.starts.front().feet_m.y, 0.0);
+        else EXPECT_GT(scene.starts.front().feet_m.y, 6.0);
+        EXPECT_TRUE(in_a_solid(scene, scene.starts.front().feet_m - Vec3(0.0, 0.0, 0.1)));
+    }
+}
+
+TEST(RoomsOfIfc, alone_get_walls_and_floors_from_their_outlines) {
+    Hut hut;
+    hut.space("Hall", hut.block({0.0, 0.0, 0.0}, {10.0, 5.0, 2.8}));
+    hut.space("Office", hut.block({10.1, 0.0, 0.0}, {15.0, 5.0, 2.8}));
+    const Scene scene = hut.scene();
+    EXPECT_TRUE(in_a_solid(scene, {5.0, 2.5, -0.05}));
+    EXPECT_FALSE(in_a_solid(scene, {5.0, 2.5, 1.0}));
+    for (const Vec3& at : {Vec3(5.0, -0.03, 1.0), Vec3(5.0, 5.03, 1.0), Vec3(-0.03, 2.0, 1.0), Vec3(10.03, 2.0, 1.0),
+                           Vec3(15.03, 2.0, 1.0)})
+        EXPECT_TRUE(in_a_solid(scene, at)) << at.x << " " << at.y;
+    EXPECT_EQ(honest_report(scene).rooms, 2);
+    EXPECT_THAT(scene.report.guessed, testing::Contains(testing::HasSubstr("around 2 rooms")));
+    Hut far;
+    far.space("Hall", far.block({0.0, 0.0, 0.0}, {10.0, 5.0, 2.8}),
+              far.add("IFCLOCALPLACEMENT($," + Hut::ref(far.placed({412300.0, 5654100.0, 71.0})) + ")"));
+    EXPECT_EQ(honest_report(far.scene()).rooms, 1);
+}
+
+TEST(RoomsOfIfc, as_high_as_their_storey_do_not_hold_the_floor_over_them) {
+    StatedRoom room;
+    room.rings = {{{0.0, 0.0}, {4.0, 0.0}, {4.0, 4.0}, {0.0, 4.0}}};
+    room.height_m = 3.0;
+    EXPECT_TRUE(holds(room, {2.0, 2.0, 0.0}));
+    EXPECT_TRUE(holds(room, {2.0, 2.0, -0.3}));
+    EXPECT_TRUE(holds(room, {2.0, 2.0, 1.5}));
+    EXPECT_FALSE(holds(room, {2.0, 2.0, 3.0}));
+    EXPECT_FALSE(holds(room, {2.0, 2.0, 2.8}));
+    EXPECT_FALSE(holds(room, {5.0, 2.0, 1.0}));
+}
+
 TEST(PartsOfIfc, stand_with_slanted_outlines) {
     Hut hut;
     const auto slab = [&](const Ring& outline) {
@@ -260,6 +359,7 @@ TEST(PartsOfIfc, stand_with_slanted_outlines) {
     const Scene scene = hut.scene();
     EXPECT_NEAR(volume_within_m3(scene, {{14.4, 18.6, 0.0}, {22.8, 24.6, 0.2}}), 5.04, 1e-6);
     EXPECT_NEAR(volume_within_m3(scene, {{4.0, 16.0, 0.0}, {14.0, 26.0, 0.2}}), 20.0, 1e-6);
+    EXPECT_EQ(honest_report(scene).parts_missing, 0);
 }
 
 }  // namespace parts_test

@@ -1,0 +1,149 @@
+#include "worlds/ifc/ifc_made_parts.h"
+
+#include <algorithm>
+#include <array>
+
+#include "worlds/base/text.h"
+#include "worlds/geometry/clip.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kFloorThick_m = 0.1, kWallThick_m = 0.05;
+constexpr double kBelow_m = 0.4, kAbove_m = 0.2;  // of a room's level: where what lies there is its floor
+constexpr double kLeastRoom_m2 = 0.5, kLeastHigh_m = 1.5;
+
+bool carries(PartRole role) {
+    constexpr std::array kRoles{PartRole::Slab,  PartRole::Roof,  PartRole::Cover,     PartRole::Structure,
+                                PartRole::Other, PartRole::Panel, PartRole::Stairs,    PartRole::Ramp,
+                                PartRole::Lift,  PartRole::Beam,  PartRole::Escalator, PartRole::Walkway};
+    return std::find(kRoles.begin(), kRoles.end(), role) != kRoles.end();
+}
+
+bool leads_up(PartRole role) {
+    return role == PartRole::Stairs || role == PartRole::Ramp || role == PartRole::Lift || role == PartRole::Escalator;
+}
+
+// By what rooms are called that have no floor on purpose, in English and German.
+bool is_open_below(const StatedRoom& room) {
+    constexpr std::array<std::string_view, 7> kWords{"void",    "shaft",  "open to below", "luftraum",
+                                                     "schacht", "atrium", "stair"};
+    const std::string name = lower_ascii(room.name);
+    return std::any_of(kWords.begin(), kWords.end(),
+                       [&](std::string_view word) { return name.find(word) != std::string::npos; });
+}
+
+// Places within the outline, evenly spread.
+std::vector<Vec3> places_in(const StatedRoom& room) {
+    constexpr int kAcross = 7;
+    Aabb box;
+    for (const Ring& ring : room.rings)
+        for (const Vec2& p : ring) box.include({p.x, p.y, room.floor_m});
+    std::vector<Vec3> places;
+    for (int x = 0; x < kAcross; ++x)
+        for (int y = 0; y < kAcross; ++y) {
+            const Vec2 at{box.min_m.x + box.size_m().x * (x + 0.5) / kAcross,
+                          box.min_m.y + box.size_m().y * (y + 0.5) / kAcross};
+            if (inside(room.rings, at)) places.emplace_back(at.x, at.y, room.floor_m);
+        }
+    return places;
+}
+
+// Nothing lies under any place of the room, and nothing comes up into it.
+bool lacks_floor(const IfcBuilding& building, const BoxIndex& index, const StatedRoom& room) {
+    const std::vector<Vec3> places = places_in(room);
+    if (places.empty()) return false;
+    std::vector<std::uint32_t> near;
+    for (const Vec3& place : places) {
+        const Vec3 low = place - Vec3(0.0, 0.0, kBelow_m), high = place + Vec3(0.0, 0.0, kAbove_m);
+        index.find({low, high}, near);
+        for (const std::uint32_t p : near) {
+            const IfcPart& part = building.parts[p];
+            if (leads_up(part.role)) return false;
+            if (carries(part.role) && crosses(part.body, low, high)) return false;
+        }
+    }
+    return true;
+}
+
+void add_part(IfcBuilding& building, PartRole role, const StatedRoom& room, std::vector<ConvexSolid> solids) {
+    if (solids.empty()) return;
+    IfcPart part;
+    part.role = role;
+    part.line = room.source.line;
+    part.name = room.name;
+    part.body.solids = std::move(solids);
+    part.box = part.body.bounds_m();
+    part.whole = part.same_as = building.parts.size();
+    building.parts.push_back(std::move(part));
+}
+
+std::vector<ConvexSolid> floor_of(const StatedRoom& room) {
+    Frame frame;
+    frame.origin_m = {0.0, 0.0, room.floor_m - kFloorThick_m};
+    std::vector<ConvexSolid> solids;
+    for (const Ring& part : convex_parts(room.rings))
+        if (std::optional<ConvexSolid> solid = prism(part, {0.0, 0.0, kFloorThick_m}, frame))
+            solids.push_back(std::move(*solid));
+    return solids;
+}
+
+BoxIndex index_of(const IfcBuilding& building) {
+    std::vector<Aabb> boxes;
+    boxes.reserve(building.parts.size());
+    for (const IfcPart& part : building.parts) boxes.push_back(part.box);
+    return BoxIndex(boxes);
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> make_floors(IfcBuilding& building) {
+    const BoxIndex index = index_of(building);
+    std::vector<std::uint32_t> made;
+    for (std::uint32_t r = 0; r < building.rooms.size(); ++r) {
+        const StatedRoom& room = building.rooms[r];
+        if (room.rings.empty() || room.area_m2 < kLeastRoom_m2 || room.height_m < kLeastHigh_m || is_open_below(room))
+            continue;
+        if (lacks_floor(building, index, room)) made.push_back(r);
+    }
+    // Those of one storey stand next to each other, so none may carry another while they are looked at.
+    for (const std::uint32_t r : made)
+        add_part(building, PartRole::Slab, building.rooms[r], floor_of(building.rooms[r]));
+    return made;
+}
+
+int make_walls(IfcBuilding& building) {
+    const bool built = std::any_of(building.parts.begin(), building.parts.end(), [](const IfcPart& part) {
+        return !part.body.empty() && part.role != PartRole::Furniture && part.role != PartRole::Fixture &&
+               part.role != PartRole::Door && part.role != PartRole::Window;
+    });
+    if (built) return 0;
+    int made = 0;
+    for (const StatedRoom& room : std::vector<StatedRoom>(building.rooms)) {
+        std::vector<ConvexSolid> solids;
+        for (const Ring& ring : room.rings)
+            for (std::size_t i = 0; i < ring.size(); ++i) {
+                const Vec2 from = ring[i], to = ring[(i + 1) % ring.size()], along = to - from;
+                const double length_m = glm::length(along);
+                if (!(length_m > kFlush_m) || !(room.height_m > kFlush_m)) continue;
+                Frame frame;
+                frame.x = Vec3(along.x, along.y, 0.0) / length_m;
+                frame.y = glm::cross(frame.z, frame.x);
+                frame.origin_m = {from.x, from.y, room.floor_m};
+                // Outside: where the room is not.
+                const Vec2 out = Vec2(frame.y.x, frame.y.y) * kWallThick_m, middle = 0.5 * (from + to);
+                const bool left = !inside(room.rings, middle + out);
+                if (inside(room.rings, middle + out) == inside(room.rings, middle - out)) continue;
+                if (std::optional<ConvexSolid> wall =
+                        box_solid({-kWallThick_m, left ? 0.0 : -kWallThick_m, 0.0},
+                                  {length_m + kWallThick_m, left ? kWallThick_m : 0.0, room.height_m}, frame))
+                    solids.push_back(std::move(*wall));
+            }
+        if (solids.empty()) continue;
+        add_part(building, PartRole::Wall, room, std::move(solids));
+        ++made;
+    }
+    return made;
+}
+
+}  // namespace handrail

@@ -1,0 +1,16 @@
+// Floors and walls that a building needs and its file leaves out, made from the outlines of its spaces. Pure functions
+// on an IfcBuilding whose parts and rooms were read; one reading thread.
+#pragma once
+
+#include "worlds/ifc/ifc_building.h"
+
+namespace handrail {
+
+// Adds a floor under each room that nothing lies under, but none where stairs come up or the room says that it is open
+// to below. Returns the places of those rooms.
+std::vector<std::uint32_t> make_floors(IfcBuilding& building);
+
+// Adds walls around all rooms, but only if the file gives spaces and no building around them. Returns how many rooms.
+int make_walls(IfcBuilding& building);
+
+}  // namespace handrail
