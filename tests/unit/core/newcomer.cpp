@@ -23,34 +23,6 @@ std::string entry_of(std::string spoken) {
 
 }  // namespace
 
-std::optional<Direction> direction_in(const std::string& text) {
-    static const std::string side =
-        "(?:(\\d+) degrees (right|left)|(?:to the )?(ahead|behind|slightly|half|right|left)( right| left)?)";
-    static const std::regex pattern("(\\d+) steps?,? " + side), close("close by,? " + side);
-    std::smatch found;
-    Direction direction;
-    std::string degrees, degrees_side, word, half;
-    if (std::regex_search(text, found, pattern)) {
-        direction.steps = std::stoi(found[1]);
-        degrees = found[2], degrees_side = found[3], word = found[4], half = found[5];
-    } else if (std::regex_search(text, found, close)) {
-        degrees = found[1], degrees_side = found[2], word = found[3], half = found[4];
-    } else {
-        return std::nullopt;
-    }
-    if (!degrees.empty()) {
-        direction.right_deg = std::stod(degrees) * (degrees_side == "right" ? 1.0 : -1.0);
-    } else {
-        const double to = half == " right" ? 1.0 : half == " left" ? -1.0 : 0.0;
-        direction.right_deg = word == "right"      ? 90.0
-                              : word == "left"     ? -90.0
-                              : word == "behind"   ? (to == 0.0 ? 180.0 : to * 135.0)
-                              : word == "slightly" ? to * 22.5
-                                                   : to * 45.0;
-    }
-    return direction;
-}
-
 Newcomer::Newcomer(std::shared_ptr<const Scene> world, const std::filesystem::path& records, const HandFacts& hand) {
     session_ =
         std::make_unique<HeadlessSession>(Settings{}, hand, audio_, speech_, SessionOptions{.records_in = records});

@@ -11,6 +11,7 @@
 
 #include "app/core/session/headless_session.h"
 #include "audio-cues/sinks/recording_sinks.h"
+#include "tests/support/heard_legs.h"
 
 namespace handrail::test {
 
@@ -88,12 +89,5 @@ private:
     bool over_edges_ = false;
     std::optional<Locked> locked_;
 };
-
-// "5 steps, 30 degrees right", "12 steps to the left", "close by, ahead": the first that stands in a text.
-struct Direction {
-    int steps = 0;
-    double right_deg = 0.0;
-};
-std::optional<Direction> direction_in(const std::string& text);
 
 }  // namespace handrail::test

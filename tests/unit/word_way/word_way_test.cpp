@@ -6,11 +6,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
-#include <map>
 #include <random>
-#include <regex>
 
 #include "tests/support/every.h"
+#include "tests/support/heard_legs.h"
 #include "tests/support/random_families.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
@@ -24,103 +23,12 @@
 namespace handrail {
 namespace word_way_test {
 
-// What a leg asks for, by its words alone.
-struct Asked {
-    int turn_notches = 0, steps = 0;
-    enum class Until { Counted, Stopped, FlightOver } until = Until::Counted;
-    bool open = false;
-};
-
-struct Form {
-    std::map<std::string, int> turns;
-    std::regex counted, until, flight, open;
-    std::string there, landed_up, landed_down;
-};
-
-Form english() {
-    return {{{"Straight on", 0},
-             {"Turn slightly right", 1},
-             {"Turn half right", 2},
-             {"Turn half right, then slightly right", 3},
-             {"Turn right", 4},
-             {"Turn right, then slightly right", 5},
-             {"Turn sharp right", 6},
-             {"Turn sharp right, then slightly right", 7},
-             {"Turn round", 8},
-             {"Turn slightly left", -1},
-             {"Turn half left", -2},
-             {"Turn half left, then slightly left", -3},
-             {"Turn left", -4},
-             {"Turn left, then slightly left", -5},
-             {"Turn sharp left", -6},
-             {"Turn sharp left, then slightly left", -7}},
-            std::regex("^(\\d+) steps?( to .*)?$"),
-            std::regex("^(\\d+) steps?, until (you meet .*|something stops you)$"),
-            std::regex("^(?:\\d+ stairs?|Ramp) (?:up|down), (?:in (\\d+) steps?|just ahead), to the end$"),
-            std::regex("^Open it$"),
-            "You are there.",
-            "Landing",
-            "Foot of the stairs"};
-}
-
-Form german() {
-    return {
-        {{"Geradeaus", 0},
-         {"Leicht rechts abbiegen", 1},
-         {"Halb rechts abbiegen", 2},
-         {"Halb rechts abbiegen, dann leicht rechts", 3},
-         {"Rechts abbiegen", 4},
-         {"Rechts abbiegen, dann leicht rechts", 5},
-         {"Scharf rechts abbiegen", 6},
-         {"Scharf rechts abbiegen, dann leicht rechts", 7},
-         {"Umdrehen", 8},
-         {"Leicht links abbiegen", -1},
-         {"Halb links abbiegen", -2},
-         {"Halb links abbiegen, dann leicht links", -3},
-         {"Links abbiegen", -4},
-         {"Links abbiegen, dann leicht links", -5},
-         {"Scharf links abbiegen", -6},
-         {"Scharf links abbiegen, dann leicht links", -7}},
-        std::regex("^(\\d+) Schritte?( bis .*)?$"),
-        std::regex("^(\\d+) Schritte?, bis (zum Anstoßen: .*|es nicht mehr weitergeht)$"),
-        std::regex("^(?:\\d+ Stufen?|Rampe) (?:hinauf|hinab), (?:in (\\d+) Schritt(?:en)?|gleich vorn), bis zum Ende$"),
-        std::regex("^Öffnen$"),
-        "Das Ziel ist erreicht.",
-        "Treppenabsatz",
-        "Fuß der Treppe"};
-}
-
-// None: it does not have the form.
-std::optional<Asked> understood(const std::string& text, const Form& form) {
-    std::vector<std::string> sentences;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find(". ", at), text.size());
-        std::string sentence = text.substr(at, end - at);
-        if (!sentence.empty() && sentence.back() == '.') sentence.pop_back();
-        sentences.push_back(std::move(sentence));
-        at = end + 2;
-    }
-    if (sentences.size() < 2) return std::nullopt;
-    const auto turn = form.turns.find(sentences[0]);
-    if (turn == form.turns.end()) return std::nullopt;
-    Asked asked;
-    asked.turn_notches = turn->second;
-    std::smatch found;
-    if (std::regex_match(sentences[1], found, form.until)) {
-        asked.until = Asked::Until::Stopped;
-        asked.steps = std::stoi(found[1]);
-    } else if (std::regex_match(sentences[1], found, form.flight)) {
-        asked.until = Asked::Until::FlightOver;
-        asked.steps = found[1].matched ? std::stoi(found[1]) : 0;
-    } else if (std::regex_match(sentences[1], found, form.counted)) {
-        asked.steps = std::stoi(found[1]);
-    } else {
-        return std::nullopt;
-    }
-    for (std::size_t i = 2; i < sentences.size(); ++i)
-        asked.open = asked.open || std::regex_match(sentences[i], form.open);
-    return asked;
-}
+using test::english_legs;
+using test::every;
+using test::german_legs;
+using test::HeardLeg;
+using test::LegForm;
+using test::understood;
 
 struct Errors {
     double step_part = 0.0, turn_rad = 0.0, start_m = 0.0;
@@ -129,7 +37,7 @@ constexpr Errors kExact{}, kUsual{0.1, 5.0 * kPi / 180.0, 0.3};
 
 class Literal {
 public:
-    Literal(std::shared_ptr<const Scene> world, const Form& form) : form_(form) {
+    Literal(std::shared_ptr<const Scene> world, const LegForm& form) : form_(form) {
         person_.app.apply(WorldEntered{make_ready(std::move(world))}, person_.now);
         person_.run(0.1);
         person_.ask(Command::Exits);  // from here on the rooms are known
@@ -190,7 +98,7 @@ private:
         person_.app.apply(Steered{{}}, person_.now);
         person_.run(0.1);
     }
-    void do_as_told(const Asked& asked) {
+    void do_as_told(const HeardLeg& asked) {
         if (asked.turn_notches != 0) {
             const Command turn = asked.turn_notches > 0 ? Command::TurnRight : Command::TurnLeft;
             person_.app.apply(CommandDown{turn, std::abs(asked.turn_notches)}, person_.now);
@@ -203,8 +111,8 @@ private:
         const double step_m = person_.app.settings().walk.step_length_m;
         const double part = 1.0 + errors_.step_part * either();
         if (part != 1.0) set_step(step_m * part);
-        if (asked.until == Asked::Until::FlightOver) walk_until_over(said, asked.steps);
-        else walk(asked.until == Asked::Until::Counted ? asked.steps : 2 * asked.steps + 6);
+        if (asked.until == HeardLeg::Until::FlightOver) walk_until_over(said, asked.steps);
+        else walk(asked.until == HeardLeg::Until::Counted ? asked.steps : 2 * asked.steps + 6);
         if (part != 1.0) set_step(step_m);
         if (!asked.open) return;
         opened_.emplace_back(person_.app.feet_m(), person_.app.heading_rad());
@@ -240,7 +148,7 @@ private:
         wait();
     }
 
-    const Form& form_;
+    const LegForm& form_;
     test::AppSession person_;
     Errors errors_;
     std::mt19937_64 random_;
@@ -290,7 +198,7 @@ struct Counted {
 // One after the other, with errors of that seed and the next ones.
 class Routes {
 public:
-    Routes(const std::shared_ptr<const Scene>& world, const Form& form, const Errors& errors, std::uint64_t seed)
+    Routes(const std::shared_ptr<const Scene>& world, const LegForm& form, const Errors& errors, std::uint64_t seed)
         : judge_(*world), literal_(world, form), errors_(errors), seed_(seed), base_m_(literal_.feet_m()) {}
 
     // From each room to each other, every how manyth pair of them.
@@ -337,12 +245,10 @@ private:
     Counted counted_;
 };
 
-Counted count(const std::shared_ptr<const Scene>& world, const Form& form, std::uint32_t every, const Errors& errors,
+Counted count(const std::shared_ptr<const Scene>& world, const LegForm& form, std::uint32_t every, const Errors& errors,
               std::uint64_t seed) {
     return Routes(world, form, errors, seed).between_rooms(every);
 }
-
-using test::every;
 
 void expect_share(const Counted& counted, int percent) {
     EXPECT_GT(counted.routes, 0);
@@ -350,45 +256,46 @@ void expect_share(const Counted& counted, int percent) {
 }
 
 TEST(LiteralSession, comes_from_each_room_of_the_house_to_each_other_with_exact_steps) {
-    expect_share(count(test::our_world("house.map"), english(), every(8, 41), kExact, 0), 98);
+    expect_share(count(test::our_world("house.map"), english_legs(), every(8, 41), kExact, 0), 98);
 }
 
 TEST(LiteralSession, comes_from_each_room_of_the_house_to_each_other_with_errors) {
-    expect_share(count(test::our_world("house.map"), english(), every(11, 47), kUsual, test::seed_of_run()), 95);
+    expect_share(count(test::our_world("house.map"), english_legs(), every(11, 47), kUsual, test::seed_of_run()), 95);
 }
 
 TEST(LiteralSession, comes_there_in_german_with_exact_steps) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the walks with errors are enough";
     const test::InLanguage german_spoken("de");
-    expect_share(count(test::our_world("house.map"), german(), every(17, 53), kExact, 0), 98);
+    expect_share(count(test::our_world("house.map"), german_legs(), every(17, 53), kExact, 0), 98);
 }
 
 TEST(LiteralSession, comes_there_in_german_with_errors) {
     const test::InLanguage german_spoken("de");
-    expect_share(count(test::our_world("house.map"), german(), every(19, 59), kUsual, test::seed_of_run()), 95);
+    expect_share(count(test::our_world("house.map"), german_legs(), every(19, 59), kUsual, test::seed_of_run()), 95);
 }
 
 TEST(LiteralSession, comes_from_room_to_room_of_the_school_with_exact_steps) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the walks with errors are enough";
-    expect_share(count(test::our_world("school.map"), english(), every(97, 211), kExact, 0), 98);
+    expect_share(count(test::our_world("school.map"), english_legs(), every(97, 211), kExact, 0), 98);
 }
 
 TEST(LiteralSession, comes_from_room_to_room_of_the_school_with_errors) {
-    expect_share(count(test::our_world("school.map"), english(), every(113, 223), kUsual, test::seed_of_run()), 95);
+    expect_share(count(test::our_world("school.map"), english_legs(), every(113, 223), kUsual, test::seed_of_run()),
+                 95);
 }
 
 TEST(LiteralSession, comes_from_room_to_room_of_the_school_in_german) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer German in the house is enough";
     const test::InLanguage german_spoken("de");
-    expect_share(count(test::our_world("school.map"), german(), every(211, 211), kExact, 0), 98);
-    expect_share(count(test::our_world("school.map"), german(), every(223, 223), kUsual, test::seed_of_run()), 95);
+    expect_share(count(test::our_world("school.map"), german_legs(), every(211, 211), kExact, 0), 98);
+    expect_share(count(test::our_world("school.map"), german_legs(), every(223, 223), kUsual, test::seed_of_run()), 95);
 }
 
 void comes_from_the_base(const char* map, int percent_exact, int percent_with_errors, std::uint32_t usual = 1) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "takes minutes under a sanitizer";
     const auto file = test::real_world(map);
     if (!file) GTEST_SKIP() << test::needs_real_world(map);
-    const Form form = english();
+    const LegForm form = english_legs();
     const auto world = test::world_in(*file);
     expect_share(Routes(world, form, kExact, 0).from_base(every(usual, usual)), percent_exact);
     expect_share(Routes(world, form, kUsual, test::seed_of_run()).from_base(every(usual, usual)), percent_with_errors);

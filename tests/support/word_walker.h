@@ -1,0 +1,216 @@
+// A walker who hears only words. It asks for the way to a room by its name, obeys each leg, opens what it is told to
+// open, side-steps when a shoulder is named, uses stairs and lifts by the key that is named, and asks again when
+// nothing comes. It never looks into the scene or at where its feet are: who judges it does that afterwards. In virtual
+// time, on the session as it is.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "app/core/session/session.h"
+#include "tests/support/heard_legs.h"
+#include "worlds/scene/scene.h"
+
+namespace handrail::test {
+
+class WordWalker {
+public:
+    // How a walk ended: it was told that it is there; that there is no way; it walked for ever; nothing that it was
+    // told moved it any more; or it did not understand.
+    enum class End { Arrived, NoWay, Loop, Stuck, NotUnderstood };
+
+    explicit WordWalker(std::shared_ptr<const Scene> world) : form_(english_legs()), app_({}, {}, {}) {
+        app_.apply(WorldEntered{make_ready(std::move(world))}, now_s_);
+        run(0.1);
+        ask(Command::Exits);  // from here on the rooms are known
+        run(1.0);
+    }
+
+    End go(const std::string& room) {
+        said_.clear();
+        told_there_m_.reset();
+        there_ = room + ". You are there.";
+        climbs_ = 0;
+        ask(Command::Routes);
+        app_.apply(LineTyped{room}, now_s_);
+        listen();
+        if (heard("No walking way", 0)) return give_up(End::NoWay);
+        std::string leg = ask(Command::RepeatLeg);
+        for (int legs = 0, idle = 0; legs < kMostLegs && climbs_ < kMostClimbs; ++legs) {
+            if (arrived()) return End::Arrived;
+            const int before = moves();
+            if (!obey(leg)) {
+                // Nothing came that can be obeyed: once more, after a moment.
+                run(1.0);
+                if (!arrived() && !obey(ask(Command::RepeatLeg)))
+                    return give_up(heard("No walking way", 0) ? End::NoWay : End::NotUnderstood);
+            }
+            if (arrived()) return End::Arrived;
+            idle = moves() == before ? idle + 1 : 0;
+            if (idle >= kMostIdle) return give_up(End::Stuck);
+            leg = ask(idle > 0 ? Command::RepeatLeg : Command::NextLeg);
+        }
+        return arrived() ? End::Arrived : give_up(End::Loop);
+    }
+
+    // ---- for who judges ----
+    std::string last_lines(std::size_t most) const {
+        std::string all;
+        for (std::size_t i = said_.size() > most ? said_.size() - most : 0; i < said_.size(); ++i)
+            all += "    " + said_[i] + "\n";
+        return all;
+    }
+    // Where the body stood when it was told that it is there; else where it stands.
+    Vec3 feet_m() const { return told_there_m_.value_or(app_.feet_m()); }
+    void put(const Vec3& feet_m) {
+        app_.apply(Placed{feet_m, 0.0}, now_s_);
+        told_there_m_.reset();
+        run(0.2);
+    }
+
+private:
+    static constexpr int kMostLegs = 90, kMostClimbs = 8, kMostIdle = 4, kMostAtOnce = 8, kTries = 4;
+    static constexpr double kTick_s = 1.0 / 60.0, kDoorOpens_s = 3.0, kRide_s = 60.0, kSideStep_s = 0.25;
+
+    // ---- what it hears ----
+    void listen() {
+        for (CueRequest& cue : app_.take_cues()) {
+            if (cue.kind == CueRequestKind::Footstep) ++footsteps_;
+            const bool spoken = cue.kind == CueRequestKind::Say || cue.kind == CueRequestKind::Demonstrate ||
+                                cue.kind == CueRequestKind::Bump;
+            if (!spoken || cue.text.empty()) continue;
+            if (cue.text == there_) told_there_m_ = app_.feet_m();
+            said_.push_back(std::move(cue.text));
+        }
+    }
+    bool heard(std::string_view part, std::size_t since) const {
+        for (std::size_t i = since; i < said_.size(); ++i)
+            if (said_[i].find(part) != std::string::npos) return true;
+        return false;
+    }
+    bool arrived() const { return told_there_m_.has_value(); }
+    // Steps that were heard underfoot, and stairs, lifts and doors that were used.
+    int moves() const { return footsteps_ + climbs_ + used_; }
+
+    // ---- what it does ----
+    void tick() {
+        app_.tick(now_s_ += kTick_s, tool_);
+        listen();
+    }
+    void run(double seconds) {
+        for (; seconds > 0.0; seconds -= kTick_s) tick();
+    }
+    // Until it stands, or is told that it is there.
+    void wait() {
+        for (int i = 0; i < 6000 && !app_.idle() && !arrived(); ++i) tick();
+        run(0.15);
+    }
+    std::string ask(Command command) {
+        const std::size_t before = said_.size();
+        app_.apply(CommandDown{command}, now_s_);
+        app_.apply(CommandUp{command}, now_s_);
+        listen();
+        return said_.size() > before ? said_.back() : std::string();
+    }
+    void press(Command command, int times = 1) {
+        app_.apply(CommandDown{command, times}, now_s_);
+        app_.apply(CommandUp{command}, now_s_);
+        wait();
+    }
+    void hold(Command command, double seconds) {
+        app_.apply(CommandDown{command}, now_s_);
+        run(seconds);
+        app_.apply(CommandUp{command}, now_s_);
+        wait();
+    }
+    void use() {
+        const std::size_t said = said_.size();
+        ask(Command::Use);
+        run(kDoorOpens_s);
+        if (heard(" opens", said)) ++used_;
+    }
+    void ride() {
+        const std::size_t said = said_.size();
+        ask(Command::Use);
+        for (double s = 0.0; s < kRide_s && !heard(" stops", said); s += 0.5) run(0.5);
+        run(kDoorOpens_s);
+        ++climbs_;
+    }
+    End give_up(End end) {
+        ask(Command::TakeMe);  // follows no way any more
+        return end;
+    }
+
+    // False: it has no form that can be obeyed.
+    bool obey(const std::string& text) {
+        if (text.find("You stand at them. ") != std::string::npos) {
+            ++climbs_;
+            ask(Command::Use);
+            run(1.0);
+        } else if (text.find("You stand in it. ") != std::string::npos) {
+            ride();
+        } else if (const auto leg = understood(text, form_)) {
+            walk_leg(*leg);
+        } else if (const auto direction = text.rfind("To ", 0) == 0 ? direction_in(text) : std::nullopt) {
+            walk_direction(*direction);
+        } else {
+            return false;
+        }
+        return true;
+    }
+    void walk_leg(const HeardLeg& leg) {
+        if (leg.turn_notches != 0)
+            press(leg.turn_notches > 0 ? Command::TurnRight : Command::TurnLeft, std::abs(leg.turn_notches));
+        if (leg.until == HeardLeg::Until::FlightOver) walk_until_over(leg.steps);
+        else walk(leg.until == HeardLeg::Until::Counted ? leg.steps : 2 * leg.steps + 6);
+        if (leg.open && !arrived()) use();
+    }
+    // What stops it there and is said to be shut it opens.
+    void walk_direction(const Direction& direction) {
+        const int fives = static_cast<int>(std::lround(direction.right_deg / 5.0));
+        for (int i = 0; i < std::abs(fives); ++i) press(fives > 0 ? Command::FreeRight : Command::FreeLeft);
+        const std::size_t said = said_.size();
+        walk(std::clamp(direction.steps, 1, kMostAtOnce));
+        if (!arrived() && heard(", shut", said)) use();
+    }
+    // So many steps, or until something stops it; to the side of what only a shoulder meets.
+    void walk(int steps) {
+        for (int tries = 0; tries < kTries && steps > 0 && !arrived(); ++tries) {
+            const std::size_t said = said_.size();
+            const int before = footsteps_;
+            press(Command::Forward, steps);
+            steps -= footsteps_ - before;
+            const bool left = heard("left shoulder", said), right = heard("right shoulder", said);
+            if (left == right) return;
+            hold(left ? Command::SideRight : Command::SideLeft, kSideStep_s);
+        }
+    }
+    // Lets go of the key when it is told.
+    void walk_until_over(int steps) {
+        const std::size_t said = said_.size();
+        app_.apply(CommandDown{Command::Forward}, now_s_);
+        for (int i = 0; i < 60 * (30 + 2 * steps) && !arrived(); ++i) {
+            tick();
+            if (heard(form_.landed_up, said) || heard(form_.landed_down, said)) break;
+        }
+        app_.apply(CommandUp{Command::Forward}, now_s_);
+        wait();
+    }
+
+    LegForm form_;
+    Session app_;
+    ToolState tool_;
+    double now_s_ = 0.0;
+    std::vector<std::string> said_;
+    std::string there_;
+    std::optional<Vec3> told_there_m_;
+    int footsteps_ = 0, climbs_ = 0, used_ = 0;
+};
+
+}  // namespace handrail::test

@@ -1,0 +1,152 @@
+// Whoever follows the words arrives: a walker who hears only words goes by name to the rooms of whole buildings and
+// back to where it began. Where its feet are is compared with the rooms afterwards.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
+
+#include "tests/support/every.h"
+#include "tests/support/real_worlds.h"
+#include "tests/support/word_walker.h"
+#include "tests/unit/core/app_session.h"
+#include "worlds/navigation/navigation.h"
+#include "worlds/navigation/rooms.h"
+#include "worlds/scene/stated_building.h"
+
+namespace handrail {
+namespace words_alone_test {
+
+using test::WordWalker;
+
+// What of the world only the one knows who judges.
+class Judge {
+public:
+    explicit Judge(const Scene& scene) : scene_(scene) {
+        const BodySize size = body_size(scene, 0.25);
+        auto made = Navigation::make(scene, walk_body(scene, size.radius_m, size.height_m, size.step_up_m));
+        if (!made) return;
+        ways_ = *made;
+        graph_ = make_rooms(scene, ways_->space());
+    }
+    const std::vector<Room>& rooms() const { return graph_.rooms; }
+    std::uint32_t room(const Vec3& at_m) const { return ways_ ? room_at(graph_, ways_->space(), at_m) : kNothing; }
+    bool connected(const Vec3& from_m, std::uint32_t to) const {
+        return ways_->plan(from_m, graph_.rooms[to].middle_m).reaches;
+    }
+    // In the room as the file outlines it, where it does; else on its floor.
+    bool in_room(const Vec3& feet_m, std::uint32_t room_index) const {
+        if (scene_.stated)
+            for (const StatedRoom& stated : scene_.stated->rooms)
+                if (holds(stated, graph_.rooms[room_index].middle_m)) return holds(stated, feet_m);
+        return room(feet_m) == room_index;
+    }
+
+private:
+    const Scene& scene_;
+    std::shared_ptr<Navigation> ways_;
+    RoomGraph graph_;
+};
+
+struct Row {
+    int named = 0, connected = 0, walks = 0, reached = 0, falsely = 0, loops = 0;
+    std::vector<std::string> missed;
+};
+
+const char* end_word(WordWalker::End end) {
+    switch (end) {
+        case WordWalker::End::Arrived:
+            return "told that it is there";
+        case WordWalker::End::NoWay:
+            return "no way";
+        case WordWalker::End::Loop:
+            return "for ever";
+        case WordWalker::End::Stuck:
+            return "stuck";
+        case WordWalker::End::NotUnderstood:
+            return "not understood";
+    }
+    return "";
+}
+
+// From the start to every so manyth room that the file names, and back.
+Row walk_all(const std::shared_ptr<const Scene>& world, std::uint32_t every) {
+    Row row;
+    const Judge judge(*world);
+    WordWalker walker(world);
+    const Vec3 start_m = walker.feet_m();
+    const std::uint32_t start = judge.room(start_m);
+    const auto walk = [&](std::uint32_t from, std::uint32_t to) {
+        ++row.walks;
+        const std::string name = sentence_case(judge.rooms()[to].name);
+        const WordWalker::End end = walker.go(name);
+        const bool there = end == WordWalker::End::Arrived && judge.in_room(walker.feet_m(), to);
+        row.reached += there ? 1 : 0;
+        row.falsely += end == WordWalker::End::Arrived && !there ? 1 : 0;
+        row.loops += end == WordWalker::End::Loop ? 1 : 0;
+        if (there) return true;
+        const Vec3 at_m = walker.feet_m();
+        row.missed.push_back(fmt::format("{} to {}: {} at {:.2f} {:.2f} {:.2f}",
+                                         from == kNothing ? "start" : judge.rooms()[from].name, name, end_word(end),
+                                         at_m.x, at_m.y, at_m.z));
+        if (std::getenv("HANDRAIL_ALL_ROUTES")) fmt::print("  {}\n{}", row.missed.back(), walker.last_lines(12));
+        return false;
+    };
+    for (std::uint32_t room = 0; room < judge.rooms().size(); ++room) {
+        if (judge.rooms()[room].map_name.empty() || room == start) continue;
+        ++row.named;
+        if (!judge.connected(start_m, room)) continue;
+        if (row.connected++ % every != 0) continue;
+        if (!walk(start, room)) walker.put(judge.rooms()[room].middle_m);
+        if (start == kNothing || !walk(room, start)) walker.put(start_m);
+    }
+    return row;
+}
+
+// A world of ours, or a real one that is walked where it is present.
+struct Walked {
+    const char* file;
+    bool real = false;
+    std::uint32_t every = 1;  // of its rooms in the ordinary run, 0 none; all with HANDRAIL_ALL_ROUTES
+    int percent = 95;         // of the walks at least arrive
+};
+
+class WordsAlone : public testing::TestWithParam<Walked> {};
+
+// Prints a row: named rooms that have a floor, those of them with a way, walks, arrivals, false arrivals, loops.
+TEST_P(WordsAlone, lead_by_name_to_each_room_and_back) {
+    const Walked& walked = GetParam();
+    if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "takes minutes under a sanitizer";
+    std::filesystem::path file = test::project_root() / "worlds" / "maps" / walked.file;
+    if (walked.real) {
+        const auto present = test::real_world(walked.file);
+        if (!present) GTEST_SKIP() << test::needs_real_world(walked.file);
+        file = *present;
+    }
+    const std::uint32_t every = test::every(walked.every, walked.every);
+    if (every == 0) GTEST_SKIP() << "takes minutes; set HANDRAIL_ALL_ROUTES";
+    const Row row = walk_all(test::world_once(file), every);
+    fmt::print("| {} | {} | {} | {} | {} | {} | {} |\n", walked.file, row.named, row.connected, row.walks, row.reached,
+               row.falsely, row.loops);
+    for (const std::string& missed : row.missed) fmt::print("  missed: {}\n", missed);
+    EXPECT_GT(row.walks, 0);
+    EXPECT_EQ(row.falsely, 0);
+    EXPECT_EQ(row.loops, 0);
+    EXPECT_TRUE(test::enough(row.reached, row.walks, walked.percent)) << row.reached << " of " << row.walks;
+}
+
+std::string file_name(const testing::TestParamInfo<Walked>& info) {
+    std::string name = info.param.file;
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(In, WordsAlone,
+                         testing::Values(Walked{"house.map"}, Walked{"school.map", false, 6},
+                                         Walked{"fzk-haus.ifc", true}, Walked{"institute.ifczip", true, 26}),
+                         file_name);
+
+}  // namespace words_alone_test
+}  // namespace handrail
