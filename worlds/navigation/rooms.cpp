@@ -804,6 +804,24 @@ std::uint32_t room_at(const RoomGraph& graph, const WalkSpace& space, const Vec3
     return span == kNothing || span >= graph.room_of_span.size() ? kNothing : graph.room_of_span[span];
 }
 
+bool stands_inside(const RoomGraph& graph, const WalkSpace& space, const Scene& scene, const Vec3& feet_m,
+                   std::uint32_t room) {
+    constexpr double kInside_m = 0.15;
+    const auto room_of = [&](const Vec3& at_m) {
+        const std::uint32_t span = space.at(at_m);
+        return span == kNothing || span >= graph.room_of_span.size() ? kNothing : graph.room_of_span[span];
+    };
+    const StatedRoom* const outline = stated_room_at(scene, graph.rooms[room].middle_m);
+    if (room_of(feet_m) != room || (outline && !holds(*outline, feet_m))) return false;
+    for (int eighth = 0; eighth < 8; ++eighth) {
+        const double way_rad = eighth * kPi / 4.0;
+        const Vec3 beside_m = feet_m + Vec3(kInside_m * std::sin(way_rad), kInside_m * std::cos(way_rad), 0.0);
+        const std::uint32_t there = room_of(beside_m);
+        if (there != kNothing && (there != room || (outline && !holds(*outline, beside_m)))) return false;
+    }
+    return true;
+}
+
 std::vector<std::string> give_names(RoomGraph& graph, const WalkSpace& space, const std::vector<GivenName>& names) {
     std::vector<std::string> homeless;
     std::vector<bool> taken(graph.rooms.size(), false);

@@ -83,6 +83,11 @@ void say_room_names(RoomGraph& graph);
 // The room somebody stands in; kNothing where that is no walkable place.
 std::uint32_t room_at(const RoomGraph& graph, const WalkSpace& space, const Vec3& feet_m);
 
+// Somebody stands a hand's breadth inside the room, on its floor and within the outline that the file states of it, if
+// it states one: on its border one is told of one room or the other.
+bool stands_inside(const RoomGraph& graph, const WalkSpace& space, const Scene& scene, const Vec3& feet_m,
+                   std::uint32_t room);
+
 // The room is on the ground that a reader laid around a building: it has no walls of its own.
 bool is_outside(const Room& room, const WalkSpace& space, const Scene& scene);
 

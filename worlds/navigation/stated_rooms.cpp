@@ -31,6 +31,14 @@ std::vector<std::uint32_t> stated_rooms_of(const StatedBuilding& stated, const S
     return room_of;
 }
 
+const StatedRoom* stated_room_at(const Scene& scene, const Vec3& at_m) {
+    if (!scene.stated) return nullptr;
+    const std::vector<StatedRoom>& rooms = scene.stated->rooms;
+    const auto found =
+        std::find_if(rooms.begin(), rooms.end(), [&](const StatedRoom& room) { return holds(room, at_m); });
+    return found == rooms.end() ? nullptr : &*found;
+}
+
 template std::vector<std::uint32_t> stated_rooms_of(const StatedBuilding&, const SpanGrid<WalkSpan>&);
 template std::vector<std::uint32_t> stated_rooms_of(const StatedBuilding&, const SpanGrid<WallSpan>&);
 

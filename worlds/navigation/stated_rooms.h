@@ -13,4 +13,7 @@ namespace handrail {
 template <class Span>
 std::vector<std::uint32_t> stated_rooms_of(const StatedBuilding& stated, const SpanGrid<Span>& grid);
 
+// The first that holds the place; null: none does, or the file states no rooms.
+const StatedRoom* stated_room_at(const Scene& scene, const Vec3& at_m);
+
 }  // namespace handrail

@@ -510,9 +510,16 @@ int WordPlanner::try_out(std::span<const WordLeg> legs, const Trial& trial, int 
     return came;
 }
 
-WordGoal goal_in_room(const WalkSpace& space, std::span<const std::uint32_t> room_of_span, std::uint32_t room) {
+WordGoal goal_in_room(const WalkSpace& space, std::span<const std::uint32_t> room_of_span, std::uint32_t room,
+                      const StatedRoom* outline) {
     WordGoal all(space.spans.size(), 0);
     for (std::uint32_t s = 0; s < all.size(); ++s) all[s] = room_of_span[s] == room ? 1 : 0;
+    if (outline) {
+        WordGoal within = all;
+        for (std::uint32_t s = 0; s < all.size(); ++s)
+            if (all[s] && !holds(*outline, space.place_m(s))) within[s] = 0;
+        if (std::any_of(within.begin(), within.end(), [](std::uint8_t in) { return in != 0; })) all = std::move(within);
+    }
     // A hand's breadth inside: who stands on the border is told of one room or the other.
     const int rings = std::max(1, static_cast<int>(std::lround(0.15 / space.cell_m)));
     WordGoal inside = all;

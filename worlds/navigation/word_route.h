@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "worlds/navigation/blind_ground.h"
+#include "worlds/scene/stated_building.h"
 
 namespace handrail {
 
@@ -84,8 +85,10 @@ private:
     std::vector<float> beside_m_;
 };
 
-// The spans of a room that lie a little inside it, or all of a room that has no such.
-WordGoal goal_in_room(const WalkSpace& space, std::span<const std::uint32_t> room_of_span, std::uint32_t room);
+// The spans of a room that lie a little inside it, and within its outline where the file states one; or all of a room
+// that has no such.
+WordGoal goal_in_room(const WalkSpace& space, std::span<const std::uint32_t> room_of_span, std::uint32_t room,
+                      const StatedRoom* outline = nullptr);
 // The spans within so far of a place, on its floor.
 WordGoal goal_round(const WalkSpace& space, const Vec3& place_m, double within_m);
 

@@ -20,6 +20,7 @@ namespace {
 // Than by a lift: the way on foot may be longer by this share and by so much, and is told all the same.
 constexpr double kLongerOnFoot = 1.5, kLongerOnFoot_m = 15.0;
 constexpr double kTakenUpAhead_m = 2.0;     // of where one is beside the way
+constexpr double kAtPlace_m = 0.2;          // no wall is as thin as to stand between
 constexpr double kWorthTurningBack = 1.15;  // a way on that is longer by more
 
 }  // namespace
@@ -61,11 +62,16 @@ EarWay::RoomRoute EarWay::route_to(std::uint32_t room) const {
 bool EarWay::follow_to_room(std::uint32_t room, const std::string& first, double now_s) {
     const std::string name = sentence_case(rooms_.graph().rooms[room].name);
     auto [route, by_legs] = route_to(room);
-    if (!by_legs) return follow(std::move(route), name, first, now_s);
+    const auto follow_whole = [&, way = &route] {
+        if (!follow(std::move(*way), name, first, now_s)) return false;
+        room_ = room;
+        return true;
+    };
+    if (!by_legs) return follow_whole();
     stop();
     wish_ = RouteWish::OnFoot;
     word_.begin(room, name);
-    if (!word_.at_work()) return follow(std::move(route), name, first, now_s);
+    if (!word_.at_work()) return follow_whole();
     room_ = room;
     std::string words = first.empty() ? first : first + ' ';
     words += phrase("rooms.way", {{"goal", name}, {"route", overview_words(context_, rooms_, route)}});
@@ -245,7 +251,20 @@ std::optional<double> EarWay::leg_heading_rad() const {
 
 RouteFollower::Said EarWay::tick(double now_s) {
     if (word_.at_work()) return tick_words(now_s);
-    return follower_.tick(context_.body.feet_m(), distances(context_));
+    return follower_.tick(context_.body.feet_m(), distances(context_), [this](bool at_end) { return there(at_end); });
+}
+
+// In the room where one goes to a room; else at the place, with nothing between.
+bool EarWay::there(bool at_end) const {
+    const Vec3& feet_m = context_.body.feet_m();
+    if (room_) {
+        const RoomGraph& graph = rooms_.graph();
+        if (stands_inside(graph, rooms_.space(), *rooms_.file_scene(), feet_m, *room_)) return true;
+        // Of a room that is too small to stand inside of it, its middle.
+        return at_end && glm::length(feet_m - graph.rooms[*room_].middle_m) < kAtPlace_m;
+    }
+    return at_end && (glm::length(feet_m - follower_.goal_m()) < kAtPlace_m ||
+                      rooms_.space().straight(feet_m, follower_.goal_m()));
 }
 
 RouteFollower::Said EarWay::tick_words(double now_s) {
@@ -254,8 +273,9 @@ RouteFollower::Said EarWay::tick_words(double now_s) {
     if (news.planned) {
         if (!word_.at_work()) {
             // None for words: as the ways of hands are told.
+            const std::optional<std::uint32_t> room = room_;
             Route route = planned();
-            follow(std::move(route), std::string(name_), {}, now_s);
+            if (follow(std::move(route), std::string(name_), {}, now_s)) room_ = room;
             wish_ = RouteWish::OnFoot;
             return said;
         }

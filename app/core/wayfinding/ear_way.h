@@ -59,6 +59,7 @@ private:
     Route planned() const;
     bool stands_in(const RoutePassage& passage) const;
     bool stands_at(const RoutePassage& passage) const;
+    bool there(bool at_end) const;
     void follow_silently(Route route, const std::string& goal);
     void tell(const std::string& words, double now_s);
     RouteFollower::Said tick_words(double now_s);
@@ -68,7 +69,7 @@ private:
     WayPlans& plans_;
     RouteFollower follower_;
     WordWay word_;
-    std::optional<std::uint32_t> room_;   // that one goes to by words
+    std::optional<std::uint32_t> room_;   // that one goes to, where it is one and can be reached
     RouteWish wish_ = RouteWish::Safest;  // OnFoot where legs are told, so that both tell the same way
     bool faces_ = false;                  // the leg that was told
     bool rest_asked_ = false;             // the rest of the way was asked for before it was planned

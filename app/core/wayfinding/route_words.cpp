@@ -96,13 +96,13 @@ std::vector<Vec3> RouteFollower::ahead_m() const {
     return rest;
 }
 
-RouteFollower::Said RouteFollower::tick(const Vec3& feet_m, const DistanceWords& how) {
+RouteFollower::Said RouteFollower::tick(const Vec3& feet_m, const DistanceWords& how, const There& there) {
     Said said;
     if (!following()) return said;
     const WayPlace place = near_on_way(route_.points_m, feet_m, along_m_);
     const double nearest = place.distance_m + kFartherForEachMetreAlong_m * std::abs(place.along_m - along_m_);
     along_m_ = place.along_m;
-    if (glm::length(feet_m - goal_m()) < kThere_m || (left_m() < kThere_m && nearest < kThere_m)) {
+    if (there(glm::length(feet_m - goal_m()) < kThere_m || (left_m() < kThere_m && nearest < kThere_m))) {
         const bool named = !nodes_.empty() && !nodes_.back().what.empty();
         said.text = named ? phrase("route.arrived", {{"goal", sentence_case(nodes_.back().what)}})
                           : phrase("route.arrived_at_end");

@@ -47,7 +47,11 @@ public:
     double along_m() const { return along_m_; }  // where on the route one is
     std::vector<Vec3> ahead_m() const;           // the rest of it
     double left_m() const { return route_.length_m - along_m_; }
-    Said tick(const Vec3& feet_m, const DistanceWords& how);
+    // `there`: whether one has arrived; it is told whether the end of the route is within kThere_m, which a wall may
+    // stand before.
+    using There = std::function<bool(bool at_end)>;
+    Said tick(
+        const Vec3& feet_m, const DistanceWords& how, const There& there = [](bool at_end) { return at_end; });
 
 private:
     Route route_;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/core/context/telling.h"
+#include "worlds/navigation/stated_rooms.h"
 
 namespace handrail {
 namespace {
@@ -56,12 +57,12 @@ void WordWay::plan() {
     planned.goal = way_.floor == floor ? way_.goal : nullptr;
     planned.from_m = context_.body.feet_m();
     planned.notch = nearest_notch(context_.body.heading_goal_rad);
-    auto work = [planned = std::move(planned), room = room_,
-                 open = ground_.open_now(*floor)](const std::stop_token& stop) {
+    auto work = [planned = std::move(planned), room = room_, middle_m = rooms_.graph().rooms[room_].middle_m,
+                 scene = rooms_.file_scene(), open = ground_.open_now(*floor)](const std::stop_token& stop) {
         Planned made = planned;
         if (!made.goal)
-            made.goal = std::make_shared<const WordGoal>(
-                goal_in_room(made.floor->ground.space(), made.floor->room_of_span, room));
+            made.goal = std::make_shared<const WordGoal>(goal_in_room(
+                made.floor->ground.space(), made.floor->room_of_span, room, stated_room_at(*scene, middle_m)));
         made.route = made.floor->planner.plan(made.from_m, notch_heading_rad(made.notch), *made.goal, open, {}, stop);
         return made;
     };

@@ -200,6 +200,21 @@ TEST(Wayfinding, tells_a_way_and_then_each_step_of_it_by_ear) {
     EXPECT_TRUE(ear.tick(0.0).left);
 }
 
+TEST(Wayfinding, is_not_there_by_ear_while_a_wall_stands_between) {
+    Plans plain;
+    ASSERT_TRUE(plain.rooms.known());
+    WordGround ground(plain.context, plain.rooms);
+    EarWay ear(plain.context, plain.rooms, plain.plans, ground);
+    const Vec3 behind_m(0.0, 2.47, 0.0), before_m(0.0, 1.73, 0.0);
+    ear.follow_to(behind_m, "Behind", {}, 0.0);
+    ASSERT_TRUE(ear.following());
+    ASSERT_LT(glm::length(behind_m - before_m), kThere_m);
+    plain.stand(before_m);
+    EXPECT_FALSE(ear.tick(0.0).arrived);
+    plain.stand(behind_m + Vec3(0.5, 0.0, 0.0));
+    EXPECT_TRUE(ear.tick(0.0).arrived);
+}
+
 // ---- by the hand ----
 
 struct Hand : Plans {

@@ -8,6 +8,7 @@
 #include "tests/support/box_scene.h"
 #include "tests/support/random_families.h"
 #include "worlds/navigation/navigation.h"
+#include "worlds/navigation/rooms.h"
 
 namespace handrail {
 namespace word_route_test {
@@ -237,6 +238,36 @@ TEST(WordRoute, comes_through_a_doorway_with_errors_in_a_few_legs) {
             EXPECT_LE(leg.turn_notches, 8);
         }
     }
+}
+
+// A doorway between two rooms belongs to neither outline, whatever the floor in it is counted to.
+TEST(WordRoute, ends_within_the_outline_that_the_file_states_of_a_room) {
+    SceneBuilder b = two_rooms(5.0);
+    const Room room = room_of(b);
+    const WalkSpace& space = room.navigation->space();
+    StatedRoom outline;
+    outline.rings = {{{0.0, 6.0}, {10.0, 6.0}, {10.0, 9.0}, {0.0, 9.0}}};
+    outline.height_m = 2.5;
+    std::vector<std::uint32_t> room_of_span(space.spans.size(), 0);
+    RoomGraph graph;
+    graph.rooms.resize(1);
+    graph.rooms[0].middle_m = {5.0, 7.5, 0.0};
+    graph.room_of_span = room_of_span;
+    auto stated = std::make_shared<StatedBuilding>();
+    stated->rooms.push_back(outline);
+    Scene scene;
+    scene.stated = stated;
+    const WordGoal goal = goal_in_room(space, room_of_span, 0, &outline);
+    std::size_t in = 0;
+    for (std::uint32_t s = 0; s < goal.size(); ++s) {
+        const Vec3 at_m = space.place_m(s);
+        if (goal[s]) EXPECT_GT(at_m.y, 6.0) << at_m.x;
+        if (stands_inside(graph, space, scene, at_m, 0)) EXPECT_GT(at_m.y, 6.0) << at_m.x;
+        in += goal[s];
+    }
+    EXPECT_GT(in, 100U);
+    EXPECT_TRUE(stands_inside(graph, space, scene, {5.0, 7.5, 0.0}, 0));
+    EXPECT_FALSE(stands_inside(graph, space, scene, {5.0, 6.1, 0.0}, 0)) << "a hand's breadth inside";
 }
 
 TEST(WordRoute, there_is_none_to_where_nobody_comes_and_none_once_it_is_stopped) {
