@@ -115,7 +115,6 @@ struct NavMesh::Parts {
     std::vector<dtPolyRef> refs = std::vector<dtPolyRef>(kMostPath);
     std::vector<float> straight = std::vector<float>(std::size_t{3} * kMostPath);
     std::vector<unsigned char> flags = std::vector<unsigned char>(kMostPath);
-    std::vector<dtPolyRef> straight_refs = std::vector<dtPolyRef>(kMostPath);
 
     void to_mesh(const Vec3& world_m, float* p) const {
         const Vec3 own = world_m - space->origin_m;
@@ -305,18 +304,34 @@ std::optional<MeshPath> NavMesh::path(std::uint32_t from, std::uint32_t to, Rout
                      !dtStatusDetail(status, DT_PARTIAL_RESULT) && !dtStatusDetail(status, DT_BUFFER_TOO_SMALL);
     if (!found.complete) p.query->closestPointOnPoly(p.refs[static_cast<std::size_t>(count - 1)], on_b, on_b, nullptr);
 
-    int corners = 0;
-    status = p.query->findStraightPath(on_a, on_b, p.refs.data(), count, p.straight.data(), p.flags.data(),
-                                       p.straight_refs.data(), &corners, kMostPath);
-    if (dtStatusFailed(status)) return std::nullopt;
-    for (int i = 0; i < corners; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        MeshPath::Corner corner{p.to_world(&p.straight[3 * k]), kNothing};
-        if ((p.flags[k] & DT_STRAIGHTPATH_OFFMESH_CONNECTION) != 0)
-            if (const dtOffMeshConnection* link = p.mesh->getOffMeshConnectionByRef(p.straight_refs[k]))
-                corner.link = link->userId;
-        found.corners.push_back(corner);
+    // Straightened from link to link: on the way as a whole, links above each other look like one place from above, and
+    // all but one of them would be lost.
+    const auto straighten = [&](const float* begin, const float* end, int first_ref, int refs) {
+        int corners = 0;
+        if (refs > 0 &&
+            dtStatusFailed(p.query->findStraightPath(begin, end, p.refs.data() + first_ref, refs, p.straight.data(),
+                                                     p.flags.data(), nullptr, &corners, kMostPath)))
+            return false;
+        for (int i = 0; i < corners; ++i)
+            found.corners.push_back({p.to_world(&p.straight[3 * static_cast<std::size_t>(i)]), kNothing});
+        if (corners == 0) found.corners.push_back({p.to_world(begin), kNothing});
+        return true;
+    };
+    float begin[3] = {on_a[0], on_a[1], on_a[2]};
+    int first_ref = 0;
+    for (int i = 1; i < count; ++i) {
+        const dtPolyRef ref = p.refs[static_cast<std::size_t>(i)];
+        const dtOffMeshConnection* link = p.mesh->getOffMeshConnectionByRef(ref);
+        float foot[3], head[3];
+        if (!link || dtStatusFailed(p.mesh->getOffMeshConnectionPolyEndPoints(p.refs[static_cast<std::size_t>(i - 1)],
+                                                                              ref, foot, head)))
+            continue;
+        if (!straighten(begin, foot, first_ref, i - first_ref)) return std::nullopt;
+        found.corners.back().link = link->userId;
+        std::copy(head, head + 3, begin);
+        first_ref = i + 1;
     }
+    if (!straighten(begin, on_b, first_ref, count - first_ref)) return std::nullopt;
     return found;
 }
 

@@ -74,6 +74,7 @@ void Session::wire() {
     learn_.place.on_go_to_room = [this](std::uint32_t room, double now_s) { guide_.go_to_room(room, now_s); };
     state_.events.on_told = [this](const SessionEvent& event) { learn_.ways.see(event); };
     guide_.on_face = [this](double heading_rad, double now_s) { walk_.walking.face(heading_rad, now_s); };
+    where_.climbs.on_way = [this] { return guide_.climb_here(); };
     guide_.on_no_way = [this](std::uint32_t room, double now_s) { places_.why_no_way.look(room, now_s); };
     walk_.walking.line_up_m = [this](const Vec3& feet_m, double heading_rad) {
         return guide_.line_up_m(feet_m, heading_rad);

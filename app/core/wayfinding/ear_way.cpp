@@ -181,6 +181,14 @@ bool EarWay::stands_at(const RoutePassage& passage) const {
     return std::hypot(off.x, off.y) < Climbs::kAtEnd_m;
 }
 
+std::optional<RoutePassage> EarWay::climb_here() const {
+    if (!follower_.following()) return std::nullopt;
+    const std::vector<RoutePassage> passages = planned().passages;
+    if (passages.empty() || passages.front().kind != PassageKind::Climb || !stands_at(passages.front()))
+        return std::nullopt;
+    return passages.front();
+}
+
 // A lift goes nowhere by itself.
 bool EarWay::stands_in(const RoutePassage& passage) const {
     return passage.kind == PassageKind::Lift && passage.feature && context_.body.ground == passage.feature;

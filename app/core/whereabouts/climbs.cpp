@@ -16,7 +16,7 @@ constexpr double kToWhatIsFaced_m = 1.2;  // to a door or button that one faces
 
 }  // namespace
 
-std::optional<Climbs::End> Climbs::end_here(double within_m) const {
+std::optional<Climbs::End> Climbs::end_here(double within_m, const RoutePassage* only) const {
     if (!rooms_.found()) return std::nullopt;
     const WalkSpace& space = rooms_.space();
     const Vec3& feet_m = context_.body.feet_m();
@@ -27,17 +27,20 @@ std::optional<Climbs::End> Climbs::end_here(double within_m) const {
         for (const bool foot : {true, false}) {
             const Vec3 here_m = space.place_m(foot ? link.from : link.to);
             const double far_m = std::hypot(here_m.x - feet_m.x, here_m.y - feet_m.y);
+            const Vec3 there_m = space.place_m(foot ? link.to : link.from);
             if (std::abs(here_m.z - feet_m.z) > kOneFloor_m || far_m > within_m) continue;
+            if (only && (link.feature != only->feature || (there_m.z > here_m.z) != (only->rise_m > 0.0))) continue;
             within_m = far_m;
-            nearest = End{i, here_m, space.place_m(foot ? link.to : link.from), link.feature};
+            nearest = End{i, here_m, there_m, link.feature};
         }
     }
     return nearest;
 }
 
-// What the hand touches or what stands straight ahead is meant.
-bool Climbs::something_else() const {
+// What the hand touches is meant, and where no way leads over the stairs what stands straight ahead.
+bool Climbs::something_else(bool wanted) const {
     if (context_.hands.tool.touches() && mover_of(context_.world, context_.hands.tool.touched()) >= 0) return true;
+    if (wanted) return false;
     const auto seen = look(*context_.world.solids, context_.body.feet_m(), kLookHeight_m, context_.body.heading_rad,
                            kToWhatIsFaced_m);
     return seen && mover_of(context_.world, seen->feature) >= 0;
@@ -45,8 +48,10 @@ bool Climbs::something_else() const {
 
 bool Climbs::act(Command command, double now_s) {
     if (command != Command::Use) return false;
-    const std::optional<End> end = end_here(kAtEnd_m);
-    if (!end || something_else()) return false;
+    const std::optional<RoutePassage> wanted = on_way ? on_way() : std::nullopt;
+    std::optional<End> end = wanted ? end_here(kGoneAway_m, &*wanted) : std::nullopt;
+    if (!end) end = end_here(kAtEnd_m);
+    if (!end || something_else(wanted.has_value())) return false;
     told_ = end->link;
     context_.asks.place(end->there_m, context_.body.heading_rad, now_s);
     context_.play(SoundKind::FrameSwitch, now_s);

@@ -2,6 +2,7 @@
 // the key that uses things. App thread only.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "app/core/context/session_part.h"
@@ -18,10 +19,14 @@ public:
         : SessionPart(context), rooms_(rooms), asking_(asking) {}
 
     void enter_world() { told_.reset(); }
-    // Use, at an end of such stairs, where one touches and faces nothing else that is used. False: it is another's.
+    // Use, at an end of such stairs: those that the way one follows leads over, in its direction; else the nearest,
+    // where one touches and faces nothing else that is used. False: it is another's.
     bool act(Command command, double now_s);
     // Once a tick, after the rooms.
     void tick(double now_s);
+
+    // Set by the session: the stairs that the way which is followed leads over next, where one stands at them.
+    std::function<std::optional<RoutePassage>()> on_way;
 
 private:
     struct End {
@@ -29,8 +34,8 @@ private:
         Vec3 here_m{0.0}, there_m{0.0};
         FeatureId feature = kNoFeature;
     };
-    std::optional<End> end_here(double within_m) const;
-    bool something_else() const;
+    std::optional<End> end_here(double within_m, const RoutePassage* only = nullptr) const;
+    bool something_else(bool wanted) const;
 
     Rooms& rooms_;
     const Asking& asking_;

@@ -58,6 +58,27 @@ TEST(Climbs, away_from_its_ends_the_key_uses_other_things_or_says_that_there_are
     EXPECT_NEAR(visit.app.feet_m().z, 0.0, 0.02);
 }
 
+// On the middle storey one flight begins where the other ends, and there is a door as near.
+TEST(Climbs, on_a_way_the_key_takes_the_flight_that_the_way_leads_over_in_its_direction) {
+    test::AppSession person;
+    person.app.apply(WorldEntered{make_ready(test::hall_with(PlanSpaceKind::Stairs, "Spiral stairs", 1.6, 1.6, 3))},
+                     0.0);
+    person.ask(Command::Exits);
+    for (const auto& [from_z_m, to, to_z_m] :
+         {std::tuple{0.0, "Hall, Level 2", 6.0}, std::tuple{6.0, "Hall, Level 0", 0.0}}) {
+        person.app.apply(Placed{{3.0, 6.6, from_z_m}, kPi}, person.now);
+        person.run(0.5);
+        person.ask(Command::Routes);
+        person.line(to);
+        for (const double z_m : {3.0, to_z_m}) {
+            EXPECT_THAT(person.ask(Command::RepeatLeg), HasSubstr("You stand at them")) << person.news();
+            person.ask(Command::Use);
+            person.run(1.0);
+            EXPECT_NEAR(person.app.feet_m().z, z_m, 0.05) << "to " << to << ": " << person.news();
+        }
+    }
+}
+
 TEST(Climbs, are_among_the_exits_and_on_the_way) {
     Visit visit;
     visit.go_in();
