@@ -25,7 +25,7 @@ LegForm english_legs() {
             std::regex("^(\\d+) steps?( to .*)?$"),
             std::regex("^(\\d+) steps?, until (you meet .*|something stops you)$"),
             std::regex("^(?:\\d+ stairs?|Ramp) (?:up|down), (?:in (\\d+) steps?|just ahead), to the end$"),
-            std::regex("^Open it$"),
+            std::regex("^(Open|Shut) it$"),
             "You are there.",
             "Landing",
             "Foot of the stairs"};
@@ -52,7 +52,7 @@ LegForm german_legs() {
         std::regex("^(\\d+) Schritte?( bis .*)?$"),
         std::regex("^(\\d+) Schritte?, bis (zum Anstoßen: .*|es nicht mehr weitergeht)$"),
         std::regex("^(?:\\d+ Stufen?|Rampe) (?:hinauf|hinab), (?:in (\\d+) Schritt(?:en)?|gleich vorn), bis zum Ende$"),
-        std::regex("^Öffnen$"),
+        std::regex("^(Öffnen|Schließen)$"),
         "Das Ziel ist erreicht.",
         "Treppenabsatz",
         "Fuß der Treppe"};
@@ -85,7 +85,7 @@ std::optional<HeardLeg> understood(const std::string& text, const LegForm& form)
         return std::nullopt;
     }
     for (std::size_t i = 2; i < sentences.size(); ++i)
-        asked.open = asked.open || std::regex_match(sentences[i], form.open);
+        asked.use = asked.use || std::regex_match(sentences[i], form.use);
     return asked;
 }
 

@@ -13,13 +13,13 @@ namespace handrail::test {
 struct HeardLeg {
     int turn_notches = 0, steps = 0;  // clockwise, a sixteenth of a circle each
     enum class Until { Counted, Stopped, FlightOver } until = Until::Counted;
-    bool open = false;
+    bool use = false;  // a door at its end is to be opened or shut
 };
 
 // The words of one language that a walker must know.
 struct LegForm {
     std::map<std::string, int> turns;
-    std::regex counted, until, flight, open;
+    std::regex counted, until, flight, use;
     std::string there, landed_up, landed_down;
 };
 LegForm english_legs();

@@ -75,7 +75,7 @@ public:
     }
 
 private:
-    static constexpr int kMostLegs = 90, kMostClimbs = 8, kMostIdle = 4, kMostAtOnce = 8, kTries = 4;
+    static constexpr int kMostLegs = 160, kMostClimbs = 8, kMostIdle = 4, kMostAtOnce = 8, kTries = 4;
     static constexpr double kTick_s = 1.0 / 60.0, kDoorOpens_s = 3.0, kRide_s = 60.0, kSideStep_s = 0.25;
 
     // ---- what it hears ----
@@ -133,7 +133,7 @@ private:
         const std::size_t said = said_.size();
         ask(Command::Use);
         run(kDoorOpens_s);
-        if (heard(" opens", said)) ++used_;
+        if (heard(" opens", said) || heard(" is shut", said)) ++used_;
     }
     void ride() {
         const std::size_t said = said_.size();
@@ -158,7 +158,7 @@ private:
         } else if (const auto leg = understood(text, form_)) {
             walk_leg(*leg);
         } else if (const auto direction = text.rfind("To ", 0) == 0 ? direction_in(text) : std::nullopt) {
-            walk_direction(*direction);
+            walk_direction(*direction, text.find(" Shut it.") != std::string::npos);
         } else {
             return false;
         }
@@ -169,15 +169,15 @@ private:
             press(leg.turn_notches > 0 ? Command::TurnRight : Command::TurnLeft, std::abs(leg.turn_notches));
         if (leg.until == HeardLeg::Until::FlightOver) walk_until_over(leg.steps);
         else walk(leg.until == HeardLeg::Until::Counted ? leg.steps : 2 * leg.steps + 6);
-        if (leg.open && !arrived()) use();
+        if (leg.use && !arrived()) use();
     }
     // What stops it there and is said to be shut it opens.
-    void walk_direction(const Direction& direction) {
+    void walk_direction(const Direction& direction, bool shut) {
         const int fives = static_cast<int>(std::lround(direction.right_deg / 5.0));
         for (int i = 0; i < std::abs(fives); ++i) press(fives > 0 ? Command::FreeRight : Command::FreeLeft);
         const std::size_t said = said_.size();
         walk(std::clamp(direction.steps, 1, kMostAtOnce));
-        if (!arrived() && heard(", shut", said)) use();
+        if (!arrived() && (shut || heard(", shut", said))) use();
     }
     // So many steps, or until something stops it; to the side of what only a shoulder meets.
     void walk(int steps) {
@@ -186,18 +186,28 @@ private:
             const int before = footsteps_;
             press(Command::Forward, steps);
             steps -= footsteps_ - before;
-            const bool left = heard("left shoulder", said), right = heard("right shoulder", said);
-            if (left == right) return;
+            // What was told before the last word it has come past.
+            const std::string last = said_.size() > said ? said_.back() : std::string();
+            const bool left = last.find("left shoulder") != std::string::npos;
+            if (!left && last.find("right shoulder") == std::string::npos) return;
             hold(left ? Command::SideRight : Command::SideLeft, kSideStep_s);
         }
     }
     // Lets go of the key when it is told.
     void walk_until_over(int steps) {
-        const std::size_t said = said_.size();
+        const std::size_t began = said_.size();
+        std::size_t said = began;
         app_.apply(CommandDown{Command::Forward}, now_s_);
         for (int i = 0; i < 60 * (30 + 2 * steps) && !arrived(); ++i) {
             tick();
-            if (heard(form_.landed_up, said) || heard(form_.landed_down, said)) break;
+            for (; said < said_.size(); ++said) {
+                const bool left = said_[said].find("left shoulder") != std::string::npos;
+                if (!left && said_[said].find("right shoulder") == std::string::npos) continue;
+                app_.apply(CommandUp{Command::Forward}, now_s_);
+                hold(left ? Command::SideRight : Command::SideLeft, kSideStep_s);
+                app_.apply(CommandDown{Command::Forward}, now_s_);
+            }
+            if (heard(form_.landed_up, began) || heard(form_.landed_down, began)) break;
         }
         app_.apply(CommandUp{Command::Forward}, now_s_);
         wait();

@@ -50,9 +50,13 @@ Riding rides(const PlacedModel& thing, const Placement& at, const Vec3& feet_m, 
     return riding(thing.model, at, feet_m, body);
 }
 
-// Nobody is held by a leaf that opens.
-bool passes_bodies(const Feature& feature, bool goes_to_rest) {
-    return feature.kind == FeatureKind::Door && !goes_to_rest;
+// Nobody is held by a leaf that opens. Of one that shuts whoever is in its swing steps round it; it meets only those
+// who stand where it comes to rest.
+bool passes_body(const Feature& feature, const PlacedModel& leaf, const std::optional<Placement>& comes_to_rest,
+                 const Vec3& feet_m, const BodyShape& body) {
+    if (feature.kind != FeatureKind::Door) return false;
+    return !comes_to_rest || !overlap(placed_bounds(leaf.model->bounds_m, *comes_to_rest), body_box(feet_m, body)) ||
+           !meets_body(leaf.model, *comes_to_rest, feet_m, body);
 }
 
 // The ways of two things may cross: leaves of one door, what its maker means to pass, and a lift with its own doors.
@@ -253,7 +257,10 @@ Meeting Doors::meet(std::uint32_t mover, const Placement& from, const Placement&
         const TraceHit hit = world_.solids->trace(feet, feet + way, body, false, index);
         if (hit.hit && hit.normal.z < kCeiling) return Meeting::Body;
         feet = hit.end_m;
-    } else if (!passes_bodies(world_.scene->features[own.feature.value], world_.movers.goes_to_rest(mover)) &&
+    } else if (!passes_body(
+                   world_.scene->features[own.feature.value], own,
+                   world_.movers.goes_to_rest(mover) ? std::optional(world_.movers.at_rest(mover)) : std::nullopt, feet,
+                   body) &&
                overlap(there, body_box(feet, body)) && meets_body(own.model, to, feet, body)) {
         // Whom it has come over otherwise it goes away from; but nothing shuts on anybody.
         if (world_.movers.goes_to_rest(mover) || !meets_body(own.model, from, feet, body)) return Meeting::Body;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/core/kept/ways.h"
+#include "app/core/wayfinding/leaf_ahead.h"
 #include "app/core/wayfinding/leg.h"
 #include "app/core/wayfinding/way_words.h"
 #include "app/core/whereabouts/climbs.h"
@@ -152,6 +153,8 @@ void EarWay::tell_on(double now_s) const {
     const Route& route = leg->route;
     const std::string where = where_words(context_, std::hypot(off.x, off.y), std::atan2(off.x, off.y)),
                       all = sentence_case(distance_words(route.length_m, distances(context_)));
+    std::string leaf = leaf_ahead(context_, feet_m, leg->to_m);
+    if (!leaf.empty()) leaf = " " + capitalised(phrase("leg.leaf_in_way", {{"door", leaf}}));
     for (const RoutePassage& passage : route.passages)
         if (passage.at_m < leg->along_m + 1.0) {
             const std::string what = passage_now(context_, passage.kind, passage.feature, passage.rise_m);
@@ -169,10 +172,10 @@ void EarWay::tell_on(double now_s) const {
                                                               {"all", all}}),
                                        now_s);
             return context_.answer(
-                phrase("way.next_passage", {{"goal", name_}, {"where", where}, {"passage", what}, {"all", all}}),
+                phrase("way.next_passage", {{"goal", name_}, {"where", where}, {"passage", what}, {"all", all}}) + leaf,
                 now_s);
         }
-    context_.answer(phrase("way.next", {{"goal", name_}, {"where", where}, {"all", all}}), now_s);
+    context_.answer(phrase("way.next", {{"goal", name_}, {"where", where}, {"all", all}}) + leaf, now_s);
 }
 
 // So near that the key takes one over them.

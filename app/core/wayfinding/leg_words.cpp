@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/core/context/telling.h"
+#include "app/core/wayfinding/leaf_ahead.h"
 #include "app/core/wayfinding/leg_clues.h"
 #include "app/core/world/body_meets.h"
 #include "app/core/world/questions.h"
@@ -111,6 +112,7 @@ std::string leg_words(const SpokenLeg& leg, const DistanceWords& how) {
     }
     if (leg.open) text += " " + phrase("leg.open_it");
     else if (leg.by_itself) text += " " + phrase("leg.opens_by_itself");
+    if (!leg.leaf.empty()) text += " " + capitalised(phrase("leg.leaf_in_way", {{"door", leg.leaf}}));
     if (!leg.clue.empty()) text += " " + leg.clue;
     return text;
 }
@@ -128,6 +130,7 @@ SpokenLeg spoken_leg(const SessionContext& context, const WordFloor& floor, cons
         told.open = shut && context.world.scene->movers[door->mover].by_hand;
         told.by_itself = shut && !told.open;
     }
+    told.leaf = leaf_ahead(context, at.from_m, at.leg.to_m);
     if (at.leg.end == PaceEnd::Steps) {
         told.steps = std::max(1, static_cast<int>(std::lround(counted_left(floor, at))));
         tell_flight(told, floor, walk(floor, at, open, told.steps * floor.step_m));

@@ -20,6 +20,7 @@ struct SpokenLeg {
     int to_stairs = 0;       // steps to where it begins, on a leg that goes over it and does not end with it
     bool open = false;       // a door there is to be opened by hand
     bool by_itself = false;  // or opens as one comes near
+    std::string leaf;        // the door whose leaf stands open across it and is to be shut; empty: none does
     std::string clue;        // what tells beside steps that one is right; a sentence, may be empty
 };
 std::string leg_words(const SpokenLeg& leg, const DistanceWords& how);

@@ -97,6 +97,19 @@ TEST(Movers, a_door_that_would_shut_on_somebody_opens_again) {
     EXPECT_GT(walk.app.feet_m().y, 4.0) << "nobody is held by it";
 }
 
+// Who has opened a door steps round its leaf to shut it again.
+TEST(Movers, a_door_shuts_past_somebody_who_stands_in_its_swing_but_not_in_its_opening) {
+    Walk walk(world(kWall + door(key("name", "Oak door") + key("hinge", "west") + key("opens", "north"))));
+    walk.app.apply(Placed{{5.0, 2.4, 0.0}, 0.0}, walk.now);
+    walk.tap(Command::Use, 2.0);
+    const Vec3 in_swing_m(5.0, 3.75, 0.0);
+    walk.app.apply(Placed{in_swing_m, kPi}, walk.now);
+    walk.tap(Command::Use, 4.0);
+    EXPECT_TRUE(walk.heard("Oak door is shut")) << walk.news();
+    EXPECT_FALSE(walk.heard("met you"));
+    EXPECT_NEAR(glm::length(walk.app.feet_m() - in_swing_m), 0.0, 0.05) << "it moves nobody";
+}
+
 TEST(Movers, nothing_in_reach_is_said) {
     Walk walk(world({}));
     walk.tap(Command::Use);

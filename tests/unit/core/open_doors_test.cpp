@@ -156,5 +156,50 @@ TEST(OpenDoors, that_are_shut_again_leave_the_ways_as_they_were) {
     EXPECT_EQ(way(), shut);
 }
 
+// A corridor 1.1 m wide whose north side has a closet, with a door that opens into the corridor, and farther east an
+// opening to a hall. The leaf of the open door leaves no room beside it.
+std::shared_ptr<const Scene> corridor_with_closet() {
+    const std::string rooms = test::room_brushes(0, 0, 0, 320, 640, 128);
+    const std::string walls =
+        test::entity("func_wall", test::key("name", "wall"),
+                     test::box_brush(0, 56, 0, 320, 60, 128) + test::box_brush(0, 96, 0, 144, 104, 128) +
+                         test::box_brush(176, 96, 0, 256, 104, 128) + test::box_brush(288, 96, 0, 320, 104, 128) +
+                         test::box_brush(144, 96, 72, 176, 104, 128) + test::box_brush(132, 104, 0, 136, 150, 128) +
+                         test::box_brush(184, 104, 0, 188, 150, 128) + test::box_brush(132, 150, 0, 188, 154, 128));
+    const std::string door = test::entity(
+        "func_door", test::key("hinge", "west") + test::key("opens", "south") + test::key("name", "Closet"),
+        test::box_brush(144, 98, 0, 176, 102, 72));
+    const std::string base =
+        test::entity("info_player_start", test::key("origin", "48 78 24") + test::key("angle", "0"));
+    auto scene = read_quake_map(
+        test::entity("worldspawn", test::key("message", "Corridor") + test::key("building", "1"), rooms) + base +
+            walls + door,
+        "corridor.map", {});
+    EXPECT_TRUE(scene) << (scene ? "" : scene.error().sentence());
+    scene->room_names = {RoomName{Vec3(1.5, 2.4, 0.0), "Corridor"}, RoomName{Vec3(8.0, 12.0, 0.0), "Hall"}};
+    return std::make_shared<const Scene>(std::move(*scene));
+}
+
+TEST(OpenDoors, whose_leaf_leaves_no_way_beside_it_are_announced_and_can_be_shut) {
+    test::AppSession p;
+    p.app.apply(WorldEntered{make_ready(corridor_with_closet())}, 0.0);
+    p.run(0.1);
+    p.app.apply(Placed{{5.0, 2.3, 0.0}, 0.0}, p.now);
+    p.tap(Command::Use, 2.0);
+    ASSERT_TRUE(p.heard("Closet opens"));
+    p.app.apply(Placed{{1.5, 2.43, 0.0}, 0.5 * kPi}, p.now);
+    p.run(0.2);
+    p.ask(Command::Routes);
+    p.line("Hall");
+    const std::string leg = p.ask(Command::RepeatLeg);
+    EXPECT_NE(leg.find("Closet, open, is in the way. Shut it."), std::string::npos) << leg << " | " << p.news();
+    p.walk(5.0);
+    EXPECT_LT(p.app.feet_m().x, 4.3) << "the leaf stops one";
+    p.said.clear();
+    p.tap(Command::Use, 2.0);
+    EXPECT_TRUE(p.heard("Closet is shut")) << p.news();
+    EXPECT_EQ(p.ask(Command::RepeatLeg).find("in the way"), std::string::npos) << p.news();
+}
+
 }  // namespace open_doors_test
 }  // namespace handrail

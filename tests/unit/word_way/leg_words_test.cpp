@@ -26,6 +26,9 @@ TEST(LegWords, tell_what_to_do_first_then_how_far_then_to_what) {
     SpokenLeg door = leg(-4, 4, PaceEnd::Stopped, "Living room door, shut");
     door.open = true;
     EXPECT_EQ(leg_words(door, {}), "Turn left. 4 steps, until you meet Living room door, shut. Open it.");
+    SpokenLeg leaf = leg(0, 2, PaceEnd::Steps, "Toilet");
+    leaf.leaf = "front door";
+    EXPECT_EQ(leg_words(leaf, {}), "Straight on. 2 steps to Toilet. Front door, open, is in the way. Shut it.");
     EXPECT_EQ(leg_words(leg(8, 3, PaceEnd::Stopped, ""), {}), "Turn round. 3 steps, until something stops you.");
     SpokenLeg stairs = leg(1, 4, PaceEnd::Stairs, "");
     stairs.risers = 17;

@@ -114,7 +114,7 @@ private:
         if (asked.until == HeardLeg::Until::FlightOver) walk_until_over(said, asked.steps);
         else walk(asked.until == HeardLeg::Until::Counted ? asked.steps : 2 * asked.steps + 6);
         if (part != 1.0) set_step(step_m);
-        if (!asked.open) return;
+        if (!asked.use) return;
         opened_.emplace_back(person_.app.feet_m(), person_.app.heading_rad());
         person_.ask(Command::Use);
         person_.run(3.0);
