@@ -45,6 +45,8 @@ public:
     std::vector<std::string> rest_of_way();
     // Which way the leg that was told leads; none: no way is followed.
     std::optional<double> leg_heading_rad() const;
+    // The body was stopped by something.
+    void note_stop() { word_.note_stop(); }
     // The stairs to be taken in one go that it leads over next, where one stands at them.
     std::optional<RoutePassage> climb_here() const;
     // A leaf stands across the rest of the way by now: it goes on round it, without a word but what comes.

@@ -45,6 +45,7 @@ void WordWay::stop() {
     way_ = {};
     at_ = 0;
     room_ = kNothing;
+    stopped_.reset();
 }
 
 void WordWay::plan() {
@@ -89,7 +90,7 @@ WordWay::News WordWay::tick() {
     if (glm::length(feet_m - looked_m_) < kLooked_m || !context_.body.walker->state().on_ground) return news;
     looked_m_ = feet_m;
     const BlindBody body = way_.floor->ground.body_at(feet_m);
-    news.arrived = body.span != kNothing && (*way_.goal)[body.span] != 0;
+    news.arrived = body.span != kNothing && (*way_.goal)[body.span] != 0 && in_outline(feet_m);
     if (news.arrived) return news;
     double off_m = kLeft_m + 1.0;
     Vec3 from_m = way_.from_m;
@@ -99,6 +100,12 @@ WordWay::News WordWay::tick() {
     }
     news.left = off_m > kLeft_m;
     return news;
+}
+
+// A place of the goal may be as wide as a step, and lie half outside of the room.
+bool WordWay::in_outline(const Vec3& feet_m) const {
+    const StatedRoom* const outline = stated_room_at(*rooms_.file_scene(), rooms_.graph().rooms[room_].middle_m);
+    return !outline || handrail::holds(*outline, feet_m);
 }
 
 LegAt WordWay::leg_at(std::size_t which) const {
@@ -134,7 +141,26 @@ bool WordWay::holds() const {
 
 std::string WordWay::tell() {
     if (state_ != State::Known) return {};
-    return leg_words(spoken_leg(context_, *way_.floor, leg_at(at_), open_now()), distances(context_));
+    const LegAt leg = leg_at(at_);
+    const SpokenLeg told = spoken_leg(context_, *way_.floor, leg, open_now());
+    // The ground of words is coarser than the body: it may let slide past what stops the body, and would say the same
+    // for ever.
+    if (stopped_on(leg) && told.leaf.empty()) {
+        stop();
+        state_ = State::NoWay;
+        return {};
+    }
+    return leg_words(told, distances(context_));
+}
+
+void WordWay::note_stop() {
+    if (state_ == State::Known) stopped_ = Stop{context_.body.feet_m(), context_.body.heading_rad};
+}
+
+bool WordWay::stopped_on(const LegAt& leg) const {
+    constexpr double kHere_m = 0.25, kSameWay_rad = 0.15;
+    return stopped_ && glm::length(leg.from_m - stopped_->at_m) < kHere_m &&
+           std::abs(wrap_angle(notch_heading_rad(leg.notch) - stopped_->heading_rad)) < kSameWay_rad;
 }
 
 std::string WordWay::leg() {
@@ -145,7 +171,10 @@ std::string WordWay::leg() {
         const std::uint32_t door = way_.route->legs[which].door;
         return door != kNothing && !open[door];
     };
-    while (at_ < last && !waits_for_door(at_) && leg_is_over(*way_.floor, leg_at(at_), open)) ++at_;
+    const auto is_over = [&](const LegAt& leg) {
+        return leg_is_over(*way_.floor, leg, open) || (leg.leg.end == PaceEnd::Stopped && stopped_on(leg));
+    };
+    while (at_ < last && !waits_for_door(at_) && is_over(leg_at(at_))) ++at_;
     if (!holds()) plan();
     return tell();
 }

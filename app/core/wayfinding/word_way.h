@@ -41,6 +41,9 @@ public:
     std::string next_leg();
     // and all that are left, one after the other.
     std::vector<std::string> rest();
+    // The body was stopped where it stands, in the direction that it faces. A leg that would go on there is not told
+    // again: there is no way for words then.
+    void note_stop();
     // Where the leg that was told last leads; none: nothing is told.
     std::optional<double> heading_rad() const;
 
@@ -55,6 +58,8 @@ private:
     void plan();
     void take(Planned planned);
     LegAt leg_at(std::size_t which) const;
+    bool stopped_on(const LegAt& leg) const;
+    bool in_outline(const Vec3& feet_m) const;
     bool holds() const;
     std::string tell();
     DoorsOpen open_now() const { return ground_.open_now(*way_.floor); }
@@ -68,6 +73,11 @@ private:
     Planned way_;
     std::size_t at_ = 0;  // the leg that is walked
     Vec3 looked_m_{0.0};
+    struct Stop {
+        Vec3 at_m{0.0};
+        double heading_rad = 0.0;
+    };
+    std::optional<Stop> stopped_;
     Beside<Planned> planning_;
 };
 

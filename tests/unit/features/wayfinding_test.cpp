@@ -215,6 +215,46 @@ TEST(Wayfinding, is_not_there_by_ear_while_a_wall_stands_between) {
     EXPECT_TRUE(ear.tick(0.0).arrived);
 }
 
+// Two rooms with a doorway between them.
+std::shared_ptr<const Scene> two_rooms() {
+    test::SceneBuilder builder;
+    builder.box({0.0, 0.0, -0.5}, {6.0, 12.0, 0.0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
+    builder.box({0.0, 5.9, 0.0}, {2.5, 6.1, 3.0}, "wall", SolidRole::Solid, {}, FeatureKind::Wall);
+    builder.box({3.5, 5.9, 0.0}, {6.0, 6.1, 3.0}, "wall", SolidRole::Solid, {}, FeatureKind::Wall);
+    builder.box({2.5, 5.9, 2.1}, {3.5, 6.1, 3.0}, "wall", SolidRole::Solid, {}, FeatureKind::Wall);
+    builder.box({-0.2, -0.2, 0.0}, {0.0, 12.2, 3.0}, "wall", SolidRole::Solid, {}, FeatureKind::Wall);
+    builder.box({6.0, -0.2, 0.0}, {6.2, 12.2, 3.0}, "wall", SolidRole::Solid, {}, FeatureKind::Wall);
+    builder.box({-0.2, -0.2, 0.0}, {6.2, 0.0, 3.0}, "wall", SolidRole::Solid, {}, FeatureKind::Wall);
+    builder.box({-0.2, 12.0, 0.0}, {6.2, 12.2, 3.0}, "wall", SolidRole::Solid, {}, FeatureKind::Wall);
+    builder.scene().room_names = {RoomName{Vec3(3, 2, 0), "Study"}, RoomName{Vec3(3, 10, 0), "Kitchen"}};
+    builder.start({3.0, 2.0, 0.0}, 0.0);
+    return builder.share();
+}
+
+// The ground of words may let slide past what stops the body.
+TEST(Wayfinding, tells_no_leg_again_that_the_body_has_just_been_stopped_on) {
+    test::PlainSession plain(two_rooms());
+    Rooms rooms{plain.context};
+    rooms.enter_world(plain.as_read);
+    ASSERT_TRUE(rooms.known());
+    const std::uint32_t kitchen = room_at(rooms.graph(), rooms.space(), {3.0, 10.0, 0.0});
+    ASSERT_NE(kitchen, kNothing);
+    WordGround ground(plain.context, rooms);
+    WordWay word(plain.context, rooms, ground);
+    for (const bool walked_on : {true, false}) {
+        plain.stand({3.0, 2.0, 0.0});
+        word.begin(kitchen, "Kitchen");
+        ASSERT_EQ(word.state(), WordWay::State::Known);
+        const std::string leg = word.leg();
+        ASSERT_THAT(leg, HasSubstr("steps"));
+        plain.body.heading_rad = plain.body.heading_goal_rad = word.heading_rad().value();
+        word.note_stop();
+        if (walked_on) plain.stand({3.0, 2.7, 0.0});
+        EXPECT_EQ(word.leg().empty(), !walked_on);
+        EXPECT_EQ(word.at_work(), walked_on);
+    }
+}
+
 // ---- by the hand ----
 
 struct Hand : Plans {
