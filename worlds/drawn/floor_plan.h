@@ -71,8 +71,9 @@ struct PlanThing {
     std::vector<Ring> parts;  // convex, counter-clockwise
     double height_m = 0.8;
     std::size_t level = 0;
-    double from_m = 0.0;  // above the floor
-    bool window = false;  // a pane on a wall
+    double from_m = 0.0;   // above the floor
+    bool window = false;   // a pane on a wall
+    bool fixture = false;  // part of the building, no furniture
     bool landmark = false, clue = false;
     std::string material;  // a name of the material library; may be empty
     int line = 0;

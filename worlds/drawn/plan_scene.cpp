@@ -309,8 +309,9 @@ void PlanBuilder::add_things() {
             thing.kind == PlanThingKind::Pillar ? floor_m + storey_of(thing.level) : floor_m + thing.height_m;
         for (const Ring& part : thing.parts)
             add_solid(upright(part, floor_m, top_m), SolidRole::Solid, feature, material);
-        if (thing.window) ++stated_->windows;
-        else if (thing.kind == PlanThingKind::Object) ++stated_->furnishings;
+        const StatedThing stated{feature, scene_.features[feature.value].bounds_m};
+        if (thing.window) stated_->windows.push_back(stated);
+        else if (thing.kind == PlanThingKind::Object && !thing.fixture) stated_->furnishings.push_back(stated);
     }
 }
 

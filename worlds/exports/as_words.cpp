@@ -14,10 +14,8 @@
 namespace handrail {
 namespace {
 
-constexpr double kFinest_m = 1e-4, kSlabs_m = 0.3, kLeastStorey_m = 2.3, kMostStorey_m = 12.0;
-constexpr double kLevel_m = 0.02;     // floors that are that near are level
-constexpr double kStepDown_m = 0.3;   // from there on an opening is a drop
-constexpr double kMostRaise_m = 1.5;  // of what is said to be raised or sunk
+constexpr double kFinest_m = 1e-4;
+constexpr double kLevel_m = 0.02;  // floors that are that near are level
 
 bool on_grid(double value) { return std::abs(value / kFinest_m - std::round(value / kFinest_m)) < 1e-3; }
 
@@ -38,6 +36,14 @@ Box box_of(const std::vector<Ring>& rings) {
         rings.size() == 1 && rings[0].size() == 4 && std::all_of(rings[0].begin(), rings[0].end(), corner) &&
         std::abs(std::abs(signed_area(rings[0])) - (box.most.x - box.least.x) * (box.most.y - box.least.y)) < 1e-6;
     return box;
+}
+
+// By the even-odd rule: an odd number of the others lie around it.
+bool is_hole(const std::vector<Ring>& rings, std::size_t which) {
+    const Vec2 on = 0.5 * (rings[which][0] + rings[which][1]);
+    int around = 0;
+    for (std::size_t k = 0; k < rings.size(); ++k) around += k != which && handrail::inside({rings[k]}, on) ? 1 : 0;
+    return around % 2 == 1;
 }
 
 class Writer {
@@ -62,9 +68,7 @@ public:
     std::string write() {
         text_ += fmt::format("{}: {}.\n", words("Building", "Gebäude"), quoted(house_.name, true));
         text_ += german_ ? "Sprache: Deutsch.\n" : "Language: English.\n";
-        if (house_.wall_m > 0.0)
-            text_ +=
-                fmt::format("{}: {} {}.\n", words("Walls", "Wände"), metres(house_.wall_m), words("thick", "dick"));
+        write_walls();
         for (const std::string& lost : house_.lost) text_ += "# " + one_line(lost) + "\n";
         std::vector<std::size_t> before;
         for (std::size_t s = 0; s < house_.storeys.size(); ++s) {
@@ -196,7 +200,9 @@ private:
                              : fmt::format(", floor of {}", material(room.floor_material));
         if (!box.plain)
             for (std::size_t i = 0; i < room.rings.size(); ++i) {
-                text_ += fmt::format(", {}", i == 0 ? words("corners", "Ecken") : words("hole", "Loch"));
+                text_ += fmt::format(", {}", is_hole(room.rings, i) ? words("hole", "Loch")
+                                             : i == 0               ? words("corners", "Ecken")
+                                                                    : words("and corners", "und Ecken"));
                 for (std::size_t k = 0; k < room.rings[i].size(); ++k)
                     text_ += fmt::format("{} {} {}", k == 0 ? "" : ",", number(room.rings[i][k].x),
                                          number(room.rings[i][k].y));
@@ -207,6 +213,15 @@ private:
         for (const WordsHouse::Lift& lift : house_.lifts)
             if (lift.from == r) write_lift(lift);
         things(r);
+    }
+
+    void write_walls() {
+        std::string said;
+        if (house_.wall_m > 0.0) said = fmt::format("{} {}", metres(house_.wall_m), words("thick", "dick"));
+        if (!material_of_word(house_.wall_material).empty())
+            said += fmt::format("{}{} {}", said.empty() ? "" : ", ", words("made of", "aus"),
+                                material(house_.wall_material));
+        if (!said.empty()) text_ += fmt::format("{}: {}.\n", words("Walls", "Wände"), said);
     }
 
     std::string material(const std::string& name) const { return word_of_material(name, language_); }
@@ -238,33 +253,77 @@ private:
         text_ += ".\n";
     }
 
+    // Which side of the outline a pane is on: the nearest that it runs along.
+    struct Side {
+        std::size_t ring = 0, corner = 0;
+        Vec2 at{0.0};
+        double along_m = 0.0, wide_m = 0.0;
+    };
+    Side side_of_pane(const WordsHouse::Room& room, const Aabb& box) const {
+        Side best;
+        double best_m = 1e300;
+        const Vec2 middle(box.centre_m()), size(box.size_m());
+        for (std::size_t k = 0; k < room.rings.size(); ++k)
+            for (std::size_t i = 0; i < room.rings[k].size(); ++i) {
+                const Ring& ring = room.rings[k];
+                const Vec2 &a = ring[i], way = ring[(i + 1) % ring.size()] - a;
+                const double length = glm::length(way);
+                if (length < 1e-6) continue;
+                const Vec2 along = way / length, flat = glm::abs(along);
+                const double at_m = std::clamp(glm::dot(middle - a, along), 0.0, length);
+                const double off_m = glm::length(middle - a - along * at_m) + size.x * flat.y + size.y * flat.x;
+                if (off_m >= best_m) continue;
+                best_m = off_m;
+                best = {k, i, a + along * at_m, at_m, glm::dot(size, flat)};
+            }
+        return best;
+    }
+
+    void write_window(const WordsHouse::Thing& window, const WordsHouse::Room& room, const Box& box, double floor_m) {
+        const Side found = side_of_pane(room, window.box_m);
+        text_ += words("Window", "Fenster");
+        if (box.plain) {
+            // Sides of a rectangle are told by their wall, measured from the west or south.
+            const bool level = std::abs(found.at.y - box.most.y) < 1e-6 || std::abs(found.at.y - box.least.y) < 1e-6;
+            const int wall = level ? (std::abs(found.at.y - box.most.y) < 1e-6 ? 0 : 4)
+                                   : (std::abs(found.at.x - box.most.x) < 1e-6 ? 2 : 6);
+            text_ += german_ ? fmt::format(" in der {}n Wand", german_adjective(wall))
+                             : fmt::format(" in the {} wall", side(wall, false));
+            text_ += fmt::format(", {} {}", metres(level ? found.at.x - box.least.x : found.at.y - box.least.y),
+                                 words("along", "entlang"));
+        } else {
+            text_ += ", " + at(found.at);
+        }
+        text_ += fmt::format(", {} {}, {} {}, {} {}", metres(found.wide_m), words("wide", "breit"),
+                             metres(window.box_m.size_m().z), words("high", "hoch"),
+                             metres(std::max(window.box_m.min_m.z - floor_m, 0.0)),
+                             words("above the floor", "über dem Boden"));
+        if (!window.name.empty()) text_ += fmt::format(", {} {}", words("called", "genannt"), quoted(window.name));
+    }
+
+    void write_thing(const WordsHouse::Thing& thing, double floor_m) {
+        const Vec3 size = thing.box_m.size_m();
+        text_ += fmt::format("{}: {}, {} {} {} {} {}, {}",
+                             thing.fixture ? words("Fixture", "Einbau") : words("Thing", "Ding"), quoted(thing.name),
+                             number(size.x), words("by", "mal"), number(size.y), words("by", "mal"), metres(size.z),
+                             at(Vec2(thing.box_m.centre_m())));
+        if (thing.box_m.min_m.z - floor_m > 0.01)
+            text_ += fmt::format(", {} {}", metres(thing.box_m.min_m.z - floor_m),
+                                 words("above the floor", "über dem Boden"));
+        if (!material_of_word(thing.material).empty())
+            text_ += fmt::format(", {} {}", words("made of", "aus"), material(thing.material));
+    }
+
     void things(std::size_t r) {
         const WordsHouse::Room& room = house_.rooms[r];
-        const WordsHouse::Storey& storey = house_.storeys[room.storey];
-        const double floor_m = storey.floor_m + room.raised_m;
-        if (things_.empty()) find_things();
-        for (std::size_t f = 0; f < scene_.features.size(); ++f) {
-            const Aabb& box = scene_.features[f].bounds_m;
-            if (!things_[f] || box.min_m.z < floor_m - 0.1 || box.min_m.z > floor_m + storey.height_m - 0.2 ||
-                !inside(room.rings, Vec2(box.centre_m())))
-                continue;
-            const Vec3 size = box.size_m();
-            if (size.x > boxes_[r].most.x - boxes_[r].least.x || size.y > boxes_[r].most.y - boxes_[r].least.y)
-                continue;
-            const Feature& feature = scene_.features[f];
-            text_ += fmt::format("{}: {}, {} {} {} {} {}, {}", words("Thing", "Ding"), quoted(spoken_name(feature)),
-                                 number(size.x), words("by", "mal"), number(size.y), words("by", "mal"), metres(size.z),
-                                 at(Vec2(box.centre_m())));
-            if (box.min_m.z - floor_m > 0.01)
-                text_ +=
-                    fmt::format(", {} {}", metres(box.min_m.z - floor_m), words("above the floor", "über dem Boden"));
-            if (const Material& made = scene_.material(feature.material);
-                !made.name.empty() && !material_of_word(made.name).empty())
-                text_ += fmt::format(", {} {}", words("made of", "aus"), material(made.name));
-            if (feature.landmark) text_ += words(", landmark", ", Landmarke");
-            if (feature.clue) text_ += words(", clue", ", Hinweis");
+        const double floor_m = house_.storeys[room.storey].floor_m + room.raised_m;
+        for (const WordsHouse::Thing& thing : house_.things) {
+            if (thing.room != r) continue;
+            if (thing.window) write_window(thing, room, boxes_[r], floor_m);
+            else write_thing(thing, floor_m);
+            if (thing.landmark) text_ += words(", landmark", ", Landmarke");
+            if (thing.clue) text_ += words(", clue", ", Hinweis");
             text_ += ".\n";
-            things_[f] = false;
         }
         for (const Start& start : scene_.starts)
             if (start.base && !base_written_ && std::abs(start.feet_m.z - floor_m) < 0.5 &&
@@ -279,210 +338,17 @@ private:
             }
     }
 
-    // Named things that stand: no doors, stairs, lifts, walls.
-    void find_things() {
-        things_.assign(scene_.features.size(), false);
-        for (const Solid& solid : scene_.solids)
-            if (solid.role == SolidRole::Solid && solid.feature) {
-                const Feature& feature = scene_.features[solid.feature.value];
-                things_[solid.feature.value] = feature.kind == FeatureKind::Object && !feature.made_name &&
-                                               !feature.name.empty() && !feature.bounds_m.empty();
-            }
-        if (scene_.stated)
-            for (const StatedPortal& portal : scene_.stated->portals)
-                if (portal.feature) things_[portal.feature.value] = false;
-    }
-
     const WordsHouse& house_;
     const Scene& scene_;
     bool german_ = false;
     WordLanguage language_;
     std::vector<Box> boxes_;
     std::vector<std::string> names_;
-    std::vector<bool> things_;  // of each feature: still to be written
     bool base_written_ = false;
     std::string text_;
 };
 
-// "Stairs, Level 1" without the level that was put behind it.
-std::string without_level(const std::string& name, const std::string& level) {
-    const std::string end = phrase("plan.on_level", {{"name", ""}, {"level", level}});
-    return name.size() > end.size() && name.ends_with(end) ? name.substr(0, name.size() - end.size()) : name;
-}
-
-bool same_outline(const StatedRoom& a, const StatedRoom& b) {
-    if (a.rings.size() != b.rings.size()) return false;
-    for (std::size_t i = 0; i < a.rings.size(); ++i) {
-        if (a.rings[i].size() != b.rings[i].size()) return false;
-        for (std::size_t k = 0; k < a.rings[i].size(); ++k)
-            if (glm::length(a.rings[i][k] - b.rings[i][k]) > 0.01) return false;
-    }
-    return true;
-}
-
-// A lift without a shaft, which the file states by itself: one with a shaft has the name of that.
-bool is_platform(const Scene& scene, const StatedPortal& portal) {
-    const Feature* feature = scene.find(portal.feature);
-    if (!feature || feature->bounds_m.empty() || portal.rooms.size() != 2 || !portal.guid.empty()) return false;
-    return scene.stated->rooms[portal.rooms[0]].storey != scene.stated->rooms[portal.rooms[1]].storey;
-}
-
-// An opening between floors of which one lies a step below the other.
-void note_drop(const WordsHouse& house, WordsHouse::Door& door) {
-    const WordsHouse::Room &one = house.rooms[door.rooms[0]], &other = house.rooms[door.rooms[1]];
-    if (one.kind != WordsHouse::Kind::Room || other.kind != WordsHouse::Kind::Room || one.storey != other.storey)
-        return;
-    const double down_m = one.raised_m - other.raised_m;
-    if (std::abs(down_m) < kStepDown_m) return;
-    if (down_m < 0.0) std::swap(door.rooms[0], door.rooms[1]);
-    door.drop_m = std::abs(down_m);
-}
-
-std::string floor_material(const Scene& scene, const StatedRoom& room) {
-    constexpr std::size_t kMostSurfaces = 5'000;
-    if (scene.surfaces.size() > kMostSurfaces) return {};
-    for (const SurfacePolygon& surface : scene.surfaces) {
-        if (surface.normal.z < 0.9 || scene.material(surface.material).name.empty()) continue;
-        Ring ring;
-        for (const Vec3& p : surface.polygon.points_m) ring.emplace_back(p);
-        if (!ring.empty() && std::abs(surface.polygon.points_m[0].z - room.floor_m) < 0.05 &&
-            inside({ring}, Vec2(room.at_m)))
-            return material_of_word(scene.material(surface.material).name);
-    }
-    return {};
-}
-
 }  // namespace
-
-WordsHouse stated_house(const Scene& scene, WordLanguage language) {
-    const StatedBuilding& stated = *scene.stated;
-    WordsHouse house;
-    house.name = spoken_name(scene);
-    house.wall_m = stated.wall_m;
-    const bool german = language == WordLanguage::German;
-    // Storeys that rooms lie on, from below.
-    const auto storey_of = [&](const StatedRoom& room) {
-        if (room.storey < stated.storeys.size()) return room.storey;
-        std::uint32_t best = 0;
-        for (std::uint32_t s = 0; s < stated.storeys.size(); ++s)
-            if (std::abs(stated.storeys[s].floor_m - room.floor_m) <
-                std::abs(stated.storeys[best].floor_m - room.floor_m))
-                best = s;
-        return best;
-    };
-    std::map<std::uint32_t, double> heights;
-    for (const StatedRoom& room : stated.rooms)
-        heights[storey_of(room)] = std::max(heights[storey_of(room)], room.height_m + kSlabs_m);
-    std::map<std::uint32_t, std::size_t> number;
-    std::vector<std::pair<double, std::uint32_t>> order;
-    for (const auto& [s, height] : heights)
-        order.emplace_back(s < stated.storeys.size() ? stated.storeys[s].floor_m : 0.0, s);
-    std::sort(order.begin(), order.end());
-    for (const auto& [floor_m, s] : order) {
-        number[s] = house.storeys.size();
-        std::string name = s < stated.storeys.size() ? one_line(stated.storeys[s].name) : std::string();
-        if (name.empty()) name = fmt::format("{} {}", german ? "Ebene" : "Level", number[s]);
-        house.storeys.push_back({name, floor_m, std::clamp(heights[s], kLeastStorey_m, kMostStorey_m)});
-    }
-    for (std::size_t s = 0; s + 1 < house.storeys.size(); ++s)
-        house.storeys[s].height_m =
-            std::clamp(house.storeys[s + 1].floor_m - house.storeys[s].floor_m, kLeastStorey_m, kMostStorey_m);
-    // Stairs and lifts that have one outline on all their storeys are one.
-    std::vector<std::size_t> parent(stated.rooms.size());
-    for (std::size_t r = 0; r < parent.size(); ++r) parent[r] = r;
-    const auto root = [&](std::size_t r) {
-        while (parent[r] != r) r = parent[r];
-        return r;
-    };
-    std::map<std::size_t, WordsHouse::Kind> kinds;
-    std::vector<const StatedPortal*> platforms;
-    for (const StatedPortal& portal : stated.portals) {
-        if (portal.kind != StatedPortalKind::Stairs && portal.kind != StatedPortalKind::Lift) continue;
-        if (portal.kind == StatedPortalKind::Lift && is_platform(scene, portal)) {
-            platforms.push_back(&portal);
-            continue;
-        }
-        bool one = portal.rooms.size() > 1;
-        for (const std::uint32_t r : portal.rooms) one &= same_outline(stated.rooms[r], stated.rooms[portal.rooms[0]]);
-        if (!one) {
-            std::string names;
-            for (const std::uint32_t r : portal.rooms) names += (names.empty() ? "" : ", ") + stated.rooms[r].name;
-            house.lost.push_back(
-                german ? fmt::format("Treppe oder Aufzug ohne eigenen Raum: {} ({}).", portal.name, names)
-                       : fmt::format("Stairs or lift without a room of its own: {} ({}).", portal.name, names));
-            continue;
-        }
-        for (const std::uint32_t r : portal.rooms) parent[root(r)] = root(portal.rooms[0]);
-        kinds[root(portal.rooms[0])] =
-            portal.kind == StatedPortalKind::Lift ? WordsHouse::Kind::Lift : WordsHouse::Kind::Stairs;
-    }
-    std::map<std::size_t, std::size_t> room_of_root;
-    std::vector<std::size_t> room_of(stated.rooms.size());
-    for (std::size_t r = 0; r < stated.rooms.size(); ++r) {
-        const StatedRoom& from = stated.rooms[r];
-        const std::size_t storey = number.at(storey_of(from)), top = root(r);
-        if (const auto found = room_of_root.find(top); found != room_of_root.end()) {
-            WordsHouse::Room& room = house.rooms[found->second];
-            room.storey = std::min(room.storey, storey);
-            room.to_storey = std::max(room.to_storey, storey);
-            room_of[r] = found->second;
-            continue;
-        }
-        WordsHouse::Room room;
-        room.name = one_line(from.name);
-        room.storey = room.to_storey = storey;
-        room.rings = from.rings;
-        room.floor_material = floor_material(scene, from);
-        if (const double raised_m = from.floor_m - house.storeys[storey].floor_m;
-            std::abs(raised_m) > kLevel_m && std::abs(raised_m) <= kMostRaise_m && !kinds.contains(top))
-            room.raised_m = std::round(raised_m / kFinest_m) * kFinest_m;
-        if (const auto kind = kinds.find(top); kind != kinds.end()) {
-            room.kind = kind->second;
-            room.name = without_level(room.name, house.storeys[storey].name);
-        } else if (from.height_m > 0.0 &&
-                   from.height_m < house.storeys[storey].height_m - kSlabs_m - room.raised_m - 0.01) {
-            room.height_m = from.height_m;
-        }
-        room_of[r] = room_of_root[top] = house.rooms.size();
-        house.rooms.push_back(std::move(room));
-    }
-    for (const StatedPortal& portal : stated.portals) {
-        if (portal.kind != StatedPortalKind::Door && portal.kind != StatedPortalKind::Opening) continue;
-        WordsHouse::Door door;
-        door.opening = portal.kind == StatedPortalKind::Opening;
-        for (const std::uint32_t r : portal.rooms)
-            if (door.rooms.size() < 2) door.rooms.push_back(room_of[r]);
-        // Of stairs and a room the room tells the storey.
-        if (door.rooms.size() > 1 && house.rooms[door.rooms[0]].kind != WordsHouse::Kind::Room)
-            std::swap(door.rooms[0], door.rooms[1]);
-        if (door.opening && door.rooms.size() > 1) note_drop(house, door);
-        door.at_m = Vec2(portal.place_m);
-        door.width_m = std::max(portal.width_m, 0.1);
-        if (const Feature* feature = scene.find(portal.feature)) {
-            if (!feature->made_name) door.name = one_line(feature->name);
-            for (const Mover& mover : scene.movers)
-                if (mover.feature == portal.feature) {
-                    door.sliding = mover.lift == Mover{}.lift && glm::length(mover.slide_m) > 0.1;
-                    door.by_itself = mover.lift == Mover{}.lift && !mover.approach_m.empty();
-                }
-        }
-        if (door.rooms.empty()) {
-            house.lost.push_back(german ? fmt::format("Eine Tür ohne Raum: {}.", portal.name)
-                                        : fmt::format("A door of no room: {}.", portal.name));
-            continue;
-        }
-        house.doors.push_back(std::move(door));
-    }
-    for (const StatedPortal* portal : platforms) {
-        WordsHouse::Lift lift{one_line(portal->name), room_of[portal->rooms[0]], room_of[portal->rooms[1]]};
-        if (house.rooms[lift.from].storey > house.rooms[lift.to].storey) std::swap(lift.from, lift.to);
-        const Aabb& box = scene.find(portal->feature)->bounds_m;
-        lift.at_m = Vec2(box.centre_m());
-        lift.size_m = Vec2(box.size_m());
-        house.lifts.push_back(std::move(lift));
-    }
-    return house;
-}
 
 std::string text_of(const WordsHouse& house, const Scene& scene, WordLanguage language) {
     return Writer(house, scene, language).write();

@@ -40,12 +40,24 @@ struct WordsHouse {
         std::size_t from = 0, to = 0;  // rooms, the lower first
         Vec2 at_m{0.0}, size_m{1.4};
     };
+    // A window, or what stands in a room.
+    struct Thing {
+        std::string name;  // of a window that has none of its own: empty
+        std::size_t room = 0;
+        Aabb box_m;
+        std::string material;  // of the scene; may be none that words know
+        bool landmark = false, clue = false;
+        bool window = false;
+        bool fixture = false;  // part of the building, no furniture
+    };
     std::string name;
-    double wall_m = 0.0;  // 0: not known
+    double wall_m = 0.0;        // 0: not known
+    std::string wall_material;  // most of its walls are made of it; may be empty
     std::vector<Storey> storeys;
     std::vector<Room> rooms;
     std::vector<Door> doors;
     std::vector<Lift> lifts;
+    std::vector<Thing> things;
     std::vector<std::string> lost;  // sentences on what words cannot say, in the language written
 };
 
@@ -55,7 +67,28 @@ WordsHouse stated_house(const Scene& scene, WordLanguage language);
 // walls. Time goes with its spans.
 WordsHouse found_house(const Scene& scene, const RoomGraph& graph, const WalkSpace& space, WordLanguage language);
 
-// The text. Things and the base are taken from the scene.
+// What the surfaces that one stands on are made of, by place.
+class FloorMaterials {
+public:
+    explicit FloorMaterials(const Scene& scene);
+    // As words know it; empty: not known. Looks at the surfaces of that height.
+    std::string at(const Vec3& place) const;
+
+private:
+    struct Piece {
+        Aabb box_m;
+        std::vector<std::vector<Vec2>> rings;
+        std::string material;
+    };
+    std::vector<Piece> pieces_;  // by height
+};
+// What most of the walls are made of, by area; empty: not known.
+std::string wall_material(const Scene& scene);
+
+// Puts windows and things into the rooms; the two above have done so.
+void furnish(WordsHouse& house, const Scene& scene, WordLanguage language);
+
+// The text. The base is taken from the scene.
 std::string text_of(const WordsHouse& house, const Scene& scene, WordLanguage language);
 
 }  // namespace handrail

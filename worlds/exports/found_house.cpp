@@ -275,6 +275,8 @@ WordsHouse found_house(const Scene& scene, const RoomGraph& graph, const WalkSpa
     const bool german = language == WordLanguage::German;
     WordsHouse house;
     house.name = spoken_name(scene);
+    house.wall_material = wall_material(scene);
+    const FloorMaterials floor_materials(scene);
     if (graph.rooms.empty() || !space.walls) return house;
     // Storeys by the floors of rooms, stairs left out.
     std::vector<double> floors;
@@ -320,6 +322,7 @@ WordsHouse found_house(const Scene& scene, const RoomGraph& graph, const WalkSpa
         WordsHouse::Room made;
         made.name = room.name;
         made.storey = made.to_storey = storey_of[r];
+        made.floor_material = floor_materials.at(Vec3(Vec2(room.middle_m), room.floor_m));
         if (stairs) made.to_storey = std::max(made.storey, storey_at(extent[r].max_m.z));
         if (made.to_storey > made.storey) made.kind = WordsHouse::Kind::Stairs;
         house.rooms.push_back(std::move(made));
@@ -395,6 +398,7 @@ WordsHouse found_house(const Scene& scene, const RoomGraph& graph, const WalkSpa
                                     : fmt::format("{} from {} to {}.", kind, house.rooms[a].name, house.rooms[b].name));
     }
     lay_drops(house, graph, drops, german);
+    furnish(house, scene, language);
     return house;
 }
 

@@ -1,6 +1,7 @@
 #include "worlds/geometry/flat_parts.h"
 
 #include <algorithm>
+#include <map>
 
 namespace handrail {
 namespace {
@@ -180,6 +181,115 @@ std::vector<Ring> convex_parts(const std::vector<Ring>& rings) {
     }
     join_neighbours(parts);
     return parts;
+}
+
+namespace {
+
+// Borders of rings as a net of corners, in which borders that run both ways are gone.
+class RingNet {
+public:
+    void add(const Ring& ring) {
+        for (const Vec2& p : ring) corner(p);
+        rings_.push_back(ring);
+    }
+
+    std::vector<Ring> joined() {
+        for (const Ring& ring : rings_)
+            for (std::size_t i = 0; i < ring.size(); ++i)
+                add_side(corner(ring[i]), corner(ring[(i + 1) % ring.size()]));
+        std::vector<Ring> made;
+        for (auto& [from, ends] : ways_)
+            while (!ends.empty())
+                if (Ring ring = tidied(chain(from)); ring.size() > 2 && std::abs(signed_area(ring)) > kLeastRing_m2)
+                    made.push_back(std::move(ring));
+        std::stable_sort(made.begin(), made.end(), [](const Ring& a, const Ring& b) {
+            return std::abs(signed_area(a)) > std::abs(signed_area(b));
+        });
+        return made;
+    }
+
+private:
+    static constexpr double kOneCorner_m = 1e-3, kLeastRing_m2 = 1e-4;
+
+    std::size_t corner(const Vec2& at) {
+        for (std::size_t i = 0; i < corners_.size(); ++i)
+            if (glm::length(corners_[i] - at) <= kOneCorner_m) return i;
+        corners_.push_back(at);
+        return corners_.size() - 1;
+    }
+
+    // Cut at every corner that lies on it, whosoever that is.
+    void add_side(std::size_t from, std::size_t to) {
+        const Vec2 a = corners_[from], way = corners_[to] - a;
+        const double length = glm::length(way);
+        if (length <= kOneCorner_m) return;
+        std::vector<std::pair<double, std::size_t>> on{{0.0, from}, {length, to}};
+        for (std::size_t i = 0; i < corners_.size(); ++i) {
+            const Vec2 off = corners_[i] - a;
+            const double along = glm::dot(off, way) / length;
+            if (i != from && i != to && along > kOneCorner_m && along < length - kOneCorner_m &&
+                std::abs(cross(way, off)) / length <= kOneCorner_m)
+                on.emplace_back(along, i);
+        }
+        std::sort(on.begin(), on.end());
+        for (std::size_t i = 1; i < on.size(); ++i) add_piece(on[i - 1].second, on[i].second);
+    }
+
+    void add_piece(std::size_t from, std::size_t to) {
+        std::vector<std::size_t>& back = ways_[to];
+        if (const auto there = std::find(back.begin(), back.end(), from); there != back.end()) back.erase(there);
+        else ways_[from].push_back(to);
+    }
+
+    // From a corner along the borders back to it; where several go on, the one farthest to the left.
+    Ring chain(std::size_t from) {
+        Ring ring;
+        std::size_t now = from;
+        Vec2 way{0.0};
+        do {
+            std::vector<std::size_t>& ends = ways_[now];
+            if (ends.empty()) return {};
+            auto take = ends.begin();
+            double most = -1e300;
+            for (auto end = ends.begin(); end != ends.end(); ++end) {
+                const Vec2 next = corners_[*end] - corners_[now];
+                const double turn = ring.empty() ? 0.0 : std::atan2(cross(way, next), glm::dot(way, next));
+                if (turn > most) most = turn, take = end;
+            }
+            const std::size_t to = *take;
+            ends.erase(take);
+            ring.push_back(corners_[now]);
+            way = corners_[to] - corners_[now];
+            now = to;
+        } while (now != from);
+        return ring;
+    }
+
+    std::vector<Vec2> corners_;
+    std::vector<Ring> rings_;
+    std::map<std::size_t, std::vector<std::size_t>> ways_;  // from each corner to the next ones
+};
+
+}  // namespace
+
+std::vector<Ring> joined_rings(const std::vector<Ring>& rings) {
+    std::size_t corners = 0;
+    for (const Ring& ring : rings) corners += ring.size();
+    if (rings.size() < 2 || corners > kMostCorners) return rings;
+    RingNet net;
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+        const std::vector<Ring> parts = convex_parts({rings[i]});
+        if (parts.empty()) continue;
+        Vec2 within{0.0};
+        for (const Vec2& p : parts[0]) within += p / static_cast<double>(parts[0].size());
+        int around = 0;
+        for (std::size_t k = 0; k < rings.size(); ++k) around += k != i && inside({rings[k]}, within) ? 1 : 0;
+        Ring ring = rings[i];
+        // Counter-clockwise, and clockwise where an odd number of others lie around it.
+        if ((signed_area(ring) > 0.0) != (around % 2 == 0)) std::reverse(ring.begin(), ring.end());
+        net.add(ring);
+    }
+    return net.joined();
 }
 
 }  // namespace handrail

@@ -21,4 +21,9 @@ bool inside(const std::vector<Ring>& rings, const Vec2& at);
 // union is convex. O(n squared) for n corners; nothing for more than kMostCorners.
 std::vector<Ring> convex_parts(const std::vector<Ring>& rings);
 
+// The same area by the even-odd rule, with no border along which two rings lie against each other: pieces side by side
+// become one outline. Outlines run counter-clockwise, holes clockwise; the largest ring is first. Corners within a
+// millimetre are one. O(n squared) for n corners; more than kMostCorners stay as they are.
+std::vector<Ring> joined_rings(const std::vector<Ring>& rings);
+
 }  // namespace handrail

@@ -209,7 +209,6 @@ void IfcScene::add_parts() {
         if (part.same_as != i) continue;
         const auto gap = building_.gaps.find(i);
         scene_.report.doors += part.role == PartRole::Door ? 1 : 0;
-        stated_->windows += part.role == PartRole::Window ? 1 : 0;
         const bool whole = part.whole == i;
         const bool within_stairs = whole && relations_.whole_of.contains(part.id) &&
                                    role_of(model_.name(relations_.whole_of.at(part.id))) == part.role;
@@ -218,11 +217,25 @@ void IfcScene::add_parts() {
         stated_->lifts += part.role == PartRole::Lift ? 1 : 0;
         stated_->escalators += part.role == PartRole::Escalator ? 1 : 0;
         stated_->walkways += part.role == PartRole::Walkway ? 1 : 0;
-        stated_->furnishings += part.role == PartRole::Furniture ? 1 : 0;
+        const std::size_t solids = scene_.solids.size(), triangles = scene_.triangles.size();
         if (part.role == PartRole::Door && gap != building_.gaps.end()) add_door(i, gap->second);
         else if (part.role == PartRole::Window && gap != building_.gaps.end()) add_window(i, gap->second);
         else add_part(i);
+        if (part.role == PartRole::Window) stated_->windows.push_back(stated_thing(i, solids, triangles));
+        if (part.role == PartRole::Furniture) stated_->furnishings.push_back(stated_thing(i, solids, triangles));
     }
+}
+
+// A part by what was added for it since there were that many solids and triangles.
+StatedThing IfcScene::stated_thing(std::size_t part, std::size_t solids, std::size_t triangles) const {
+    StatedThing thing;
+    if (const auto known = thing_.find(building_.parts[part].whole); known != thing_.end())
+        thing.feature = known->second;
+    for (std::size_t s = solids; s < scene_.solids.size(); ++s) thing.bounds_m.include(scene_.solids[s].shape.bounds_m);
+    for (std::size_t t = triangles; t < scene_.triangles.size(); ++t)
+        for (const Vec3& corner : {scene_.triangles[t].a_m, scene_.triangles[t].b_m, scene_.triangles[t].c_m})
+            thing.bounds_m.include(corner);
+    return thing;
 }
 
 void IfcScene::warn(int line, std::string message, std::string action) {

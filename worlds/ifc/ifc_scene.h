@@ -17,6 +17,7 @@ private:
     void prove_doors();
     void add_parts();
     void add_part(std::size_t part);
+    StatedThing stated_thing(std::size_t part, std::size_t solids, std::size_t triangles) const;
     void add_door(std::size_t part, const WallGap& gap);
     void add_window(std::size_t part, const WallGap& gap);
     void add_leaf(const WallGap& gap, double from, double to, bool hinge_at_least, std::size_t part,

@@ -85,7 +85,7 @@ HonestReport honest_report(const Scene& scene) {
     report.storeys_with_rooms = static_cast<int>(std::count_if(
         stated.storeys.begin(), stated.storeys.end(), [](const StatedStorey& storey) { return storey.rooms > 0; }));
     report.rooms = static_cast<int>(stated.rooms.size());
-    report.windows = stated.windows;
+    report.windows = static_cast<int>(stated.windows.size());
     report.openings = stated.openings;
     report.openings_uncut = stated.openings - stated.openings_cut;
     report.stairs = stated.stairs;
@@ -93,7 +93,7 @@ HonestReport honest_report(const Scene& scene) {
     report.lifts = stated.lifts;
     report.escalators = stated.escalators;
     report.walkways = stated.walkways;
-    report.furnishings = stated.furnishings;
+    report.furnishings = static_cast<int>(stated.furnishings.size());
     report.largest_connected = largest_connected(stated);
     report.landmarks = static_cast<int>(std::count_if(scene.features.begin(), scene.features.end(),
                                                       [](const Feature& feature) { return feature.landmark; }));

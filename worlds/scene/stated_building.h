@@ -9,6 +9,7 @@
 
 #include "worlds/base/feature_id.h"
 #include "worlds/base/vec.h"
+#include "worlds/geometry/convex.h"
 #include "worlds/scene/source_place.h"
 
 namespace handrail {
@@ -61,15 +62,21 @@ struct MissingPart {
     SourcePlace source;
 };
 
+// A window or a piece of furniture, as the file counts it.
+struct StatedThing {
+    FeatureId feature = kNoFeature;  // that of the whole, if it is part of one
+    Aabb bounds_m;                   // empty: the file gives it no form
+};
+
 struct StatedBuilding {
-    std::string schema;                 // "IFC2X3"
-    std::vector<StatedStorey> storeys;  // from the lowest up
-    std::vector<StatedRoom> rooms;      // in file order
-    std::vector<StatedPortal> portals;  // in file order
-    std::vector<MissingPart> missing;   // in file order
-    double wall_m = 0.0;                // how thick its walls are, where all are alike; 0: not known
-    int windows = 0, openings = 0, openings_cut = 0, stairs = 0, ramps = 0, lifts = 0, escalators = 0, walkways = 0,
-        furnishings = 0, skipped = 0;
+    std::string schema;                             // "IFC2X3"
+    std::vector<StatedStorey> storeys;              // from the lowest up
+    std::vector<StatedRoom> rooms;                  // in file order
+    std::vector<StatedPortal> portals;              // in file order
+    std::vector<MissingPart> missing;               // in file order
+    double wall_m = 0.0;                            // how thick its walls are, where all are alike; 0: not known
+    std::vector<StatedThing> windows, furnishings;  // in file order
+    int openings = 0, openings_cut = 0, stairs = 0, ramps = 0, lifts = 0, escalators = 0, walkways = 0, skipped = 0;
 };
 
 // True when the place lies within the outline, and from a step below the room's floor to a step below its ceiling.

@@ -219,12 +219,17 @@ void fields(A& a, T& v) {
     auto& [name, guid, storey, reason, detail, share, at, source] = v;
     a(name, guid, storey, reason, detail, share, at, source);
 }
+template <class A, Is<StatedThing> T>
+void fields(A& a, T& v) {
+    auto& [feature, bounds] = v;
+    a(feature, bounds);
+}
 template <class A, Is<StatedBuilding> T>
 void fields(A& a, T& v) {
-    auto& [schema, storeys, rooms, portals, missing, wall, windows, openings, openings_cut, stairs, ramps, lifts,
-           escalators, walkways, furnishings, skipped] = v;
-    a(schema, storeys, rooms, portals, missing, wall, windows, openings, openings_cut, stairs, ramps, lifts, escalators,
-      walkways, furnishings, skipped);
+    auto& [schema, storeys, rooms, portals, missing, wall, windows, furnishings, openings, openings_cut, stairs, ramps,
+           lifts, escalators, walkways, skipped] = v;
+    a(schema, storeys, rooms, portals, missing, wall, windows, furnishings, openings, openings_cut, stairs, ramps,
+      lifts, escalators, walkways, skipped);
 }
 template <class A, Is<ReadReport> T>
 void fields(A& a, T& v) {
@@ -286,6 +291,9 @@ bool holds_together(const Scene& scene) {
     if (!scene.stated) return true;
     for (const StatedRoom& room : scene.stated->rooms)
         if (room.storey != kNotStated && room.storey >= scene.stated->storeys.size()) return false;
+    for (const std::vector<StatedThing>* things : {&scene.stated->windows, &scene.stated->furnishings})
+        for (const StatedThing& thing : *things)
+            if (!known(thing.feature)) return false;
     for (const StatedPortal& portal : scene.stated->portals) {
         if (!known(portal.feature)) return false;
         for (const std::uint32_t room : portal.rooms)

@@ -64,8 +64,8 @@ constexpr Pattern kEnglish[] = {
     {Says::Stairs, "r", "stairs|staircase|steps up? to {name}"},
     {Says::Lift, "r", "lift|elevator up? to {name}"},
     {Says::UpTo, "r", "up to {name}"},
-    {Says::Landmark, "t", "a? landmark"},
-    {Says::Clue, "t", "a? clue"},
+    {Says::Landmark, "tw", "a? landmark"},
+    {Says::Clue, "tw", "a? clue"},
     {Says::Called, "dwtsl", "called|named {name}"},
     {Says::Floor, "r", "a? {m} floor"},
     {Says::Floor, "r", "with? a? floor is|of {m}"},
@@ -119,8 +119,8 @@ constexpr Pattern kGerman[] = {
     {Says::Stairs, "r", "treppe|stufen hinauf? zu|zum|zur|nach|in|ins {name}"},
     {Says::Lift, "r", "aufzug|fahrstuhl|lift hinauf? zu|zum|zur|nach|in|ins {name}"},
     {Says::UpTo, "r", "hinauf|hoch zu|zum|zur|nach|in|ins|bis {name}"},
-    {Says::Landmark, "t", "eine? landmarke|wegmarke|merkmal|orientierungspunkt"},
-    {Says::Clue, "t", "ein? hinweis"},
+    {Says::Landmark, "tw", "eine? landmarke|wegmarke|merkmal|orientierungspunkt"},
+    {Says::Clue, "tw", "ein? hinweis"},
     {Says::Called, "dwtsl", "genannt|namens|heißt|heisst {name}"},
     {Says::Floor, "r", "mit? boden|fußboden|fussboden aus {m}"},
     {Says::MadeOf, "t", "aus {m}"},
@@ -167,7 +167,8 @@ constexpr KindWord kColons[] = {
     {"stockwerk", SentenceKind::Storey},  {"geschoss", SentenceKind::Storey},  {"geschoß", SentenceKind::Storey},
     {"etage", SentenceKind::Storey},      {"step", SentenceKind::Step},        {"schritt", SentenceKind::Step},
     {"walls", SentenceKind::Walls},       {"wände", SentenceKind::Walls},      {"waende", SentenceKind::Walls},
-    {"language", SentenceKind::Language}, {"sprache", SentenceKind::Language},
+    {"language", SentenceKind::Language}, {"sprache", SentenceKind::Language}, {"fixture", SentenceKind::Thing},
+    {"einbau", SentenceKind::Thing},
 };
 
 constexpr std::string_view kEnglishArticles[] = {"the", "a", "an", "its", "his", "our", "my"};
@@ -576,6 +577,7 @@ std::size_t kind_of(const WordSentence& sentence, WordLanguage language, SaidSen
             if (tokens[0].kind == WordToken::Kind::Word && tokens[0].folded == head.word) {
                 said.kind = head.kind;
                 said.explicit_kind = true;
+                said.fixture = head.word == "fixture" || head.word == "einbau";
                 return 2;
             }
     std::size_t from = 0;

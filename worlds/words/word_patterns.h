@@ -25,8 +25,8 @@ enum class Says {
     CornerAt,    // its south-west corner, numbers[0] to sides[0] and numbers[1] to sides[1] of the zero
     At,          // its middle, likewise
     Offset,      // its middle, likewise, from the south-west corner of the room
-    CornerList,  // numbers: pairs, metres east and north of the zero
-    Hole,        // likewise
+    CornerList,  // numbers: pairs, metres east and north of the zero; of each piece one
+    Hole,        // likewise; where pieces lie against each other they are one
     Along,       // numbers[0] along wall sides[0], where it is said
     FromWall,    // numbers[0] from wall or end sides[0]
     InWall,      // sides[0]
@@ -88,6 +88,7 @@ enum class SentenceKind {
 struct SaidSentence {
     SentenceKind kind = SentenceKind::Thing;
     bool explicit_kind = false;  // "Room: ..."
+    bool fixture = false;        // "Fixture: ...": a thing that is no furniture
     std::string name;            // its subject, as written
     std::vector<SaidPart> parts;
     std::vector<std::string> not_understood;  // words, as written

@@ -24,6 +24,7 @@ Vec2 offset_of(const SaidPart& part) {
 namespace {
 
 constexpr double kLeastSide_m = 0.2, kMostSide_m = 1000.0, kFarthest_m = 5000.0, kTouch_m = 0.3;
+constexpr double kLeastRoom_m2 = 0.05, kLeastPiece_m2 = 1e-4;
 constexpr std::size_t kMostCornersOfOne = 1500;
 
 // Pairs of numbers as an outline; nothing where they make none.
@@ -35,7 +36,8 @@ std::optional<Ring> ring_of(const std::vector<double>& numbers) {
         if (ring.empty() || glm::length(p - ring.back()) > 1e-3) ring.push_back(p);
     }
     while (ring.size() > 1 && glm::length(ring.front() - ring.back()) < 1e-3) ring.pop_back();
-    if (ring.size() < 3 || ring.size() > kMostCornersOfOne || std::abs(signed_area(ring)) < 0.05) return std::nullopt;
+    if (ring.size() < 3 || ring.size() > kMostCornersOfOne || std::abs(signed_area(ring)) < kLeastPiece_m2)
+        return std::nullopt;
     return ring;
 }
 
@@ -64,11 +66,12 @@ void WordsPlan::set_sizes() {
                 damaged |= !ring;
                 if (ring) rings.push_back(std::move(*ring));
             }
-            if (!rings.empty() && !damaged) {
+            rings = joined_rings(rings);
+            if (!rings.empty() && !damaged && std::abs(signed_area(rings[0])) >= kLeastRoom_m2) {
                 room.rings = std::move(rings);
                 room.least = Vec2(1e300), room.most = Vec2(-1e300);
-                for (const Vec2& p : room.rings[0])
-                    room.least = glm::min(room.least, p), room.most = glm::max(room.most, p);
+                for (const Ring& ring : room.rings)
+                    for (const Vec2& p : ring) room.least = glm::min(room.least, p), room.most = glm::max(room.most, p);
                 room.size_m = room.most - room.least;
                 continue;
             }

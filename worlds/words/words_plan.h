@@ -52,6 +52,11 @@ private:
         double length() const { return glm::length(to - from); }
         Vec2 at(double along_m) const { return from + (to - from) * (along_m / std::max(length(), 1e-9)); }
     };
+    struct InWall {
+        Border wall;
+        int side = 0;
+        double along_m = 0.0;
+    };
     struct Opening {  // that things stand by
         Vec2 at{0.0};
         double width_m = 1.0;
@@ -74,6 +79,7 @@ private:
     void set_raises();
     std::size_t room_from(std::size_t room, const Said& said) const;
     bool told_before(const PlanDoor& door, bool placed) const;
+    InWall place_of_window(const Said& said, const WordRoom& room);
     void add_windows(std::size_t room);
     void add_things(std::size_t room);
     void add_start(const Said& said);

@@ -276,24 +276,37 @@ void WordsPlan::add_door(std::size_t r, const Said& said) {
     plan_.doors.push_back(std::move(door));
 }
 
+// Which wall it is in and how far along: by its words, or by the side of the outline that a place is nearest to.
+WordsPlan::InWall WordsPlan::place_of_window(const Said& said, const WordRoom& room) {
+    if (const SaidPart* at = said.words.find(Says::At)) {
+        const Vec2 place = offset_of(*at);
+        std::pair<Vec2, Vec2> found;
+        away_from(room.rings, place, &found);
+        const Border wall{found.first, found.second};
+        const double along = glm::dot(place - wall.from, wall.to - wall.from) / std::max(wall.length(), 1e-9);
+        return {wall, side_of_border(place, place, room.least, room.most), along};
+    }
+    int side = -1;
+    for (const Says says : {Says::InWall, Says::MiddleOf, Says::Along, Says::FromWall})
+        if (const SaidPart* part = said.words.find(says); part && !part->sides.empty() && side < 0) {
+            left_and_right_ |= part->sides[0] >= 8;
+            side = wall_side(room, part->sides[0]);
+        }
+    if (side < 0) {
+        warn(said.line, phrase("rooms_text.window_without_wall", {{"name", room_words(room)}}),
+             phrase("rooms_text.then_north_wall"));
+        side = 0;
+    }
+    const Border wall = wall_of(room, side);
+    bool placed = false;
+    return {wall, side, along_wall(said, room, wall, placed)};
+}
+
 void WordsPlan::add_windows(std::size_t r) {
     const WordRoom& room = rooms_[r];
     for (const Said& said : room.windows) {
         if (plan_.things.size() >= kMostThings) return;
-        int side = -1;
-        for (const Says says : {Says::InWall, Says::MiddleOf, Says::Along, Says::FromWall})
-            if (const SaidPart* part = said.words.find(says); part && !part->sides.empty() && side < 0) {
-                left_and_right_ |= part->sides[0] >= 8;
-                side = wall_side(room, part->sides[0]);
-            }
-        if (side < 0) {
-            warn(said.line, phrase("rooms_text.window_without_wall", {{"name", room_words(room)}}),
-                 phrase("rooms_text.then_north_wall"));
-            side = 0;
-        }
-        const Border wall = wall_of(room, side);
-        bool placed = false;
-        const double along = along_wall(said, room, wall, placed);
+        const auto [wall, side, along] = place_of_window(said, room);
         const SaidPart *wide = said.words.find(Says::Wide), *high = said.words.find(Says::High),
                        *sill = said.words.find(Says::AboveFloor);
         const double width = std::clamp(wide ? wide->numbers[0] : kWindow_m, 0.2, std::max(wall.length() - 0.1, 0.2));
@@ -306,6 +319,8 @@ void WordsPlan::add_windows(std::size_t r) {
         window.from_m = std::clamp(sill ? sill->numbers[0] : kSill_m, 0.0, 20.0) + room.raised_m.value_or(0.0);
         window.height_m = std::clamp(high ? high->numbers[0] : kWindowHigh_m, 0.1, 20.0);
         window.line = said.line;
+        window.landmark = said.words.find(Says::Landmark) != nullptr;
+        window.clue = said.words.find(Says::Clue) != nullptr;
         const double at = std::clamp(along, std::min(0.5 * width, 0.5 * wall.length()),
                                      std::max(wall.length() - 0.5 * width, 0.5 * wall.length()));
         const Vec2 way = (wall.to - wall.from) / std::max(wall.length(), 1e-9),
@@ -474,6 +489,7 @@ void WordsPlan::add_things(std::size_t r) {
         thing.level = level_of_[room.storey];
         thing.height_m = size.z;
         thing.from_m = (sill ? std::clamp(sill->numbers[0], 0.0, 20.0) : 0.0) + room.raised_m.value_or(0.0);
+        thing.fixture = said.words.fixture;
         thing.landmark = said.words.find(Says::Landmark) != nullptr;
         thing.clue = said.words.find(Says::Clue) != nullptr;
         if (const SaidPart* made = said.words.find(Says::MadeOf)) thing.material = made->name;

@@ -54,7 +54,7 @@ TEST(IfcPrefabs, stand_where_a_file_gives_a_kind_and_a_place_but_no_form) {
     // A lift's cabin at (1, 3): its back, and free within.
     EXPECT_TRUE(test::in_a_solid(scene, {1.0, 3.0 - 0.725, 1.0}));
     EXPECT_FALSE(test::in_a_solid(scene, {1.0, 3.0, 1.0}));
-    EXPECT_EQ(scene.stated->furnishings, 2);
+    EXPECT_EQ(scene.stated->furnishings.size(), 2U);
     EXPECT_EQ(scene.stated->lifts, 1);
     const Feature* desk = called(scene, "B-7");
     ASSERT_NE(desk, nullptr) << "as the file calls it";

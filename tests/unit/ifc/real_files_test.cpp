@@ -32,9 +32,9 @@ TEST(Duplex, is_what_its_makers_say_it_is) {
     EXPECT_EQ(stated.schema, "IFC2X3");
     EXPECT_EQ(stated.rooms.size(), 21U);
     EXPECT_EQ(scene->report.doors, 14);
-    EXPECT_EQ(stated.windows, 24);
+    EXPECT_EQ(stated.windows.size(), 24U);
     EXPECT_EQ(stated.stairs, 2);
-    EXPECT_EQ(stated.furnishings, 61);
+    EXPECT_EQ(stated.furnishings.size(), 61U);
     EXPECT_EQ(stated.storeys.size(), 4U);
     // By the 265 boundaries of the file, read by hand: 10 doors between two rooms, 4 to the outside.
     std::multiset<std::string> doors;
@@ -75,7 +75,7 @@ TEST(Office, is_what_was_written_and_walked_from_the_front_door_to_every_room) {
     const StatedBuilding& stated = *scene->stated;
     EXPECT_EQ(static_cast<int>(stated.rooms.size()), office.rooms);
     EXPECT_EQ(scene->report.doors, office.doors);
-    EXPECT_EQ(stated.windows, office.windows);
+    EXPECT_EQ(static_cast<int>(stated.windows.size()), office.windows);
     EXPECT_EQ(stated.stairs, office.flights);
     EXPECT_EQ(stated.openings_cut, stated.openings);
     EXPECT_EQ(stated.storeys.size(), 2U);
@@ -112,7 +112,7 @@ TEST(RealIfc, houses_of_ifc_4_and_4x3_come_out_whole) {
     ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
     EXPECT_EQ(scene->stated->rooms.size(), 7U);
     EXPECT_EQ(scene->report.doors, 5);
-    EXPECT_EQ(scene->stated->windows, 11);
+    EXPECT_EQ(scene->stated->windows.size(), 11U);
     EXPECT_EQ(scene->stated->openings, scene->stated->openings_cut);
     const Result<Scene> few = read_world(*parts);
     ASSERT_TRUE(few.has_value()) << few.error().sentence();

@@ -131,7 +131,7 @@ TEST(ImportTorture, real_models_and_large_offices_are_read_within_the_limits) {
     ASSERT_TRUE(world.has_value()) << world.error().sentence();
     EXPECT_EQ(static_cast<int>(world->scene.stated->rooms.size()), office.rooms);
     EXPECT_EQ(world->scene.report.doors, office.doors);
-    EXPECT_EQ(world->scene.stated->windows, office.windows);
+    EXPECT_EQ(static_cast<int>(world->scene.stated->windows.size()), office.windows);
     EXPECT_EQ(world->scene.stated->openings_cut, world->scene.stated->openings);
     int joined = 0;
     for (const StatedPortal& portal : world->scene.stated->portals) {

@@ -36,7 +36,7 @@ StatedBuilding three_rooms() {
     stated.rooms = {room("Hall", "1", 10), room("Kitchen", "2", 20), room("Stairwell", "3", 30)};
     stated.rooms[2].holds_stairs = true;
     stated.portals = {door("Front door", {0}, 40), door("Kitchen door", {0, 1}, 41), door("Glass door", {1, 2}, 42)};
-    stated.windows = 4;
+    stated.windows.resize(4);
     stated.stairs = 1;
     stated.openings = 7;
     stated.openings_cut = 6;

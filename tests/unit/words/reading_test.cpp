@@ -243,7 +243,7 @@ TEST(RoomsInWords, the_example_of_the_authors_guide_is_understood_to_the_last_wo
     for (const Diagnostic& warning : scene.report.warnings) ADD_FAILURE() << warning.sentence();
     EXPECT_EQ(scene.stated->rooms.size(), 6U);
     EXPECT_EQ(largest_connected(*scene.stated), 6);
-    EXPECT_EQ(scene.stated->windows, 2);
+    EXPECT_EQ(scene.stated->windows.size(), 2U);
     const auto ways = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
     ASSERT_TRUE(ways.has_value());
     EXPECT_TRUE((*ways)->reachable(scene.starts[0].feet_m, test::room_of(scene, "Gallery")->at_m));

@@ -1,0 +1,182 @@
+// Windows and things of a building that is written in words: each is in the room that holds it, else in the nearest.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "worlds/base/text.h"
+#include "worlds/exports/as_words.h"
+#include "worlds/exports/names.h"
+#include "worlds/geometry/flat_parts.h"
+#include "worlds/words/words_text.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kUnderFloor_m = 0.1, kUnderCeiling_m = 0.2;
+constexpr double kThickestPane_m = 0.6;
+// One metre too high or too low counts as this many metres to the side: a thing belongs to its own storey first.
+constexpr double kStoreyFirst = 100.0;
+
+bool is_called_window(const Feature& feature) {
+    const std::string name = folded(feature.name);
+    const Vec3 size_m = feature.bounds_m.size_m();
+    return (name.ends_with("window") || name.ends_with("fenster")) && std::min(size_m.x, size_m.y) < kThickestPane_m;
+}
+
+double distance_from(const std::vector<Ring>& rings, const Vec2& at) {
+    double least = 1e300;
+    for (const Ring& ring : rings)
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Vec2 &a = ring[i], along = ring[(i + 1) % ring.size()] - a;
+            const double part = std::clamp(glm::dot(at - a, along) / std::max(glm::dot(along, along), 1e-12), 0.0, 1.0);
+            least = std::min(least, glm::length(at - a - along * part));
+        }
+    return least;
+}
+
+class Furnisher {
+public:
+    Furnisher(WordsHouse& house, const Scene& scene) : house_(house), scene_(scene) {
+        for (const WordsHouse::Room& room : house.rooms) {
+            Aabb box;
+            for (const Ring& ring : room.rings)
+                for (const Vec2& p : ring) box.include(Vec3(p, 0.0));
+            const WordsHouse::Storey &low = house.storeys[room.storey], &high = house.storeys[room.to_storey];
+            box.min_m.z = low.floor_m + room.raised_m;
+            box.max_m.z = std::max(high.floor_m + high.height_m, box.min_m.z);
+            boxes_.push_back(box);
+        }
+        for (const Solid& solid : scene.solids)
+            if (solid.feature)
+                for (const MaterialId of_face : solid.face_materials)
+                    if (const std::string& name = scene.material(of_face).name; !name.empty())
+                        ++of_faces_[solid.feature.value][name];
+    }
+
+    void furnish() {
+        if (house_.rooms.empty()) return;
+        std::vector<bool> told(scene_.features.size(), false);
+        const auto tell = [&](const std::vector<StatedThing>& things, bool window) {
+            for (const StatedThing& thing : things) {
+                if (thing.feature) told[thing.feature.value] = true;
+                if (thing.bounds_m.empty()) ++without_form_;
+                else add(thing.feature, thing.bounds_m, window, false, true);
+            }
+        };
+        if (scene_.stated) {
+            tell(scene_.stated->windows, true);
+            tell(scene_.stated->furnishings, false);
+            for (const StatedPortal& portal : scene_.stated->portals)
+                if (portal.feature) told[portal.feature.value] = true;
+        }
+        // Named things that stand: no doors, stairs, lifts and walls. If a file counts its furniture, the rest is none.
+        const bool counted = scene_.stated && !scene_.stated->furnishings.empty();
+        std::vector<bool> solid(scene_.features.size(), false);
+        for (const Solid& one : scene_.solids)
+            if (one.role == SolidRole::Solid && one.feature) solid[one.feature.value] = true;
+        for (std::uint32_t f = 0; f < scene_.features.size(); ++f) {
+            const Feature& feature = scene_.features[f];
+            if (told[f] || !solid[f] || feature.kind != FeatureKind::Object || feature.made_name ||
+                feature.name.empty() || feature.bounds_m.empty())
+                continue;
+            add({f}, feature.bounds_m, !scene_.stated && is_called_window(feature), counted, false);
+        }
+    }
+
+    int without_form() const { return without_form_; }
+    const std::vector<std::string>& outside() const { return outside_; }
+
+private:
+    // `counted`: by the file, so that it is written wherever it is.
+    void add(FeatureId id, const Aabb& box, bool window, bool fixture, bool counted) {
+        WordsHouse::Thing thing;
+        thing.box_m = box;
+        thing.window = window;
+        thing.fixture = fixture;
+        if (const Feature* feature = scene_.find(id)) {
+            thing.name = one_line(spoken_name(*feature));
+            if (window && feature->made_name) thing.name.clear();
+            thing.landmark = feature->landmark;
+            thing.clue = feature->clue;
+            thing.material = material_of(id);
+        }
+        if (!window && thing.name.empty()) thing.name = spoken_kind("object");
+        thing.room = window ? nearest(box, 0.5) : holding(box);
+        if (!window && thing.room == house_.rooms.size()) {
+            if (!counted) {
+                outside_.push_back(thing.name);
+                return;
+            }
+            thing.room = nearest(box, 0.0);
+        }
+        house_.things.push_back(std::move(thing));
+    }
+
+    // Its own, else what most of its faces are made of.
+    std::string material_of(FeatureId id) const {
+        if (const std::string& own = scene_.material(scene_.features[id.value].material).name; !own.empty()) return own;
+        const auto found = of_faces_.find(id.value);
+        if (found == of_faces_.end()) return {};
+        return std::max_element(found->second.begin(), found->second.end(),
+                                [](const auto& a, const auto& b) { return a.second < b.second; })
+            ->first;
+    }
+
+    std::size_t holding(const Aabb& box) const {
+        const Vec3 size = box.size_m();
+        for (std::size_t r = 0; r < boxes_.size(); ++r) {
+            const Aabb& room = boxes_[r];
+            const Vec2 middle(box.centre_m());
+            if (box.min_m.z >= room.min_m.z - kUnderFloor_m && box.min_m.z <= room.max_m.z - kUnderCeiling_m &&
+                middle.x >= room.min_m.x && middle.x <= room.max_m.x && middle.y >= room.min_m.y &&
+                middle.y <= room.max_m.y && size.x <= room.size_m().x && size.y <= room.size_m().y &&
+                handrail::inside(house_.rooms[r].rings, middle))
+                return r;
+        }
+        return boxes_.size();
+    }
+
+    // By its outline, at the height that is `up` of the thing's own.
+    std::size_t nearest(const Aabb& box, double up) const {
+        std::size_t best = 0;
+        double best_m = 1e300;
+        const Vec2 middle(box.centre_m());
+        const double z = box.min_m.z + up * box.size_m().z;
+        for (std::size_t r = 0; r < boxes_.size(); ++r) {
+            const Aabb& room = boxes_[r];
+            const double off_z = std::max({room.min_m.z - kUnderFloor_m - z, z - room.max_m.z, 0.0}) * kStoreyFirst;
+            const Vec2 off = glm::max(glm::max(Vec2(room.min_m) - middle, middle - Vec2(room.max_m)), Vec2(0.0));
+            if (off_z + glm::length(off) >= best_m) continue;
+            const double off_m = off_z + distance_from(house_.rooms[r].rings, middle);
+            if (off_m < best_m) best_m = off_m, best = r;
+        }
+        return best;
+    }
+
+    WordsHouse& house_;
+    const Scene& scene_;
+    std::vector<Aabb> boxes_;  // of each room, from its floor to the top of its highest storey
+    std::map<std::uint32_t, std::map<std::string, int>> of_faces_;  // of features: materials with how many faces
+    std::vector<std::string> outside_;                              // names of what no room holds
+    int without_form_ = 0;
+};
+
+}  // namespace
+
+void furnish(WordsHouse& house, const Scene& scene, WordLanguage language) {
+    const bool german = language == WordLanguage::German;
+    Furnisher furnisher(house, scene);
+    furnisher.furnish();
+    if (const int n = furnisher.without_form(); n > 0)
+        house.lost.push_back(fmt::format("{}: {}.",
+                                         german ? "Fenster und Möbel, denen die Datei keine Form gibt"
+                                                : "Windows and furniture that the file gives no form",
+                                         n));
+    if (!furnisher.outside().empty())
+        house.lost.push_back(
+            fmt::format("{}: {}.", german ? "In keinem Raum" : "In no room", names_list(furnisher.outside())));
+}
+
+}  // namespace handrail
