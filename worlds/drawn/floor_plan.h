@@ -98,6 +98,17 @@ struct PlanLift {
     int line = 0;
 };
 
+// Stairs without a room of their own, from one space to another through the floors between. They fill a rectangle.
+struct PlanFlight {
+    std::string name;
+    Vec2 least{0.0}, most{0.0};
+    Vec2 up{0.0, 1.0};              // unit, along a side: where they climb to
+    bool back = false;              // with a landing there, from which they come back over their foot
+    std::size_t from = 0, to = 0;   // places in FloorPlan::spaces
+    std::size_t low = 0, high = 0;  // places in FloorPlan::levels, of those spaces
+    int line = 0;
+};
+
 // A way that one walks along outside rooms: a floor of its own, level or from level to level.
 struct PlanWay {
     std::string name, id;
@@ -130,6 +141,7 @@ struct FloorPlan {
     std::vector<PlanWall> walls;
     std::vector<PlanThing> things;
     std::vector<PlanLift> lifts;
+    std::vector<PlanFlight> flights;
     std::vector<PlanWay> ways;
     std::vector<PlanBlock> blocks;
     std::vector<PlanStart> starts;

@@ -39,6 +39,11 @@ private:
                   bool to_left, std::uint32_t lift, std::uint32_t group);
     void add_openings(std::size_t level, const LevelWalls& walls);
     void add_stairs(std::size_t space);
+    void add_flights();
+    void add_flight(const PlanFlight& flight);
+    void fence_flight(const PlanFlight& flight, const StairWell& well, double top_m);
+    std::vector<Ring> without_flights(std::vector<Ring> parts, std::size_t level, bool ceiling) const;
+    std::vector<Ring> without_flight_gaps(const Ring& wall, std::size_t level) const;
     void add_things();
     void add_ways();
     std::vector<Ring> add_strips(const PlanWay& way, FeatureId feature);

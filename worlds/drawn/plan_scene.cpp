@@ -64,6 +64,7 @@ Result<Scene> PlanBuilder::build(const std::string& file_name) {
         progress(0.3 + 0.4 * static_cast<double>(level + 1) / static_cast<double>(plan_.levels.size()));
     }
     for (std::size_t s = 0; s < plan_.spaces.size() && !stopped(); ++s) add_stairs(s);
+    add_flights();
     add_things();
     add_ways();
     if (scene_.solids.empty()) return fail(phrase("plan.nothing_to_touch"), file_name);
@@ -235,13 +236,13 @@ void PlanBuilder::add_floors(std::size_t s, std::size_t level) {
         rings.push_back(wells_[s]->box(0.0, wells_[s]->length_m, -0.5 * wells_[s]->width_m, 0.5 * wells_[s]->width_m));
     if (!cabins_[s].empty()) rings.push_back(cabins_[s]);
     for (Ring& hole : platforms_in(s, level, false)) rings.push_back(std::move(hole));
-    for (const Ring& part : convex_parts(rings))
+    for (const Ring& part : without_flights(convex_parts(rings), level, false))
         add_solid(upright(part, under_m, floor_m), SolidRole::Solid, kNoFeature, ground);
     const std::vector<Ring> parts = convex_parts(space.rings);
     std::vector<Ring> above = space.rings;
     for (Ring& hole : platforms_in(s, level, true)) above.push_back(std::move(hole));
     if (highest || (!wells_[s] && cabins_[s].empty()))
-        for (const Ring& part : convex_parts(above))
+        for (const Ring& part : without_flights(convex_parts(above), level, true))
             add_solid(upright(part, ceiling_m - kCeiling_m, ceiling_m), SolidRole::Solid, kNoFeature);
     add_facts(parts, floor_m, space.facts);
 }
@@ -265,8 +266,9 @@ void PlanBuilder::add_walls(std::size_t level, const LevelWalls& walls) {
         const Vec2 along = (run.to - run.from) / length;
         const auto piece = [&](double from, double to, double from_m, double to_m) {
             if (to - from < 1e-3) return;
-            add_solid(upright(strip(run.from + along * from, run.from + along * to, 0.5 * plan_.wall_m), from_m, to_m),
-                      SolidRole::Solid, kNoFeature, material);
+            const Ring whole = strip(run.from + along * from, run.from + along * to, 0.5 * plan_.wall_m);
+            for (const Ring& part : without_flight_gaps(whole, level))
+                add_solid(upright(part, from_m, to_m), SolidRole::Solid, kNoFeature, material);
         };
         double from = -0.5 * plan_.wall_m;
         for (const WallRun::Gap& gap : run.gaps) {
@@ -345,6 +347,10 @@ void PlanBuilder::add_ground() {
         if ((lowest_m > level_m - kSlab_m && !sunk) || highest_m < level_m - kSlab_m) continue;
         for (const Ring& part : convex_parts(space.rings)) cut(part);
     }
+    for (const PlanFlight& flight : plan_.flights)
+        if (floor_of(flight.from, flight.low) < level_m - kSlab_m &&
+            floor_of(flight.to, flight.high) > level_m - kSlab_m)
+            cut({flight.least, {flight.most.x, flight.least.y}, flight.most, {flight.least.x, flight.most.y}});
     for (const PlanWay& way : plan_.ways)
         for (std::size_t i = 1; i < way.line.size(); ++i) {
             const double low_m = std::min(way.floor_m[i - 1], way.floor_m[i]),

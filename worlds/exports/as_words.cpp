@@ -212,6 +212,8 @@ private:
             if (!door.rooms.empty() && door.rooms[0] == r) write_door(door);
         for (const WordsHouse::Lift& lift : house_.lifts)
             if (lift.from == r) write_lift(lift);
+        for (const WordsHouse::Flight& flight : house_.flights)
+            if (flight.from == r) write_flight(flight);
         things(r);
     }
 
@@ -231,6 +233,16 @@ private:
                              words("to", "zu"), quoted(names_[lift.to]), at(lift.at_m), number(lift.size_m.x),
                              words("by", "mal"), metres(lift.size_m.y));
         if (!lift.name.empty()) text_ += fmt::format(", {} {}", words("called", "genannt"), quoted(lift.name));
+        text_ += ".\n";
+    }
+
+    void write_flight(const WordsHouse::Flight& flight) {
+        text_ += fmt::format("{} {} {} {}, {}, {} {} {}, {} {}", words("Stairs from", "Treppe von"),
+                             quoted(names_[flight.from]), words("to", "zu"), quoted(names_[flight.to]), at(flight.at_m),
+                             number(flight.size_m.x), words("by", "mal"), metres(flight.size_m.y),
+                             words("up to the", "hinauf nach"), side(flight.side, german_));
+        if (flight.back) text_ += words(" and back", " und zurück");
+        if (!flight.name.empty()) text_ += fmt::format(", {} {}", words("called", "genannt"), quoted(flight.name));
         text_ += ".\n";
     }
 

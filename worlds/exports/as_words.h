@@ -2,6 +2,7 @@
 // the same rooms and doors. Pure functions; any thread.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "worlds/navigation/rooms.h"
@@ -40,6 +41,14 @@ struct WordsHouse {
         std::size_t from = 0, to = 0;  // rooms, the lower first
         Vec2 at_m{0.0}, size_m{1.4};
     };
+    // Stairs without a room of their own.
+    struct Flight {
+        std::string name;
+        std::size_t from = 0, to = 0;  // rooms, the lower first
+        Vec2 at_m{0.0}, size_m{1.0};
+        int side = 0;       // of the compass, 0, 2, 4 or 6: where they climb to
+        bool back = false;  // with a landing there, from which they come back
+    };
     // A window, or what stands in a room.
     struct Thing {
         std::string name;  // of a window that has none of its own: empty
@@ -57,6 +66,7 @@ struct WordsHouse {
     std::vector<Room> rooms;
     std::vector<Door> doors;
     std::vector<Lift> lifts;
+    std::vector<Flight> flights;
     std::vector<Thing> things;
     std::vector<std::string> lost;  // sentences on what words cannot say, in the language written
 };
@@ -66,6 +76,9 @@ WordsHouse stated_house(const Scene& scene, WordLanguage language);
 // Of any other: outlines by the floor that is free to walk on, as far as the middle of walls. `space` still has its
 // walls. Time goes with its spans.
 WordsHouse found_house(const Scene& scene, const RoomGraph& graph, const WalkSpace& space, WordLanguage language);
+
+// Which way stairs go, by their treads; nothing for what has none.
+std::optional<WordsHouse::Flight> flight_of(const Scene& scene, FeatureId stairs);
 
 // What the surfaces that one stands on are made of, by place.
 class FloorMaterials {

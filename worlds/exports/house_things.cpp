@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kUnderFloor_m = 0.1, kUnderCeiling_m = 0.2;
 constexpr double kThickestPane_m = 0.6;
+constexpr double kBesideRoom_m = 0.5;  // from its outline: still part of it, as shelves along its wall
 // One metre too high or too low counts as this many metres to the side: a thing belongs to its own storey first.
 constexpr double kStoreyFirst = 100.0;
 
@@ -23,6 +24,12 @@ bool is_called_window(const Feature& feature) {
     const std::string name = folded(feature.name);
     const Vec3 size_m = feature.bounds_m.size_m();
     return (name.ends_with("window") || name.ends_with("fenster")) && std::min(size_m.x, size_m.y) < kThickestPane_m;
+}
+
+// Stairs of a map are a room of their own, in which they are laid anew.
+bool is_called_stairs(const std::string& of) {
+    const std::string name = folded(of);
+    return name.starts_with("stair") || name.starts_with("treppe");
 }
 
 double distance_from(const std::vector<Ring>& rings, const Vec2& at) {
@@ -87,6 +94,7 @@ public:
 
     int without_form() const { return without_form_; }
     const std::vector<std::string>& outside() const { return outside_; }
+    const std::vector<std::string>& of_stairs() const { return of_stairs_; }
 
 private:
     // `counted`: by the file, so that it is written wherever it is.
@@ -105,13 +113,14 @@ private:
         if (!window && thing.name.empty()) thing.name = spoken_kind("object");
         thing.room = window ? nearest(box, 0.5) : holding(box);
         if (!window && thing.room == house_.rooms.size()) {
-            if (!counted) {
+            thing.room = nearest(box, 0.0);
+            if (!counted && distance_to(thing.room, box, 0.0) > kBesideRoom_m) {
                 outside_.push_back(thing.name);
                 return;
             }
-            thing.room = nearest(box, 0.0);
         }
-        house_.things.push_back(std::move(thing));
+        if (is_called_stairs(thing.name) && !counted) of_stairs_.push_back(thing.name);
+        else house_.things.push_back(std::move(thing));
     }
 
     // Its own, else what most of its faces are made of.
@@ -142,17 +151,20 @@ private:
     std::size_t nearest(const Aabb& box, double up) const {
         std::size_t best = 0;
         double best_m = 1e300;
+        for (std::size_t r = 0; r < boxes_.size(); ++r)
+            if (const double off_m = distance_to(r, box, up, best_m); off_m < best_m) best_m = off_m, best = r;
+        return best;
+    }
+
+    // From its outline, and farther by what lies between the storeys. Nothing is looked at beyond `most_m`.
+    double distance_to(std::size_t r, const Aabb& box, double up, double most_m = 1e300) const {
+        const Aabb& room = boxes_[r];
         const Vec2 middle(box.centre_m());
         const double z = box.min_m.z + up * box.size_m().z;
-        for (std::size_t r = 0; r < boxes_.size(); ++r) {
-            const Aabb& room = boxes_[r];
-            const double off_z = std::max({room.min_m.z - kUnderFloor_m - z, z - room.max_m.z, 0.0}) * kStoreyFirst;
-            const Vec2 off = glm::max(glm::max(Vec2(room.min_m) - middle, middle - Vec2(room.max_m)), Vec2(0.0));
-            if (off_z + glm::length(off) >= best_m) continue;
-            const double off_m = off_z + distance_from(house_.rooms[r].rings, middle);
-            if (off_m < best_m) best_m = off_m, best = r;
-        }
-        return best;
+        const double off_z = std::max({room.min_m.z - kUnderFloor_m - z, z - room.max_m.z, 0.0}) * kStoreyFirst;
+        const Vec2 off = glm::max(glm::max(Vec2(room.min_m) - middle, middle - Vec2(room.max_m)), Vec2(0.0));
+        if (off_z + glm::length(off) >= most_m) return most_m;
+        return off_z + distance_from(house_.rooms[r].rings, middle);
     }
 
     WordsHouse& house_;
@@ -160,6 +172,7 @@ private:
     std::vector<Aabb> boxes_;  // of each room, from its floor to the top of its highest storey
     std::map<std::uint32_t, std::map<std::string, int>> of_faces_;  // of features: materials with how many faces
     std::vector<std::string> outside_;                              // names of what no room holds
+    std::vector<std::string> of_stairs_;
     int without_form_ = 0;
 };
 
@@ -174,6 +187,9 @@ void furnish(WordsHouse& house, const Scene& scene, WordLanguage language) {
                                          german ? "Fenster und Möbel, denen die Datei keine Form gibt"
                                                 : "Windows and furniture that the file gives no form",
                                          n));
+    if (!furnisher.of_stairs().empty())
+        house.lost.push_back(fmt::format("{}: {}.", german ? "Mit der Treppe neu gelegt" : "Laid anew with the stairs",
+                                         names_list(furnisher.of_stairs())));
     if (!furnisher.outside().empty())
         house.lost.push_back(
             fmt::format("{}: {}.", german ? "In keinem Raum" : "In no room", names_list(furnisher.outside())));

@@ -41,6 +41,13 @@ bool is_platform(const Scene& scene, const StatedPortal& portal) {
     return scene.stated->rooms[portal.rooms[0]].storey != scene.stated->rooms[portal.rooms[1]].storey;
 }
 
+// Stairs from one room to another that can be written as they stand.
+bool takes_flight(const Scene& scene, const StatedPortal& portal) {
+    return portal.kind == StatedPortalKind::Stairs && portal.rooms.size() == 2 &&
+           scene.stated->rooms[portal.rooms[0]].storey != scene.stated->rooms[portal.rooms[1]].storey &&
+           flight_of(scene, portal.feature);
+}
+
 // An opening between floors of which one lies a step below the other.
 void note_drop(const WordsHouse& house, WordsHouse::Door& door) {
     const WordsHouse::Room &one = house.rooms[door.rooms[0]], &other = house.rooms[door.rooms[1]];
@@ -97,7 +104,7 @@ WordsHouse stated_house(const Scene& scene, WordLanguage language) {
         return r;
     };
     std::map<std::size_t, WordsHouse::Kind> kinds;
-    std::vector<const StatedPortal*> platforms;
+    std::vector<const StatedPortal*> platforms, flights;
     for (const StatedPortal& portal : stated.portals) {
         if (portal.kind != StatedPortalKind::Stairs && portal.kind != StatedPortalKind::Lift) continue;
         if (portal.kind == StatedPortalKind::Lift && is_platform(scene, portal)) {
@@ -106,6 +113,14 @@ WordsHouse stated_house(const Scene& scene, WordLanguage language) {
         }
         bool one = portal.rooms.size() > 1;
         for (const std::uint32_t r : portal.rooms) one &= same_outline(stated.rooms[r], stated.rooms[portal.rooms[0]]);
+        // Stairs that fill their room on all its storeys are that room; others stand in one.
+        const bool fill = one && (portal.kind == StatedPortalKind::Lift ||
+                                  std::all_of(portal.rooms.begin(), portal.rooms.end(),
+                                              [&](std::uint32_t r) { return stated.rooms[r].holds_stairs; }));
+        if (!fill && takes_flight(scene, portal)) {
+            flights.push_back(&portal);
+            continue;
+        }
         if (!one) {
             std::string names;
             for (const std::uint32_t r : portal.rooms) names += (names.empty() ? "" : ", ") + stated.rooms[r].name;
@@ -182,6 +197,14 @@ WordsHouse stated_house(const Scene& scene, WordLanguage language) {
         lift.at_m = Vec2(box.centre_m());
         lift.size_m = Vec2(box.size_m());
         house.lifts.push_back(std::move(lift));
+    }
+    for (const StatedPortal* portal : flights) {
+        std::optional<WordsHouse::Flight> flight = flight_of(scene, portal->feature);
+        if (!flight) continue;
+        flight->from = room_of[portal->rooms[0]], flight->to = room_of[portal->rooms[1]];
+        if (house.rooms[flight->from].storey > house.rooms[flight->to].storey) std::swap(flight->from, flight->to);
+        if (!scene.find(portal->feature)->made_name) flight->name = one_line(portal->name);
+        house.flights.push_back(std::move(*flight));
     }
     furnish(house, scene, language);
     return house;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <optional>
 
@@ -59,6 +60,10 @@ constexpr Pattern kEnglish[] = {
     {Says::To, "dl", "to|into {name}"},
     {Says::DropOf, "l", "of {n} {u}?"},
     {Says::FromRoom, "l", "from {name}"},
+    {Says::UpSide, "l", "up to? the? {c}"},
+    {Says::UpAndBack, "l", "up to? the? {c} and? back"},
+    {Says::Railing, "r", "with? a? railing|balustrade|parapet|banister of? {n} {u}? high|tall?"},
+    {Says::Railing, "r", "with? a? {n} {u}? high|tall? railing|balustrade|parapet|banister"},
     {Says::Raised, "r", "raised by {n} {u}?"},
     {Says::Sunk, "r", "sunk|lowered by {n} {u}?"},
     {Says::Stairs, "r", "stairs|staircase|steps up? to {name}"},
@@ -114,6 +119,11 @@ constexpr Pattern kGerman[] = {
     {Says::To, "dl", "zu|zum|zur|nach|in|ins {name}"},
     {Says::DropOf, "l", "von {n} {u}?"},
     {Says::FromRoom, "l", "von|vom {name}"},
+    {Says::UpSide, "l", "hinauf nach {c}"},
+    {Says::UpAndBack, "l", "hinauf nach {c} und? zurück|zurueck"},
+    {Says::Railing, "r", "mit? einem|einer? geländer|gelaender|brüstung|bruestung von? {n} {u}? hoch|höhe?"},
+    {Says::Railing, "r",
+     "mit? einem|einer? {n} {u}? hohes|hohen|hohem|hoher|hohe? geländer|gelaender|brüstung|bruestung"},
     {Says::Raised, "r", "um? {n} {u}? erhöht|erhoeht|höher|hoeher"},
     {Says::Sunk, "r", "um? {n} {u}? vertieft|tiefer"},
     {Says::Stairs, "r", "treppe|stufen hinauf? zu|zum|zur|nach|in|ins {name}"},
@@ -143,6 +153,7 @@ constexpr KindWord kEnglishHeads[] = {
     {"passage", SentenceKind::Opening},     {"window", SentenceKind::Window},
     {"lift from", SentenceKind::Lift},      {"elevator from", SentenceKind::Lift},
     {"drop of", SentenceKind::Drop},        {"drop from", SentenceKind::Drop},
+    {"stairs from", SentenceKind::Flight},  {"staircase from", SentenceKind::Flight},
     {"start", SentenceKind::Start}};
 constexpr KindWord kGermanHeads[] = {{"tür", SentenceKind::Door},
                                      {"tuer", SentenceKind::Door},
@@ -157,6 +168,8 @@ constexpr KindWord kGermanHeads[] = {{"tür", SentenceKind::Door},
                                      {"fahrstuhl von", SentenceKind::Lift},
                                      {"lift von", SentenceKind::Lift},
                                      {"kante von", SentenceKind::Drop},
+                                     {"treppe von", SentenceKind::Flight},
+                                     {"treppe vom", SentenceKind::Flight},
                                      {"start", SentenceKind::Start}};
 constexpr KindWord kColons[] = {
     {"room", SentenceKind::Room},         {"raum", SentenceKind::Room},        {"zimmer", SentenceKind::Room},
@@ -175,9 +188,10 @@ constexpr std::string_view kEnglishArticles[] = {"the", "a", "an", "its", "his",
 constexpr std::string_view kGermanArticles[] = {"der", "die",  "das",   "dem",    "den",   "des",
                                                 "ein", "eine", "einen", "seiner", "ihrer", "einem"};
 // Words that say nothing by themselves.
-constexpr std::string_view kNoise[] = {
-    "and",  "with", "is", "are",  "lies", "stands", "there", "und",  "mit", "ist", "sind", "liegt", "steht", "hier",
-    "here", "it",   "es", "room", "raum", "also",   "auch",  "from", "von", "at",  "bei",  "in",    "to",    "nach"};
+constexpr std::string_view kNoise[] = {"and", "with", "is",   "are",   "lies",   "stands", "there", "und",
+                                       "mit", "ist",  "sind", "liegt", "steht",  "hier",   "here",  "it",
+                                       "es",  "room", "raum", "raums", "raumes", "also",   "auch",  "from",
+                                       "von", "at",   "bei",  "in",    "to",     "nach"};
 
 std::span<const Pattern> patterns_of(WordLanguage language) {
     return language == WordLanguage::German ? std::span<const Pattern>(kGerman) : std::span<const Pattern>(kEnglish);
@@ -248,7 +262,7 @@ int side_of(std::string_view word) {
 
 // "Nordwand", "Nordwestecke": a side and its noun in one word.
 int compound_side(std::string_view word, bool corner) {
-    static constexpr std::string_view kWalls[] = {"wand", "seite", "ende", "mauer"}, kCorners[] = {"ecke"};
+    static constexpr std::string_view kWalls[] = {"wand", "seite", "ende", "endes", "mauer"}, kCorners[] = {"ecke"};
     const auto nouns = corner ? std::span<const std::string_view>(kCorners) : std::span<const std::string_view>(kWalls);
     for (const std::string_view noun : nouns) {
         if (!word.ends_with(noun) || word.size() == noun.size()) continue;
@@ -284,15 +298,20 @@ std::optional<double> number_word(std::string_view word) {
     return std::nullopt;
 }
 
+// What leads from one room to another one that it names.
+bool is_from_room(SentenceKind kind) {
+    return kind == SentenceKind::Lift || kind == SentenceKind::Drop || kind == SentenceKind::Flight;
+}
+
 class Matcher {
 public:
     Matcher(const WordSentence& sentence, const SpeakersOf& speaker, SentenceKind kind)
         : tokens_(sentence.tokens), speaker_(speaker) {
-        kind_ = kind == SentenceKind::Room                                 ? 'r'
-                : kind == SentenceKind::Window                             ? 'w'
-                : kind == SentenceKind::Start                              ? 's'
-                : kind == SentenceKind::Thing                              ? 't'
-                : kind == SentenceKind::Lift || kind == SentenceKind::Drop ? 'l'
+        kind_ = kind == SentenceKind::Room     ? 'r'
+                : kind == SentenceKind::Window ? 'w'
+                : kind == SentenceKind::Start  ? 's'
+                : kind == SentenceKind::Thing  ? 't'
+                : is_from_room(kind)           ? 'l'
                 : kind == SentenceKind::Door || kind == SentenceKind::SlidingDoor || kind == SentenceKind::Opening
                     ? 'd'
                     : 'h';
@@ -399,7 +418,8 @@ private:
     }
 
     bool side_with_noun(std::size_t& at, SaidPart& part, bool corner) const {
-        static constexpr std::string_view kWalls[] = {"wall", "end", "side", "wand", "seite", "ende", "mauer", "edge"},
+        static constexpr std::string_view kWalls[] = {"wall", "end",   "side",  "wand", "seite",
+                                                      "ende", "endes", "mauer", "edge"},
                                           kCorners[] = {"corner", "ecke"};
         std::size_t here = at;
         if (article(here)) ++here;
@@ -468,6 +488,40 @@ private:
         return true;
     }
 
+    // "des großen Saals" means "Großer Saal": a known name by its German endings; empty: there is none.
+    std::string nominative(const std::string& key) const {
+        constexpr std::size_t kMostDeclined = 3;
+        constexpr std::array<std::string_view, 8> kNounEnds{"", "s", "es", "ses", "n", "en", "ns", "ens"};
+        constexpr std::array<std::string_view, 4> kEnds{"en", "er", "em", "es"}, kNominatives{"er", "es", "e", "en"};
+        std::vector<std::string> made{""};
+        std::size_t words = 0;
+        for (std::size_t from = 0; from <= key.size() && words < kMostDeclined; ++words) {
+            const std::size_t end = std::min(key.find(' ', from), key.size());
+            const std::string word = key.substr(from, end - from);
+            std::vector<std::string> forms{word};
+            if (end == key.size())
+                for (const std::string_view cut : kNounEnds)
+                    if (!cut.empty() && word.size() > cut.size() + 2 && word.ends_with(cut))
+                        forms.push_back(word.substr(0, word.size() - cut.size()));
+            if (end < key.size())
+                for (const std::string_view cut : kEnds)
+                    if (word.size() > cut.size() + 2 && word.ends_with(cut))
+                        for (const std::string_view put : kNominatives)
+                            forms.push_back(word.substr(0, word.size() - cut.size()) + std::string(put));
+            std::vector<std::string> longer;
+            for (const std::string& begin : made)
+                for (const std::string& form : forms) longer.push_back(begin + (begin.empty() ? "" : " ") + form);
+            made = std::move(longer);
+            if (end == key.size()) {
+                for (const std::string& name : made)
+                    if (speaker_.names.contains(name)) return name;
+                return {};
+            }
+            from = end + 1;
+        }
+        return {};
+    }
+
     bool known_name(std::size_t& at, SaidPart& part) const {
         std::string text, key;
         std::size_t known_end = at;
@@ -476,8 +530,11 @@ private:
             if (now.kind != WordToken::Kind::Word && now.kind != WordToken::Kind::Number) break;
             text += (text.empty() ? "" : " ") + now.text;
             key += (key.empty() ? "" : " ") + now.folded;
-            if (!speaker_.names.contains(key)) continue;
-            part.name = text;
+            const bool exact = speaker_.names.contains(key);
+            std::string declined =
+                exact || speaker_.language == WordLanguage::English ? std::string() : nominative(key);
+            if (!exact && declined.empty()) continue;
+            part.name = exact ? text : std::move(declined);
             known_end = i + 1;
         }
         if (known_end == at) return false;
@@ -597,7 +654,7 @@ std::size_t kind_of(const WordSentence& sentence, WordLanguage language, SaidSen
                 said.kind = head.kind;
                 if (text.starts_with("automat")) said.parts.push_back({Says::ByItself, {}, {}, {}});
                 // "from" and "of" begin what is said of it.
-                return said.kind == SentenceKind::Lift || said.kind == SentenceKind::Drop ? from + 1 : from + words;
+                return is_from_room(said.kind) ? from + 1 : from + words;
             }
     }
     return from;
@@ -644,6 +701,23 @@ SaidSentence head_of(const WordSentence& sentence, const SpeakersOf& speaker) {
     }
     return understood(head, speaker);
 }
+
+namespace {
+
+// "Two chairs", "4 Stühle": several of what is known.
+void note_count(const WordToken& first, const std::string& names, SaidSentence& said) {
+    constexpr double kMostOfThem = 50.0;
+    const std::optional<double> word =
+        first.kind == WordToken::Kind::Word ? number_word(first.folded) : std::optional<double>();
+    const double count = first.kind == WordToken::Kind::Number ? first.number : word.value_or(0.0);
+    if (count < 2.0 || count > kMostOfThem || count != std::floor(count)) return;
+    const std::optional<std::string> one = one_of_several(names);
+    if (!one) return;
+    said.name = *one;
+    said.count = static_cast<int>(count);
+}
+
+}  // namespace
 
 SaidSentence understood(const WordSentence& sentence, const SpeakersOf& speaker) {
     SaidSentence said;
@@ -712,6 +786,9 @@ SaidSentence understood(const WordSentence& sentence, const SpeakersOf& speaker)
     if (has_subject) {
         const std::size_t end = std::min(subject_end, sentence.tokens.size());
         said.name = joined(std::span(sentence.tokens).subspan(subject_from, end - subject_from));
+        if (said.kind == SentenceKind::Thing && !said.explicit_kind && end > subject_from + 1)
+            note_count(sentence.tokens[subject_from],
+                       joined(std::span(sentence.tokens).subspan(subject_from + 1, end - subject_from - 1)), said);
     }
     said.in_steps = matcher.in_steps();
     return said;
@@ -741,8 +818,7 @@ bool needs_quotation_marks(std::string_view name, WordLanguage language) {
         }
         for (const KindWord& head : heads_of(of)) {
             words.emplace(head.word.substr(head.word.rfind(' ') + 1));
-            if (head.kind == SentenceKind::Lift || head.kind == SentenceKind::Drop)
-                words.emplace(head.word.substr(0, head.word.find(' ')));
+            if (is_from_room(head.kind)) words.emplace(head.word.substr(0, head.word.find(' ')));
         }
         for (const KindWord& head : kColons) words.emplace(head.word);
         for (const std::string_view article : articles_of(of)) words.emplace(article);
@@ -826,51 +902,72 @@ std::string word_of_material(std::string_view name, WordLanguage language) {
 namespace {
 
 struct UsualSize {
-    std::string_view english, german;
+    std::string_view english, german, several;  // German; of English ones an s, or these
     double x, y, z;
 };
 
-const UsualSize* usual_row(std::string_view name) {
+std::span<const UsualSize> usual_sizes() {
     static constexpr UsualSize kRows[] = {
-        {"armchair", "sessel", 0.8, 0.8, 0.9},
-        {"wheelchair", "rollstuhl", 0.7, 1.1, 0.9},
-        {"chair", "stuhl", 0.45, 0.45, 0.9},
-        {"desk", "schreibtisch", 1.4, 0.7, 0.75},
-        {"table", "tisch", 1.2, 0.8, 0.75},
-        {"bed", "bett", 1.0, 2.0, 0.5},
-        {"sofa", "sofa", 1.9, 0.85, 0.85},
-        {"bench", "bank", 1.5, 0.45, 0.45},
-        {"shelf", "regal", 0.8, 0.35, 1.8},
-        {"bookcase", "bücherregal", 1.0, 0.35, 1.9},
-        {"cupboard", "schrank", 1.0, 0.6, 1.9},
-        {"wardrobe", "kleiderschrank", 1.5, 0.6, 2.0},
-        {"cabinet", "kommode", 0.8, 0.45, 0.9},
-        {"toilet", "toilette", 0.4, 0.65, 0.45},
-        {"basin", "waschbecken", 0.6, 0.45, 0.85},
-        {"sink", "spüle", 0.8, 0.6, 0.9},
-        {"stove", "herd", 0.6, 0.6, 0.9},
-        {"oven", "ofen", 0.6, 0.6, 0.9},
-        {"refrigerator", "kühlschrank", 0.6, 0.6, 1.6},
-        {"fridge", "kühlschrank", 0.6, 0.6, 1.6},
-        {"bath", "badewanne", 1.7, 0.75, 0.6},
-        {"tub", "wanne", 1.7, 0.75, 0.6},
-        {"shower", "dusche", 0.9, 0.9, 2.0},
-        {"piano", "klavier", 1.5, 0.6, 1.2},
-        {"counter", "theke", 2.0, 0.6, 1.0},
-        {"pillar", "säule", 0.4, 0.4, 2.5},
-        {"column", "pfeiler", 0.4, 0.4, 2.5},
-        {"plant", "pflanze", 0.4, 0.4, 1.2},
-        {"bin", "mülleimer", 0.35, 0.35, 0.6},
-        {"radiator", "heizkörper", 1.0, 0.12, 0.6},
-        {"machine", "automat", 0.7, 0.7, 1.8},
+        {"armchair", "sessel", "sessel", 0.8, 0.8, 0.9},
+        {"wheelchair", "rollstuhl", "rollstühle", 0.7, 1.1, 0.9},
+        {"chair", "stuhl", "stühle", 0.45, 0.45, 0.9},
+        {"desk", "schreibtisch", "schreibtische", 1.4, 0.7, 0.75},
+        {"table", "tisch", "tische", 1.2, 0.8, 0.75},
+        {"bed", "bett", "betten", 1.0, 2.0, 0.5},
+        {"sofa", "sofa", "sofas", 1.9, 0.85, 0.85},
+        {"bench", "bank", "bänke", 1.5, 0.45, 0.45},
+        {"shelf", "regal", "regale", 0.8, 0.35, 1.8},
+        {"bookcase", "bücherregal", "bücherregale", 1.0, 0.35, 1.9},
+        {"cupboard", "schrank", "schränke", 1.0, 0.6, 1.9},
+        {"wardrobe", "kleiderschrank", "kleiderschränke", 1.5, 0.6, 2.0},
+        {"cabinet", "kommode", "kommoden", 0.8, 0.45, 0.9},
+        {"toilet", "toilette", "toiletten", 0.4, 0.65, 0.45},
+        {"basin", "waschbecken", "waschbecken", 0.6, 0.45, 0.85},
+        {"sink", "spüle", "spülen", 0.8, 0.6, 0.9},
+        {"stove", "herd", "herde", 0.6, 0.6, 0.9},
+        {"oven", "ofen", "öfen", 0.6, 0.6, 0.9},
+        {"refrigerator", "kühlschrank", "kühlschränke", 0.6, 0.6, 1.6},
+        {"fridge", "kühlschrank", "kühlschränke", 0.6, 0.6, 1.6},
+        {"bath", "badewanne", "badewannen", 1.7, 0.75, 0.6},
+        {"tub", "wanne", "wannen", 1.7, 0.75, 0.6},
+        {"shower", "dusche", "duschen", 0.9, 0.9, 2.0},
+        {"piano", "klavier", "klaviere", 1.5, 0.6, 1.2},
+        {"counter", "theke", "theken", 2.0, 0.6, 1.0},
+        {"pillar", "säule", "säulen", 0.4, 0.4, 2.5},
+        {"column", "pfeiler", "pfeiler", 0.4, 0.4, 2.5},
+        {"plant", "pflanze", "pflanzen", 0.4, 0.4, 1.2},
+        {"bin", "mülleimer", "mülleimer", 0.35, 0.35, 0.6},
+        {"radiator", "heizkörper", "heizkörper", 1.0, 0.12, 0.6},
+        {"machine", "automat", "automaten", 0.7, 0.7, 1.8},
     };
+    return kRows;
+}
+
+const UsualSize* usual_row(std::string_view name) {
     const std::string key = folded(name);
-    for (const UsualSize& row : kRows)
+    for (const UsualSize& row : usual_sizes())
         if (key.find(row.english) != std::string::npos || key.find(row.german) != std::string::npos) return &row;
     return nullptr;
 }
 
 }  // namespace
+
+std::optional<std::string> one_of_several(std::string_view names) {
+    const std::string key = folded(names);
+    // Letters may be folded, but their number stays.
+    const auto cut = [&](std::string_view several, std::string_view one) -> std::optional<std::string> {
+        if (!key.ends_with(several)) return std::nullopt;
+        return capitalised(std::string(names.substr(0, names.size() - several.size())) + std::string(one));
+    };
+    for (const UsualSize& row : usual_sizes()) {
+        std::string english = std::string(row.english) + "s";
+        if (row.english == "bench") english = "benches";
+        if (row.english == "shelf") english = "shelves";
+        if (auto one = cut(english, row.english)) return one;
+        if (auto one = cut(row.several, row.german)) return one;
+    }
+    return std::nullopt;
+}
 
 bool usually_known(std::string_view name) { return usual_row(name) != nullptr; }
 

@@ -1,6 +1,7 @@
 // What the words of a sentence say, by patterns of English and German. Pure functions; any thread.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <span>
 
@@ -54,7 +55,10 @@ enum class Says {
     Raised,    // the floor of a room by numbers[0] over that of its storey
     Sunk,      // or under it
     FromRoom,  // `name`, where a lift or drop begins
-    DropOf     // numbers[0] down
+    DropOf,    // numbers[0] down
+    Railing,   // numbers[0] high, round a room
+    UpSide,    // stairs climb to sides[0]
+    UpAndBack  // to sides[0], where they turn
 };
 
 // Sides: 0 north, 1 north-east, ... 7 north-west; and as one looks or goes.
@@ -73,8 +77,9 @@ enum class SentenceKind {
     Door,
     SlidingDoor,
     Opening,
-    Lift,  // a platform from one room to another
-    Drop,  // an open place to step down from one room to another
+    Lift,    // a platform from one room to another
+    Flight,  // stairs without a room, from one room to another
+    Drop,    // an open place to step down from one room to another
     Window,
     Start,
     Thing,
@@ -89,7 +94,8 @@ struct SaidSentence {
     SentenceKind kind = SentenceKind::Thing;
     bool explicit_kind = false;  // "Room: ..."
     bool fixture = false;        // "Fixture: ...": a thing that is no furniture
-    std::string name;            // its subject, as written
+    std::string name;            // its subject, as written; one of them where there are several
+    int count = 1;               // "Two chairs"
     std::vector<SaidPart> parts;
     std::vector<std::string> not_understood;  // words, as written
     bool in_steps = false;
@@ -122,6 +128,8 @@ std::string word_of_material(std::string_view name, WordLanguage language);
 
 // How large a thing of that name usually is: west to east, south to north, height.
 Vec3 usual_size_m(std::string_view name);
+// Of several things that are known ("chairs", "Stühle") what one of them is called; nothing: it is no such plural.
+std::optional<std::string> one_of_several(std::string_view names);
 // Whether things of that name are known.
 bool usually_known(std::string_view name);
 

@@ -336,6 +336,10 @@ void WordsPlan::add_spaces() {
         }
         space.levels = room.levels;
         if (room.levels.size() == 1) space.raised_m = room.raised_m.value_or(0.0);
+        if (const SaidPart* railing = room.said.words.find(Says::Railing))
+            warn(room.said.line,
+                 phrase("rooms_text.railing", {{"height", railing->numbers[0]}, {"name", room_words(room)}}),
+                 phrase("rooms_text.then_walls"));
         if (const SaidPart* high = room.said.words.find(Says::High)) space.height_m = high->numbers[0];
         if (const SaidPart* floor = room.said.words.find(Says::Floor)) space.floor_material = floor->name;
         plan_.spaces.push_back(std::move(space));

@@ -73,6 +73,7 @@ Result<FloorPlan> WordsPlan::build(std::string_view bytes) {
     for (std::size_t r = 0; r < rooms_.size(); ++r) {
         windows_here_.clear();
         placed_things_.clear();
+        placed_here_.clear();
         doors_here_ = doors_of_[r];
         add_windows(r);
         add_things(r);
@@ -148,6 +149,7 @@ void WordsPlan::take(SaidSentence said, int line) {
         case SentenceKind::SlidingDoor:
         case SentenceKind::Opening:
         case SentenceKind::Lift:
+        case SentenceKind::Flight:
         case SentenceKind::Drop:
             if (!needs_room()) rooms_.back().doors.push_back({std::move(said), line});
             break;

@@ -52,6 +52,9 @@ private:
         double length() const { return glm::length(to - from); }
         Vec2 at(double along_m) const { return from + (to - from) * (along_m / std::max(length(), 1e-9)); }
     };
+    struct Placed {
+        Vec2 least{0.0}, most{0.0};
+    };
     struct InWall {
         Border wall;
         int side = 0;
@@ -76,6 +79,9 @@ private:
     void add_doors(std::size_t room);
     void add_door(std::size_t room, const Said& said);
     void add_lift(std::size_t room, const Said& said);
+    void add_flight(std::size_t room, const Said& said);
+    // The room of that name on another storey that has the place in it, else the nearest; kNoRoom without any.
+    std::size_t room_over(std::size_t room, const std::string& name, const Vec2& place) const;
     void set_raises();
     std::size_t room_from(std::size_t room, const Said& said) const;
     bool told_before(const PlanDoor& door, bool placed) const;
@@ -92,6 +98,12 @@ private:
     // Where along a wall: as the sentence says it, its middle without. `placed`: the sentence says it.
     double along_wall(const Said& said, const WordRoom& room, const Border& wall, bool& placed);
     Vec2 free_corner(const WordRoom& room, const Vec3& size_m) const;
+    // Within the room, off what was placed before, and not before a door; `doors_alone`: the last is enough.
+    bool stands_free(const WordRoom& room, const Vec2& at, const Vec2& half, bool doors_alone = false) const;
+    // The nearest place round that one that is free; the same where there is none.
+    Vec2 nearest_free(const WordRoom& room, const Vec2& at, const Vec2& half) const;
+    Vec2 place_next_to(const Placed& other, const WordRoom& room, const Vec2& half) const;
+    void add_thing(const WordRoom& room, const Said& said, bool first);
     Vec2 place_of_thing(const Said& said, const WordRoom& room, Vec3& size_m, bool usual);
     std::size_t level_for(const WordRoom& a, const WordRoom* b) const;
 
@@ -109,10 +121,8 @@ private:
     std::map<std::string, std::vector<std::size_t>> by_name_;
     std::vector<Said> starts_;
     std::vector<std::size_t> start_rooms_;
-    struct Placed {
-        Vec2 least{0.0}, most{0.0};
-    };
     std::map<std::string, Placed> placed_things_;  // of the room at hand, folded
+    std::vector<Placed> placed_here_;              // all of them
     std::vector<Opening> windows_here_, doors_here_;
     std::vector<std::vector<Opening>> doors_of_;  // of each room
     std::vector<Diagnostic> warnings_;

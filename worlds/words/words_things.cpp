@@ -120,8 +120,61 @@ void WordsPlan::add_doors(std::size_t r) {
     for (const Said& said : rooms_[r].doors) {
         if (plan_.doors.size() >= kMostThings) return;
         if (said.words.kind == SentenceKind::Lift) add_lift(r, said);
+        else if (said.words.kind == SentenceKind::Flight) add_flight(r, said);
         else add_door(said.words.kind == SentenceKind::Drop ? room_from(r, said) : r, said);
     }
+}
+
+std::size_t WordsPlan::room_over(std::size_t r, const std::string& name, const Vec2& place) const {
+    std::size_t found = kNoRoom;
+    double nearest_m = 1e300;
+    const auto named = by_name_.find(name_key(name, speaker_.language));
+    if (named == by_name_.end()) return kNoRoom;
+    for (const std::size_t other : named->second) {
+        if (other == r || rooms_[other].storey == rooms_[r].storey) continue;
+        const double off_m = inside(rooms_[other].rings, place) ? 0.0 : away_from(rooms_[other].rings, place);
+        if (off_m < nearest_m) nearest_m = off_m, found = other;
+    }
+    return found;
+}
+
+// They go up from the lower of the two rooms. What is not said: a metre wide, and as long as easy stairs are.
+void WordsPlan::add_flight(std::size_t paragraph, const Said& said) {
+    constexpr double kFlight_m = 1.0, kLeastFlight_m = 0.6, kMostFlight_m = 30.0, kEasySlope = 1.5;
+    const std::size_t r = room_from(paragraph, said);
+    const WordRoom& room = rooms_[r];
+    const SaidPart *to = said.words.find(Says::To), *at = said.words.find(Says::At),
+                   *size = said.words.find(Says::Size2), *up = said.words.find(Says::UpSide),
+                   *back = said.words.find(Says::UpAndBack), *called = said.words.find(Says::Called);
+    const Vec2 place = at ? offset_of(*at) : 0.5 * (room.least + room.most);
+    const std::size_t other = to ? room_over(r, to->name, place) : kNoRoom;
+    if (other == kNoRoom) {
+        const std::string name = to ? one_line(to->name.substr(0, 100)) : std::string();
+        warn(said.line, phrase("rooms_text.stairs_to_nowhere", {{"name", name}}), phrase("rooms_text.then_left_out"));
+        return;
+    }
+    PlanFlight flight;
+    flight.name = called ? one_line(called->name.substr(0, 200)) : std::string();
+    flight.line = said.line;
+    // Of a room on several storeys from its highest, or to its lowest.
+    const bool rises = room.levels.back() < rooms_[other].levels.back();
+    flight.from = rises ? r : other, flight.to = rises ? other : r;
+    flight.high = rooms_[flight.to].levels.back();
+    for (const std::size_t level : rooms_[flight.from].levels)
+        if (level < flight.high) flight.low = level;
+    for (const std::size_t level : rooms_[flight.to].levels)
+        if (level > flight.low) flight.high = std::min(flight.high, level);
+    const double rise_m = plan_.levels[flight.high].floor_m - plan_.levels[flight.low].floor_m;
+    const SaidPart* side = back ? back : up;
+    Vec2 wide = size ? Vec2(size->numbers[0], size->numbers[1]) : Vec2(kFlight_m, kEasySlope * rise_m);
+    if (!size && side && side_direction(wall_side(room, side->sides[0])).x != 0.0) std::swap(wide.x, wide.y);
+    wide = glm::clamp(wide, Vec2(kLeastFlight_m), Vec2(kMostFlight_m));
+    flight.up = side              ? side_direction(wall_side(room, side->sides[0]))
+                : wide.x > wide.y ? Vec2(1.0, 0.0)
+                                  : Vec2(0.0, 1.0);
+    flight.back = back != nullptr;
+    flight.least = place - 0.5 * wide, flight.most = place + 0.5 * wide;
+    plan_.flights.push_back(std::move(flight));
 }
 
 // To the room of that name on another storey that has the platform in it, else to the nearest.
@@ -132,16 +185,8 @@ void WordsPlan::add_lift(std::size_t paragraph, const Said& said) {
     const SaidPart *to = said.words.find(Says::To), *at = said.words.find(Says::At),
                    *size = said.words.find(Says::Size2), *called = said.words.find(Says::Called);
     const Vec2 place = at ? offset_of(*at) : 0.5 * (room.least + room.most);
-    std::size_t other = kNoRoom;
-    double nearest_m = 1e300;
-    const auto named = to ? by_name_.find(name_key(to->name, speaker_.language)) : by_name_.end();
-    if (named != by_name_.end())
-        for (const std::size_t o : named->second) {
-            if (o == r || rooms_[o].storey == room.storey || rooms_[o].levels.size() != 1) continue;
-            const double off_m = inside(rooms_[o].rings, place) ? 0.0 : away_from(rooms_[o].rings, place);
-            if (off_m < nearest_m) nearest_m = off_m, other = o;
-        }
-    if (other == kNoRoom || room.levels.size() != 1) {
+    const std::size_t other = to ? room_over(r, to->name, place) : kNoRoom;
+    if (other == kNoRoom || room.levels.size() != 1 || rooms_[other].levels.size() != 1) {
         const std::string name = to ? one_line(to->name.substr(0, 100)) : std::string();
         warn(said.line, phrase("rooms_text.lift_to_nowhere", {{"name", name}}), phrase("rooms_text.then_left_out"));
         return;
@@ -332,23 +377,78 @@ void WordsPlan::add_windows(std::size_t r) {
     }
 }
 
-// Where it is out of the way: the first corner that neither a thing nor a door is near, else the middle.
+bool WordsPlan::stands_free(const WordRoom& room, const Vec2& at, const Vec2& half, bool doors_alone) const {
+    constexpr double kBeforeDoor_m = 1.0, kWithin_m = 0.01;
+    const Vec2 in(0.5 * plan_.wall_m - 1e-6);
+    if (glm::any(glm::lessThan(at - half, room.least + in)) || glm::any(glm::greaterThan(at + half, room.most - in)))
+        return false;
+    for (const Vec2& corner : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)})
+        if (!inside(room.rings, at + corner * glm::max(half - kWithin_m, Vec2(0.0)))) return false;
+    for (const Opening& door : doors_here_)
+        if (glm::length(glm::max(glm::abs(door.at - at) - half, Vec2(0.0))) <= kBeforeDoor_m) return false;
+    return doors_alone || std::none_of(placed_here_.begin(), placed_here_.end(), [&](const Placed& other) {
+               return glm::all(glm::greaterThan(other.most, at - half + 1e-6)) &&
+                      glm::all(glm::lessThan(other.least, at + half - 1e-6));
+           });
+}
+
+// Where it is out of the way: a free corner, else a free place along the walls or further in, else one that keeps the
+// doors free, else the middle.
 Vec2 WordsPlan::free_corner(const WordRoom& room, const Vec3& size_m) const {
-    constexpr double kBeforeDoor_m = 1.0;
+    constexpr int kMostPlaces = 40;
+    constexpr double kStep_m = 0.25;
+    constexpr std::size_t kMostLookedAt = 300;
     const Vec2 half(0.5 * size_m.x, 0.5 * size_m.y), in(0.5 * plan_.wall_m);
     const Vec2 least = room.least + in + half, most = room.most - in - half;
-    for (const Vec2& at : {Vec2(least.x, most.y), most, Vec2(most.x, least.y), least}) {
-        bool free = inside(room.rings, at);
-        for (const auto& [name, other] : placed_things_)
-            free &= glm::any(glm::lessThanEqual(other.most, at - half)) ||
-                    glm::any(glm::greaterThanEqual(other.least, at + half));
-        for (const Opening& door : doors_here_) {
-            const Vec2 off = glm::max(glm::abs(door.at - at) - half, Vec2(0.0));
-            free &= glm::length(off) > kBeforeDoor_m;
-        }
-        if (free) return at;
+    for (const Vec2& at : {Vec2(least.x, most.y), most, Vec2(most.x, least.y), least})
+        if (stands_free(room, at, half)) return at;
+    const Vec2 span = glm::max(most - least, Vec2(0.0));
+    const auto places = [&](double length) { return std::clamp(static_cast<int>(length / kStep_m), 1, kMostPlaces); };
+    const int wide = places(span.x), deep = places(span.y);
+    for (const bool doors_alone : {false, true}) {
+        if (!doors_alone && placed_here_.size() > kMostLookedAt) continue;
+        for (const bool along_walls : {true, false})
+            for (int y = deep; y >= 0; --y)
+                for (int x = 0; x <= wide; ++x) {
+                    const bool at_wall = x == 0 || y == 0 || x == wide || y == deep;
+                    const Vec2 at = least + span * Vec2(static_cast<double>(x) / wide, static_cast<double>(y) / deep);
+                    if (at_wall == along_walls && stands_free(room, at, half, doors_alone)) return at;
+                }
     }
     return 0.5 * (room.least + room.most);
+}
+
+Vec2 WordsPlan::nearest_free(const WordRoom& room, const Vec2& at, const Vec2& half) const {
+    constexpr double kStep_m = 0.1;
+    constexpr int kMostSteps = 100;
+    for (int step = 0; step <= kMostSteps; ++step)
+        for (const int side : {2, 6, 0, 4, 1, 3, 5, 7})
+            if (const Vec2 there = at + side_direction(side) * (kStep_m * step); stands_free(room, there, half))
+                return there;
+    return at;
+}
+
+// On the first of its sides that is free, else as near to one as is free, else on the first that is in the room.
+Vec2 WordsPlan::place_next_to(const Placed& other, const WordRoom& room, const Vec2& half) const {
+    const double inside_m = 0.5 * plan_.wall_m;
+    const Vec2 least = room.least + inside_m, most = room.most - inside_m, there = 0.5 * (other.least + other.most);
+    const std::array<Vec2, 4> places{Vec2(other.most.x + half.x, there.y), Vec2(other.least.x - half.x, there.y),
+                                     Vec2(there.x, other.most.y + half.y), Vec2(there.x, other.least.y - half.y)};
+    for (const Vec2& place : places)
+        if (stands_free(room, place, half)) return place;
+    Vec2 nearest = there;
+    double nearest_m = 1e300;
+    for (const Vec2& place : places) {
+        const Vec2 free = nearest_free(room, place, half);
+        if (const double off_m = glm::length(free - there); off_m < nearest_m && stands_free(room, free, half))
+            nearest_m = off_m, nearest = free;
+    }
+    if (nearest_m < 1e300) return nearest;
+    for (const Vec2& place : places)
+        if (glm::all(glm::greaterThanEqual(place - half, least - 1e-6)) &&
+            glm::all(glm::lessThanEqual(place + half, most + 1e-6)))
+            return place;
+    return places[3];
 }
 
 Vec2 WordsPlan::place_of_thing(const Said& said, const WordRoom& room, Vec3& size_m, bool usual) {
@@ -374,6 +474,17 @@ Vec2 WordsPlan::place_of_thing(const Said& said, const WordRoom& room, Vec3& siz
         }
     };
     const auto along_of = [&](int side, const Vec2& place) { return side == 0 || side == 4 ? place.x : place.y; };
+    // Where the place along the wall is not said: the nearest to it that is free.
+    const auto against_free = [&](int side, double along) {
+        constexpr double kSlide_m = 0.1;
+        constexpr int kMostSlides = 300;
+        const Vec2 first = against(side, along), half(0.5 * size_m.x, 0.5 * size_m.y);
+        const Vec2 way = side == 0 || side == 4 ? Vec2(1.0, 0.0) : Vec2(0.0, 1.0);
+        for (int slide = 0; slide <= kMostSlides; ++slide)
+            for (const double to : {1.0, -1.0})
+                if (const Vec2 at = first + way * (to * kSlide_m * slide); stands_free(room, at, half)) return at;
+        return first;
+    };
     if (const SaidPart* at = said.words.find(Says::At)) return offset_of(*at);
     if (const SaidPart* offset = said.words.find(Says::Offset)) return room.least + offset_of(*offset);
     if (const SaidPart* corner = said.words.find(Says::InCorner)) {
@@ -390,7 +501,7 @@ Vec2 WordsPlan::place_of_thing(const Said& said, const WordRoom& room, Vec3& siz
     if (said.words.find(Says::ByWindow)) {
         if (windows_here_.empty()) return no_such(phrase("rooms_text.no_window", {{"name", room_words(room)}}));
         const Opening& window = windows_here_.front();
-        return against(window.side, along_of(window.side, window.at));
+        return against_free(window.side, along_of(window.side, window.at));
     }
     if (const SaidPart* by_door = said.words.find(Says::ByDoor)) {
         const Opening* door = nullptr;
@@ -410,12 +521,7 @@ Vec2 WordsPlan::place_of_thing(const Said& said, const WordRoom& room, Vec3& siz
         if (found == placed_things_.end())
             return no_such(phrase("rooms_text.no_thing",
                                   {{"name", room_words(room)}, {"thing", one_line(next->name.substr(0, 100))}}));
-        const Placed& other = found->second;
-        const Vec2 half(0.5 * size_m.x, 0.5 * size_m.y), there = 0.5 * (other.least + other.most);
-        if (other.most.x + size_m.x <= most.x) return {other.most.x + half.x, there.y};
-        if (other.least.x - size_m.x >= least.x) return {other.least.x - half.x, there.y};
-        if (other.most.y + size_m.y <= most.y) return {there.x, other.most.y + half.y};
-        return {there.x, other.least.y - half.y};
+        return place_next_to(found->second, room, Vec2(0.5 * size_m.x, 0.5 * size_m.y));
     }
     int side = -1;
     for (const Says says : {Says::InWall, Says::MiddleOf, Says::Along})
@@ -426,7 +532,8 @@ Vec2 WordsPlan::place_of_thing(const Said& said, const WordRoom& room, Vec3& siz
     if (side >= 0) {
         const Border wall = wall_of(room, side);
         bool placed = false;
-        return against(side, along_of(side, wall.at(along_wall(said, room, wall, placed))));
+        const double along = along_of(side, wall.at(along_wall(said, room, wall, placed)));
+        return placed ? against(side, along) : against_free(side, along);
     }
     Vec2 place = middle;
     bool placed = said.words.find(Says::Middle) != nullptr;
@@ -463,41 +570,52 @@ void WordsPlan::add_things(std::size_t r) {
                  phrase("rooms_text.then_left_out"));
             continue;
         }
-        const SaidPart *size3 = said.words.find(Says::Size3), *size2 = said.words.find(Says::Size2),
-                       *high = said.words.find(Says::High), *sill = said.words.find(Says::AboveFloor);
-        Vec3 size = usual_size_m(said.words.name);
-        const SaidPart* flat = size3 ? size3 : size2;
-        if (flat) size = Vec3(flat->numbers[0], flat->numbers[1], size.z);
-        if (size3) size.z = size3->numbers[2];
-        if (high) size.z = high->numbers[0];
-        if (!flat) ++usual_sizes_;
-        size = glm::clamp(size, Vec3(kLeastThing_m), Vec3(kMostThing_m));
-        Vec2 at = place_of_thing(said, room, size, !flat);
-        const double inside_m = 0.5 * plan_.wall_m;
-        const Vec2 half(0.5 * size.x, 0.5 * size.y), least = room.least + inside_m + half,
-                                                     most = room.most - inside_m - half;
-        const Vec2 within = glm::min(glm::max(at, least), glm::max(most, least));
-        if (glm::length(within - at) > 0.01 && !said.words.find(Says::At)) {
-            warn(said.line,
-                 phrase("rooms_text.does_not_fit",
-                        {{"thing", one_line(said.words.name.substr(0, 100))}, {"name", room_words(room)}}),
-                 phrase("rooms_text.then_moved_in"));
-            at = within;
-        }
-        PlanThing thing;
-        thing.name = one_line(said.words.name.substr(0, 200));
-        thing.level = level_of_[room.storey];
-        thing.height_m = size.z;
-        thing.from_m = (sill ? std::clamp(sill->numbers[0], 0.0, 20.0) : 0.0) + room.raised_m.value_or(0.0);
-        thing.fixture = said.words.fixture;
-        thing.landmark = said.words.find(Says::Landmark) != nullptr;
-        thing.clue = said.words.find(Says::Clue) != nullptr;
-        if (const SaidPart* made = said.words.find(Says::MadeOf)) thing.material = made->name;
-        thing.line = said.line;
-        thing.parts = {{at - half, {at.x + half.x, at.y - half.y}, at + half, {at.x - half.x, at.y + half.y}}};
-        placed_things_[name_key(thing.name, speaker_.language)] = {at - half, at + half};
-        plan_.things.push_back(std::move(thing));
+        for (int one = 0; one < said.words.count && plan_.things.size() < kMostThings; ++one)
+            add_thing(room, said, one == 0);
     }
+}
+
+// `first`: the sentence speaks of several, and this is the first of them.
+void WordsPlan::add_thing(const WordRoom& room, const Said& said, bool first) {
+    const SaidPart *size3 = said.words.find(Says::Size3), *size2 = said.words.find(Says::Size2),
+                   *high = said.words.find(Says::High), *sill = said.words.find(Says::AboveFloor);
+    Vec3 size = usual_size_m(said.words.name);
+    const SaidPart* flat = size3 ? size3 : size2;
+    if (flat) size = Vec3(flat->numbers[0], flat->numbers[1], size.z);
+    if (size3) size.z = size3->numbers[2];
+    if (high) size.z = high->numbers[0];
+    if (!flat) ++usual_sizes_;
+    if (first && !flat && !said.words.explicit_kind && !usually_known(said.words.name))
+        warn(said.line, phrase("rooms_text.unknown_thing", {{"name", one_line(said.words.name.substr(0, 100))}}),
+             phrase("rooms_text.then_thing", {{"x", size.x}, {"y", size.y}, {"z", size.z}}));
+    size = glm::clamp(size, Vec3(kLeastThing_m), Vec3(kMostThing_m));
+    Vec2 at = place_of_thing(said, room, size, !flat);
+    if (!first) at = nearest_free(room, at, Vec2(0.5 * size.x, 0.5 * size.y));
+    const double inside_m = 0.5 * plan_.wall_m;
+    const Vec2 half(0.5 * size.x, 0.5 * size.y), least = room.least + inside_m + half,
+                                                 most = room.most - inside_m - half;
+    const Vec2 within = glm::min(glm::max(at, least), glm::max(most, least));
+    if (glm::length(within - at) > 0.01 && !said.words.find(Says::At)) {
+        warn(said.line,
+             phrase("rooms_text.does_not_fit",
+                    {{"thing", one_line(said.words.name.substr(0, 100))}, {"name", room_words(room)}}),
+             phrase("rooms_text.then_moved_in"));
+        at = within;
+    }
+    PlanThing thing;
+    thing.name = one_line(said.words.name.substr(0, 200));
+    thing.level = level_of_[room.storey];
+    thing.height_m = size.z;
+    thing.from_m = (sill ? std::clamp(sill->numbers[0], 0.0, 20.0) : 0.0) + room.raised_m.value_or(0.0);
+    thing.fixture = said.words.fixture;
+    thing.landmark = said.words.find(Says::Landmark) != nullptr;
+    thing.clue = said.words.find(Says::Clue) != nullptr;
+    if (const SaidPart* made = said.words.find(Says::MadeOf)) thing.material = made->name;
+    thing.line = said.line;
+    thing.parts = {{at - half, {at.x + half.x, at.y - half.y}, at + half, {at.x - half.x, at.y + half.y}}};
+    placed_here_.push_back({at - half, at + half});
+    placed_things_[name_key(thing.name, speaker_.language)] = placed_here_.back();
+    plan_.things.push_back(std::move(thing));
 }
 
 void WordsPlan::add_start(const Said& said) {
@@ -522,6 +640,7 @@ void WordsPlan::add_start(const Said& said) {
     if (facing && facing->sides[0] < 8) start.heading_rad = facing->sides[0] * 0.25 * kPi;
     windows_here_.clear();
     placed_things_.clear();
+    placed_here_.clear();
     doors_here_ = doors_of_[r];
     Vec3 body(0.5, 0.5, 1.8);
     const int without = without_place_;

@@ -37,7 +37,8 @@ Counts counts_of_map(const Scene& scene, const WordsHouse& house) {
     counts.doors = static_cast<std::size_t>(scene.report.doors);
     for (const Feature& feature : scene.features) {
         const bool window = feature.name.ends_with("indow");
-        if (feature.kind != FeatureKind::Object || feature.made_name || feature.name.empty()) continue;
+        const bool of_stairs = feature.name.starts_with("Stair");  // which are a room
+        if (feature.kind != FeatureKind::Object || feature.made_name || feature.name.empty() || of_stairs) continue;
         ++(window ? counts.windows : counts.furniture);
     }
     return counts;
