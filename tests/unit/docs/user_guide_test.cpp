@@ -77,6 +77,23 @@ TEST(UserGuide, is_all_there_in_german) {
     for (const auto& [english, german] : pages) EXPECT_EQ(parts_of(english), parts_of("de/" + german)) << german;
 }
 
+// The parts that are in German have all that the English ones have; the index names the others as English.
+TEST(AuthorsGuide, has_in_german_what_the_english_parts_have) {
+    const std::map<std::string, std::string> pages{
+        {"map-authors-guide.md", "autorenhandbuch.md"},
+        {"map-authors-guide/words.md", "autorenhandbuch/raeume-in-worten.md"},
+        {"map-authors-guide/furniture.md", "autorenhandbuch/moebel.md"}};
+    const auto docs = test::project_root() / "docs";
+    const std::string index = test::content_of(docs / "de/autorenhandbuch.md");
+    for (const auto& entry : std::filesystem::directory_iterator(docs / "map-authors-guide")) {
+        const std::string page = "map-authors-guide/" + entry.path().filename().string();
+        const auto german = pages.find(page);
+        const std::string link = german == pages.end() ? "(../" + page + ")" : "(" + german->second + ")";
+        EXPECT_NE(index.find(link), std::string::npos) << "the German index lacks " << link;
+    }
+    for (const auto& [english, german] : pages) EXPECT_EQ(parts_of(english), parts_of("de/" + german)) << german;
+}
+
 TEST(Dictionary, lists_every_sound_as_the_spoken_one_tells_it_in_its_order) {
     std::vector<std::string> expected;
     for (const DictionaryEntry& entry : sound_dictionary())

@@ -229,16 +229,22 @@ TEST(RoomsInWords, windows_editors_and_latin_letters_are_read) {
     EXPECT_EQ(test::box_of(*test::room_of(scene, "Küche")).first.y, 6.0);
 }
 
-TEST(RoomsInWords, the_example_of_the_authors_guide_is_understood_to_the_last_word) {
-    const std::string guide = test::content_of(test::project_root() / "docs/map-authors-guide/words.md");
-    const std::size_t from = guide.find("    Building: Town library."), to = guide.find("A sentence ends with", from);
-    ASSERT_NE(to, std::string::npos);
+// What stands in a guide between those words, as a text to be read.
+std::string example_of(const std::string& page, const std::string& begin, const std::string& end) {
+    const std::string guide = test::content_of(test::project_root() / "docs" / page);
+    const std::size_t from = guide.find(begin), to = guide.find(end, from);
+    EXPECT_NE(to, std::string::npos) << page;
+    if (to == std::string::npos) return {};
     std::string example;
     for (std::istringstream lines(guide.substr(from, to - from)); !lines.eof();) {
         std::string line;
         std::getline(lines, line);
         example += (line.starts_with("    ") ? line.substr(4) : line) + "\n";
     }
+    return example;
+}
+
+void expect_library(const std::string& example, const std::string& gallery) {
     const Scene scene = test::read_rooms(example);
     for (const Diagnostic& warning : scene.report.warnings) ADD_FAILURE() << warning.sentence();
     EXPECT_EQ(scene.stated->rooms.size(), 6U);
@@ -246,7 +252,18 @@ TEST(RoomsInWords, the_example_of_the_authors_guide_is_understood_to_the_last_wo
     EXPECT_EQ(scene.stated->windows.size(), 2U);
     const auto ways = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
     ASSERT_TRUE(ways.has_value());
-    EXPECT_TRUE((*ways)->reachable(scene.starts[0].feet_m, test::room_of(scene, "Gallery")->at_m));
+    EXPECT_TRUE((*ways)->reachable(scene.starts[0].feet_m, test::room_of(scene, gallery)->at_m));
+}
+
+TEST(RoomsInWords, the_example_of_the_authors_guide_is_understood_to_the_last_word) {
+    expect_library(example_of("map-authors-guide/words.md", "    Building: Town library.", "A sentence ends with"),
+                   "Gallery");
+}
+
+TEST(RoomsInWords, the_example_of_the_german_guide_is_understood_to_the_last_word) {
+    expect_library(
+        example_of("de/autorenhandbuch/raeume-in-worten.md", "    Gebäude: Stadtbücherei.", "Ein Satz endet mit"),
+        "Galerie");
 }
 
 }  // namespace words_reading_test
