@@ -81,6 +81,8 @@ TEST(UserGuide, is_all_there_in_german) {
 TEST(AuthorsGuide, has_in_german_what_the_english_parts_have) {
     const std::map<std::string, std::string> pages{
         {"map-authors-guide.md", "autorenhandbuch.md"},
+        {"map-authors-guide/movers.md", "autorenhandbuch/bewegliches.md"},
+        {"map-authors-guide/keys.md", "autorenhandbuch/schluessel.md"},
         {"map-authors-guide/words.md", "autorenhandbuch/raeume-in-worten.md"},
         {"map-authors-guide/furniture.md", "autorenhandbuch/moebel.md"}};
     const auto docs = test::project_root() / "docs";
@@ -92,6 +94,16 @@ TEST(AuthorsGuide, has_in_german_what_the_english_parts_have) {
         EXPECT_NE(index.find(link), std::string::npos) << "the German index lacks " << link;
     }
     for (const auto& [english, german] : pages) EXPECT_EQ(parts_of(english), parts_of("de/" + german)) << german;
+    // Keys are the same in both languages, and in the same order.
+    const auto first_words = [](const std::vector<std::string>& rows) {
+        std::vector<std::string> words;
+        for (const std::string& row : rows) words.push_back(row.substr(0, row.find(' ', 2)));
+        return words;
+    };
+    EXPECT_EQ(first_words(table_rows("de/autorenhandbuch/schluessel.md", "| Schlüssel | Bei |")),
+              first_words(table_rows("map-authors-guide/keys.md", "| Key | On |")));
+    EXPECT_EQ(first_words(table_rows("de/autorenhandbuch/moebel.md", "| Schlüssel | Größe")),
+              first_words(table_rows("map-authors-guide/furniture.md", "| Key | Size")));
 }
 
 TEST(Dictionary, lists_every_sound_as_the_spoken_one_tells_it_in_its_order) {
