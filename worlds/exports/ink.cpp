@@ -11,6 +11,35 @@ namespace {
 constexpr double kStraight_mm = 0.13;
 constexpr float kFar = 1e9F;
 
+// The largest whole square of a distance that is still less than `limit_px`, or as far where that counts too.
+int most_squared(double limit_px, bool as_far) {
+    const auto counts = [&](int squared) {
+        const auto far = static_cast<double>(static_cast<float>(std::sqrt(static_cast<double>(squared))));
+        return as_far ? far <= limit_px : far < limit_px;
+    };
+    int squared = static_cast<int>(limit_px * limit_px) + 2;
+    while (squared >= 0 && !counts(squared)) --squared;
+    return squared;
+}
+
+// How far up or down the nearest black pixel of the same column is, at most `most`.
+std::vector<std::uint8_t> heights_to_black(const Ink& ink, std::uint8_t most) {
+    std::vector<std::uint8_t> far(ink.black.size());
+    const auto wide = static_cast<std::size_t>(ink.wide);
+    const auto sweep = [&](std::size_t row, const std::uint8_t* before) {
+        std::uint8_t* mine = far.data() + row * wide;
+        for (std::size_t x = 0; x < wide; ++x) {
+            const auto next = static_cast<std::uint8_t>(before[x] + 1);
+            mine[x] = std::min(mine[x], next);
+        }
+    };
+    for (std::size_t i = 0; i < far.size(); ++i) far[i] = ink.black[i] ? std::uint8_t{0} : most;
+    for (std::size_t row = 1; row < static_cast<std::size_t>(ink.high); ++row)
+        sweep(row, far.data() + (row - 1) * wide);
+    for (std::size_t row = static_cast<std::size_t>(ink.high); row-- > 1;) sweep(row - 1, far.data() + row * wide);
+    return far;
+}
+
 Ink opposite(const Ink& ink) {
     Ink other = ink;
     for (std::uint8_t& pixel : other.black) pixel = pixel ? 0 : 1;
@@ -56,11 +85,9 @@ std::vector<Vec2> straightened(const std::vector<Vec2>& points) {
     return out.size() < 3 ? points : out;
 }
 
-// What lies round a piece of white: whether all of the black beside it hangs together there, and whether it is open to
-// where a disc goes.
+// What lies round a piece of white: whether it is open to where a disc goes, and deeper than the gap that is asked for.
 struct Surroundings {
-    bool one_border = true, open = false;
-    double deepest = 0.0;
+    bool open = false, deep = false;
 };
 
 }  // namespace
@@ -131,6 +158,30 @@ std::vector<float> distances_px(const Ink& ink, std::vector<std::uint32_t>* whos
     return far;
 }
 
+Ink near_black(const Ink& ink, double limit_px, bool as_far) {
+    Ink near = ink;
+    std::fill(near.black.begin(), near.black.end(), std::uint8_t{0});
+    const int most = most_squared(limit_px, as_far);
+    if (most < 0 || ink.wide == 0) return near;
+    const int reach = static_cast<int>(std::sqrt(static_cast<double>(most)));
+    const std::vector<std::uint8_t> far = heights_to_black(ink, static_cast<std::uint8_t>(reach + 1));
+    // A column that many pixels to the side may be black so high or low.
+    std::vector<std::uint8_t> high;
+    for (int aside = 0; aside <= reach; ++aside)
+        high.push_back(static_cast<std::uint8_t>(std::sqrt(static_cast<double>(most - aside * aside))));
+    for (int y = 0; y < ink.high; ++y) {
+        std::uint8_t* mine = near.black.data() + ink.at(0, y);
+        for (int aside = -reach; aside <= reach; ++aside) {
+            const std::uint8_t allowed = high[static_cast<std::size_t>(std::abs(aside))];
+            const std::uint8_t* row = far.data() + ink.at(0, y);
+            const int to = std::min(ink.wide, ink.wide - aside);
+            for (int x = std::max(0, -aside); x < to; ++x)
+                mine[x] = static_cast<std::uint8_t>(mine[x] | (row[x + aside] <= allowed ? 1 : 0));
+        }
+    }
+    return near;
+}
+
 InkPieces pieces_of(const Ink& ink) {
     InkPieces pieces;
     pieces.of.assign(ink.black.size(), 0);
@@ -168,20 +219,12 @@ InkPieces pieces_of(const Ink& ink) {
 
 Ink narrow_white(const Ink& ink, double gap_mm) {
     const double radius = 0.5 * gap_mm / kInkPixel_mm;
-    Ink white = ink;  // where no disc goes
-    Ink reached = ink;
-    {
-        const std::vector<float> far = distances_px(ink);
-        Ink middles = ink;
-        for (std::size_t i = 0; i < far.size(); ++i) middles.black[i] = far[i] >= radius + 0.5 ? 1 : 0;
-        const std::vector<float> to_middle = distances_px(middles);
-        for (std::size_t i = 0; i < far.size(); ++i) {
-            reached.black[i] = to_middle[i] <= radius + 0.5 ? 1 : 0;
-            white.black[i] = !ink.black[i] && !reached.black[i] ? 1 : 0;
-        }
-    }
+    // Where a disc goes, or black is.
+    const Ink reached = near_black(opposite(near_black(ink, radius + 0.5, false)), radius + 0.5, true);
+    Ink white = ink;
+    for (std::size_t i = 0; i < white.black.size(); ++i) white.black[i] = !ink.black[i] && !reached.black[i] ? 1 : 0;
     const InkPieces pieces = pieces_of(white);
-    const std::vector<float> to_reached = distances_px(reached);
+    const Ink near_reached = near_black(reached, gap_mm / kInkPixel_mm, true);
     std::vector<Surroundings> found(pieces.pixels.size());
     // The black pixels within two of each piece, and how many pieces these make there.
     std::vector<std::vector<std::uint32_t>> border(pieces.pixels.size());
@@ -190,7 +233,7 @@ Ink narrow_white(const Ink& ink, double gap_mm) {
             const std::uint32_t piece = pieces.of[ink.at(x, y)];
             if (piece == 0) continue;
             Surroundings& mine = found[piece];
-            mine.deepest = std::max(mine.deepest, static_cast<double>(to_reached[ink.at(x, y)]));
+            mine.deep = mine.deep || !near_reached.black[ink.at(x, y)];
             for (int dy = -2; dy <= 2; ++dy)
                 for (int dx = -2; dx <= 2; ++dx) {
                     if (!ink.holds(x + dx, y + dy)) continue;
@@ -227,7 +270,7 @@ Ink narrow_white(const Ink& ink, double gap_mm) {
                     open.push_back(which);
                 }
         }
-        narrow[piece] = together != around.size() || !found[piece].open || found[piece].deepest > gap_mm / kInkPixel_mm;
+        narrow[piece] = together != around.size() || !found[piece].open || found[piece].deep;
     }
     for (std::size_t i = 0; i < white.black.size(); ++i) white.black[i] = narrow[pieces.of[i]] ? 1 : 0;
     return white;
@@ -235,14 +278,7 @@ Ink narrow_white(const Ink& ink, double gap_mm) {
 
 int hollow_out(Ink& ink, double thick_mm, double border_mm, double least_mm) {
     const double half = 0.5 * thick_mm / kInkPixel_mm, border = border_mm / kInkPixel_mm;
-    Ink cores = ink;
-    {
-        const std::vector<float> deep = distances_px(opposite(ink));
-        for (std::size_t i = 0; i < deep.size(); ++i) cores.black[i] = ink.black[i] && deep[i] >= half + 1.0 ? 1 : 0;
-    }
-    const std::vector<float> to_core = distances_px(cores);
-    Ink hollows = ink;
-    for (std::size_t i = 0; i < to_core.size(); ++i) hollows.black[i] = to_core[i] <= half - border ? 1 : 0;
+    const Ink hollows = near_black(opposite(near_black(opposite(ink), half + 1.0, false)), half - border, true);
     const InkPieces pieces = pieces_of(hollows);
     int made = 0;
     std::vector<bool> long_enough(pieces.pixels.size(), false);

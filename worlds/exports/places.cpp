@@ -32,11 +32,10 @@ bool clear_between(const Ink& ink, const Vec2& from_mm, const Vec2& to_mm) {
 }
 
 Places::Places(const Ink& black, double clear_mm, const Vec2& low_mm, const Vec2& high_mm)
-    : taken_(black), clear_mm_(clear_mm), low_mm_(low_mm), high_mm_(high_mm) {
-    const std::vector<float> far = distances_px(black);
-    for (std::size_t i = 0; i < far.size(); ++i)
-        taken_.black[i] = static_cast<double>(far[i]) < clear_mm / kInkPixel_mm + 1.0 ? 1 : 0;
-}
+    : taken_(near_black(black, clear_mm / kInkPixel_mm + 1.0, false)),
+      clear_mm_(clear_mm),
+      low_mm_(low_mm),
+      high_mm_(high_mm) {}
 
 void Places::take(const std::vector<Vec2>& loop_mm) {
     Vec2 low(1e300), high(-1e300);

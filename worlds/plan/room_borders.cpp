@@ -54,7 +54,13 @@ void spread_rooms(RoomGrid& grid) {
     std::vector<std::size_t> reached;
     for (std::size_t i = 0; i < grid.room.size(); ++i) {
         if (grid.blocked[i]) grid.room[i] = kNothing;
-        if (grid.room[i] != kNothing) reached.push_back(i);
+    }
+    // Most squares have a room already; only those at the edge of what has one reach further.
+    for (std::size_t i = 0; i < grid.room.size(); ++i) {
+        if (grid.room[i] == kNothing) continue;
+        bool edge = false;
+        for_sides(grid, i, [&](std::size_t next) { edge = edge || (!grid.blocked[next] && grid.room[next] == kNothing); });
+        if (edge) reached.push_back(i);
     }
     for (std::size_t i = 0; i < reached.size(); ++i)
         for_sides(grid, reached[i], [&](std::size_t next) {

@@ -42,6 +42,23 @@ TEST(InkDistances, agree_with_looking_at_every_pixel) {
     EXPECT_GT(distances_px(Ink(1.0, 1.0)).front(), 1e6F) << "nothing is black";
 }
 
+TEST(NearBlack, agrees_with_the_distances) {
+    std::mt19937 random(11);
+    Ink ink(6.3, 5.2);
+    for (std::uint8_t& pixel : ink.black) pixel = random() % 300 == 0 ? 1 : 0;
+    const std::vector<float> far = distances_px(ink);
+    for (const double limit : {0.0, 1.0, 2.5, 5.0, 13.0, 16.5})
+        for (const bool as_far : {false, true}) {
+            const Ink near = near_black(ink, limit, as_far);
+            for (std::size_t i = 0; i < far.size(); ++i) {
+                const auto distance = static_cast<double>(far[i]);
+                ASSERT_EQ(near.black[i] != 0, as_far ? distance <= limit : distance < limit) << limit << " " << i;
+            }
+        }
+    const Ink none = near_black(Ink(1.0, 1.0), 16.5, true);
+    EXPECT_EQ(std::count(none.black.begin(), none.black.end(), 1), 0) << "nothing is black";
+}
+
 TEST(CheckGaps, finds_what_is_too_near_and_leaves_what_is_far_enough) {
     EXPECT_TRUE(check_gaps(page_of({{box(5, 5, 10, 20)}, {box(13.1, 5, 18, 20)}}), 3.0).narrow_mm.empty());
     const GapCheck near = check_gaps(page_of({{box(5, 5, 10, 20)}, {box(12.8, 5, 18, 20)}}), 3.0);
