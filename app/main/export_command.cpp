@@ -146,12 +146,10 @@ Result<ToldOfSheets> add_swell(const fs::path& path, const Storey& storey, const
             pages.push_back(sheet.plan);
             pages.insert(pages.end(), sheet.key.begin(), sheet.key.end());
         } else add_svg(path, which, sheet, said, files);
-        for (const std::string& sentence : sheet.simplified)
-            if (std::find(told.simplified.begin(), told.simplified.end(), sentence) == told.simplified.end())
-                told.simplified.push_back(sentence);
-        for (const std::string& sentence : sheet.broken)
-            if (std::find(told.simplified.begin(), told.simplified.end(), sentence) == told.simplified.end())
-                told.simplified.push_back(sentence);
+        for (const std::vector<std::string>* sentences : {&sheet.broken, &sheet.simplified})
+            for (const std::string& sentence : *sentences)
+                if (std::find(told.simplified.begin(), told.simplified.end(), sentence) == told.simplified.end())
+                    told.simplified.push_back(sentence);
         told.broken = told.broken || !sheet.broken.empty();
     }
     if (pdf) files.push_back({path, pdf_of(pages, spoken_language()), all});

@@ -61,8 +61,8 @@ void fill_disc(Ink& ink, const Vec2& middle_mm, double radius_mm);
 // Source: Felzenszwalb, Huttenlocher, Distance transforms of sampled functions, Theory of Computing 8, 2012.
 std::vector<float> distances_px(const Ink& ink, std::vector<std::uint32_t>* whose = nullptr);
 
-// The pixels with a black one nearer than `limit_px`, middle to middle, or as far where `as_far`. At most 250 pixels; much
-// faster than distances.
+// The pixels with a black one nearer than `limit_px`, middle to middle, or as far where `as_far`. At most 250 pixels;
+// much faster than distances.
 Ink near_black(const Ink& ink, double limit_px, bool as_far);
 
 // The white pixels where black comes nearer to black than `gap_mm`: gaps and slits through which no disc of that size

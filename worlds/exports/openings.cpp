@@ -133,24 +133,20 @@ MendedOpenings mend_openings(Ink& walls, const Storey& storey, const OnPaper& on
             }
         return found;
     };
-    // What is opened may join others, and what is closed may close a way.
-    for (int round = 0; round < 3; ++round) {
-        const OpeningCheck found = check_openings(walls, storey, on_paper);
-        for (const WrongOpening& leak : found.leaking) {
-            for (const Vec2& at : leak.squares_mm) fill_disc(walls, at, 0.5 * look.line_mm);
-            ++mended.closed;
-        }
-        for (const WrongOpening& closed : found.lacking) {
-            const auto a = nearest(closed.rooms[0], closed.at_mm), b = nearest(closed.rooms[1], closed.at_mm);
-            if (!a || !b || *a == *b) continue;
-            const Vec2 along = (*b - *a) / glm::distance(*a, *b);
-            const PlanBox way{0.5 * (*a + *b), along, {0.5 * glm::distance(*a, *b), 0.5 * look.door_mm}};
-            fill(walls, std::vector<std::vector<Vec2>>{corners_of(way)}, false);
-            ++mended.opened;
-        }
-        if (found.leaking.empty() && found.lacking.empty()) break;
-        join_near(walls, look.clear_mm);
+    const OpeningCheck found = check_openings(walls, storey, on_paper);
+    for (const WrongOpening& leak : found.leaking) {
+        for (const Vec2& at : leak.squares_mm) fill_disc(walls, at, 0.5 * look.line_mm);
+        ++mended.closed;
     }
+    for (const WrongOpening& closed : found.lacking) {
+        const auto a = nearest(closed.rooms[0], closed.at_mm), b = nearest(closed.rooms[1], closed.at_mm);
+        if (!a || !b || *a == *b) continue;
+        const Vec2 along = (*b - *a) / glm::distance(*a, *b);
+        const PlanBox way{0.5 * (*a + *b), along, {0.5 * glm::distance(*a, *b), 0.5 * look.door_mm}};
+        fill(walls, std::vector<std::vector<Vec2>>{corners_of(way)}, false);
+        ++mended.opened;
+    }
+    if (mended.opened + mended.closed > 0) join_near(walls, look.clear_mm);
     return mended;
 }
 

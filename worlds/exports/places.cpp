@@ -31,6 +31,13 @@ bool clear_between(const Ink& ink, const Vec2& from_mm, const Vec2& to_mm) {
     return true;
 }
 
+bool is_near_any(const PlanBox& box, const std::vector<PlanBox>& others, double gap_mm) {
+    return std::any_of(others.begin(), others.end(), [&](const PlanBox& other) {
+        const Vec2 apart = glm::abs(box.middle_m - other.middle_m) - box.half_m - other.half_m;
+        return glm::length(glm::max(apart, Vec2(0.0))) < gap_mm;
+    });
+}
+
 Places::Places(const Ink& black, double clear_mm, const Vec2& low_mm, const Vec2& high_mm)
     : taken_(near_black(black, clear_mm / kInkPixel_mm + 1.0, false)),
       clear_mm_(clear_mm),

@@ -16,6 +16,9 @@ double distance_to_loop_mm(const std::vector<Vec2>& loop, const Vec2& at);
 // Whether no black lies on the straight line from one place to the other.
 bool clear_between(const Ink& ink, const Vec2& from_mm, const Vec2& to_mm);
 
+// Whether a box comes nearer to one of others than that; all have their sides north and east.
+bool is_near_any(const PlanBox& box, const std::vector<PlanBox>& others, double gap_mm);
+
 class Places {
 public:
     Places() = default;

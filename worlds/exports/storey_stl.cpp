@@ -142,7 +142,7 @@ private:
             const Result<BrailleCells> cells = braille_signs(made_.signs[i].sign, table_);
             if (!cells) return tl::unexpected(cells.error());
             const Vec2 half = 0.5 * braille_size_mm(cells->size()) + Vec2(0.1);
-            const auto place = place_of_sign(storey_, i, on_plate_, rooms_, places_, beside_things_, half);
+            const auto place = place_of_sign(storey_, i, on_plate_, rooms_, places_, beside_things_, half, {});
             if (!place) continue;
             made_.signs[i].on_sheet = true;
             const std::vector<Vec2> corners = corners_of(PlanBox{*place, {1.0, 0.0}, half});

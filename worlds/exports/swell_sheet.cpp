@@ -21,38 +21,27 @@ namespace {
 
 using Loops = std::vector<std::vector<Vec2>>;
 
-constexpr double kMargin_mm = 12.0, kHead_mm = 14.0, kFoot_mm = 12.0;
+constexpr double kMargin_mm = kSheetMargin_mm;
 // Kept a little over what is promised, for lines are traced to a tenth of a millimetre.
 constexpr double kClear_mm = kLeastGap_mm + 0.2;
 constexpr double kHollowFrom_mm = 6.0, kHollowLong_mm = 15.0, kLeastPiece_mm = 4.0, kLeastStair_mm = 3.0;
 
-constexpr std::array kScales{20.0,  25.0,  30.0,  40.0,  50.0,  60.0,  75.0,  90.0,  100.0,
-                             110.0, 125.0, 150.0, 175.0, 200.0, 225.0, 250.0, 275.0, 300.0,
-                             350.0, 400.0, 450.0, 500.0, 600.0, 700.0, 800.0, 900.0, 1000.0};
-constexpr double kShared_mm = 35.0;                       // of neighbouring sheets: more than a sign needs
-constexpr double kPartHead_mm = 8.0, kPartFoot_mm = 8.0;  // more of them, for marks
 constexpr double kMark_mm = 4.0;
-constexpr int kScalesTried = 4;
 
 double whole_scale(const Vec2& size_m, const Vec2& room_mm) {
-    for (const double one_to : kScales)
+    for (const double one_to : kSheetScales)
         if (size_m.x * 1000.0 / one_to <= room_mm.x && size_m.y * 1000.0 / one_to <= room_mm.y) return one_to;
     return 0.0;
-}
-
-// Of a page, for the plan.
-Vec2 room_on_page(const PaperSize& paper, bool across, bool part) {
-    const Vec2 page = across ? Vec2(paper.long_mm, paper.short_mm) : Vec2(paper.short_mm, paper.long_mm);
-    return page -
-           Vec2(2.0 * kMargin_mm, 2.0 * kMargin_mm + kHead_mm + kFoot_mm + (part ? kPartHead_mm + kPartFoot_mm : 0.0));
 }
 
 // What is made of one sheet, in the order in which things take their places: walls, stairs, base, signs, things.
 class SheetMaker {
 public:
-    SheetMaker(const Storey& storey, const SheetWish& wish, std::optional<SheetPart> part)
-        : storey_(storey), wish_(wish), table_(wish.table) {
-        made_.part = part;
+    SheetMaker(const Storey& storey, const SheetWish& wish, std::optional<SheetPart> part,
+               std::vector<std::string>& letters)
+        : storey_(storey), wish_(wish), table_(wish.table), letters_(letters) {
+        made_.part = std::move(part);
+        letters_.resize(storey.rooms.size());
     }
 
     Result<SwellSheet> make() {
@@ -64,11 +53,14 @@ public:
         draw_stairs();
         draw_base();
         if (const Result<void> signs = draw_signs(); !signs) return tl::unexpected(signs.error());
+        if (const Result<void> letters = draw_letters(); !letters) return tl::unexpected(letters.error());
         draw_things();
         if (const Result<void> head = draw_frame(); !head) return tl::unexpected(head.error());
         made_.on_paper = on_paper_;
+        find_by_doors();
         tell();
-        return write_key();
+        list_key();
+        return std::move(made_);
     }
 
 private:
@@ -84,10 +76,10 @@ private:
         on_paper_.mm_per_m = 1000.0 / made_.one_to;
         made_.plan.width_mm = turned ? paper.long_mm : paper.short_mm;
         made_.plan.height_mm = turned ? paper.short_mm : paper.long_mm;
-        on_paper_.shift_mm = Vec2(kMargin_mm, kMargin_mm + kFoot_mm) +
+        on_paper_.shift_mm = Vec2(kMargin_mm, kMargin_mm + kSheetFoot_mm) +
                              0.5 * (room_on_page(paper, turned, false) - size_m * on_paper_.mm_per_m);
-        low_mm_ = {kMargin_mm, kMargin_mm + kFoot_mm};
-        high_mm_ = {made_.plan.width_mm - kMargin_mm, made_.plan.height_mm - kMargin_mm - kHead_mm};
+        low_mm_ = {kMargin_mm, kMargin_mm + kSheetFoot_mm};
+        high_mm_ = {made_.plan.width_mm - kMargin_mm, made_.plan.height_mm - kMargin_mm - kSheetHead_mm};
         present_.assign(storey_.rooms.size(), true);
         return {};
     }
@@ -101,7 +93,7 @@ private:
         made_.plan.height_mm = turned ? wish_.paper.short_mm : wish_.paper.long_mm;
         on_paper_.from_m = part.min_m;
         on_paper_.mm_per_m = 1000.0 / part.one_to;
-        on_paper_.shift_mm = Vec2(kMargin_mm, kMargin_mm + kFoot_mm + kPartFoot_mm) +
+        on_paper_.shift_mm = Vec2(kMargin_mm, kMargin_mm + kSheetFoot_mm + kPartFoot_mm) +
                              0.5 * (room_on_page(wish_.paper, turned, true) - size_mm);
         low_mm_ = on_paper_.shift_mm;
         high_mm_ = low_mm_ + size_mm;
@@ -191,14 +183,16 @@ private:
 
     std::optional<Vec2> place_of(std::size_t room, const BrailleCells& cells, const Places& free) const {
         return place_of_sign(storey_, room, on_paper_, rooms_, free, beside_things_,
-                             0.5 * braille_size_mm(cells.size()));
+                             0.5 * braille_size_mm(cells.size()), sign_boxes_);
     }
 
     void draw_sign(std::size_t room, const BrailleCells& cells, const Vec2& place) {
         const Vec2 half = 0.5 * braille_size_mm(cells.size());
         made_.signs[room].on_sheet = true;
         made_.signs[room].at_mm = place;
-        const std::vector<Vec2> corners = corners_of(PlanBox{place, {1.0, 0.0}, half});
+        made_.signs[room].half_mm = half;
+        sign_boxes_.push_back({place, {1.0, 0.0}, half});
+        const std::vector<Vec2> corners = corners_of(sign_boxes_.back());
         places_.take(corners);
         beside_things_.take(corners);
         lay_braille(made_.plan, cells, place + Vec2(-half.x, half.y) + Vec2(0.5, -0.5) * kBrailleDot_mm, ++parts_);
@@ -227,8 +221,8 @@ private:
         if (arrow) others.take(arrow->loop_mm);
         return for_unsigned([&](std::size_t room, const BrailleCells& cells) {
             if (std::find(stairs.drawn.begin(), stairs.drawn.end(), room) != stairs.drawn.end()) return;
-            if (place_of_sign(storey_, room, on_paper_, rooms_, others, others, 0.5 * braille_size_mm(cells.size())))
-                return;
+            const Vec2 half = 0.5 * braille_size_mm(cells.size());
+            if (place_of_sign(storey_, room, on_paper_, rooms_, others, others, half, sign_boxes_)) return;
             if (const auto place = place_of(room, cells, places_)) draw_sign(room, cells, *place);
         });
     }
@@ -237,6 +231,58 @@ private:
         return for_unsigned([&](std::size_t room, const BrailleCells& cells) {
             if (const auto place = place_of(room, cells, places_)) draw_sign(room, cells, *place);
         });
+    }
+
+    // Where two cells have no room one may have: a letter of the name, else another that no room of the sheet has. Its
+    // letter on a sheet made before comes first. "a" is a single dot, and no sign.
+    std::string free_letter(std::size_t room) const {
+        std::string wished = letters_[room];
+        for (const char c : storey_.rooms[room].name)
+            if (const int low = std::tolower(static_cast<unsigned char>(c)); low > 'a' && low <= 'z')
+                wished += static_cast<char>(low);
+        wished += "bcdefghijklmnopqrstuvwxyz";
+        const std::size_t free = wished.find_first_not_of(taken_letters_);
+        return free == std::string::npos ? std::string() : wished.substr(free, 1);
+    }
+
+    Result<void> draw_letters() {
+        for (std::size_t i = 0; i < storey_.rooms.size(); ++i) {
+            if (!present_[i] || made_.signs[i].on_sheet || is_left_to_key(i) || is_known_by_lines(i)) continue;
+            const std::string letter = free_letter(i);
+            if (letter.empty()) continue;
+            const Result<BrailleCells> cells = braille_signs(letter, table_);
+            if (!cells) return tl::unexpected(cells.error());
+            const auto place = cells->size() == 1 ? place_of(i, *cells, places_) : std::nullopt;
+            if (!place) continue;
+            draw_sign(i, *cells, *place);
+            made_.signs[i].sign = letters_[i] = letter;
+            taken_letters_ += letter;
+        }
+        return {};
+    }
+
+    // A corridor may be too narrow for any sign. The key then names the rooms that it leads to, if that says which it
+    // is.
+    void find_by_doors() {
+        std::vector<std::set<std::string>> leads_to(storey_.rooms.size());
+        for (const StoreyPortal& portal : storey_.portals) {
+            if (portal.kind != PassageKind::Door && portal.kind != PassageKind::Opening) continue;
+            if (!shown(portal.place_m)) continue;
+            for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+                const RoomSign& other = made_.signs[portal.rooms[1 - side]];
+                if (other.on_sheet) leads_to[portal.rooms[side]].insert(other.name);
+            }
+        }
+        for (const std::uint32_t flight : stairs_.drawn) made_.signs[flight].by_lines = true;
+        const auto has_no_sign = [&](std::size_t i) { return present_[i] && !made_.signs[i].is_known(); };
+        const std::vector<RoomSign> signs = made_.signs;
+        for (std::size_t i = 0; i < storey_.rooms.size(); ++i) {
+            if (!has_no_sign(i) || leads_to[i].empty()) continue;
+            bool alone = true;
+            for (std::size_t j = 0; j < storey_.rooms.size(); ++j)
+                alone = alone && (j == i || !present_[j] || signs[j].is_known() || leads_to[j] != leads_to[i]);
+            if (alone) made_.signs[i].doors_to.assign(leads_to[i].begin(), leads_to[i].end());
+        }
     }
 
     void draw_things() {
@@ -266,11 +312,9 @@ private:
         if (!made_.part)
             return phrase("export.sheet_title",
                           {{"world", name}, {"storey", storey_.number}, {"count", storey_.count}});
-        return phrase("export.part_title", {{"world", name},
-                                            {"storey", storey_.number},
-                                            {"count", storey_.count},
-                                            {"sheet", made_.part->number},
-                                            {"sheets", made_.part->count}});
+        return phrase(
+            "export.part_title",
+            {{"world", name}, {"storey", storey_.number}, {"count", storey_.count}, {"sheet", made_.part->number}});
     }
 
     // A world with a long name keeps the first words of it, and the title its storey.
@@ -325,30 +369,65 @@ private:
         const Result<BrailleCells> words = braille_of(phrase("export.bar", {{"metres", bar_m_}}), table_);
         if (!words) return tl::unexpected(words.error());
         lay_braille(page, *words, {left + length + 5.0, low + 6.0 - 0.5 * kBrailleDot_mm}, ++parts_);
-        if (made_.part) draw_marks();
-        return {};
+        return made_.part ? draw_marks() : Result<void>{};
     }
 
-    // Short lines at the edge, in the middle of what neighbours share: on both sheets at the same places of the world.
-    void draw_marks() {
+    // Short lines at the edges, in the middle of what neighbours share, and beside the plan the numbers of the sheets
+    // on which it goes on.
+    Result<void> draw_marks() {
         const SheetPart& part = *made_.part;
         const double off = kClear_mm + 0.5 * kMark_mm;
+        std::vector<PlanBox> taken;
         const auto mark = [&](const Vec2& at, bool upright) {
             const Vec2 half =
                 upright ? Vec2(0.5 * kThinLine_mm, 0.5 * kMark_mm) : Vec2(0.5 * kMark_mm, 0.5 * kThinLine_mm);
-            made_.plan.shapes.push_back({{corners_of(PlanBox{at, {1.0, 0.0}, half})}, ++parts_});
+            const PlanBox box{at, {1.0, 0.0}, half};
+            if (is_near_any(box, taken, kClear_mm)) return;  // it is there already, of another neighbour
+            taken.push_back(box);
+            made_.plan.shapes.push_back({{corners_of(box)}, ++parts_});
         };
-        for (const std::size_t side : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}}) {
-            if (part.next[side] == 0) continue;
-            const Vec2 middle = on_paper_(Vec2(part.shared_m[side]));
-            if (side < 2) {
-                mark({middle.x, low_mm_.y - off}, true);
-                mark({middle.x, high_mm_.y + off}, true);
-            } else {
-                mark({low_mm_.x - off, middle.y}, false);
-                mark({high_mm_.x + off, middle.y}, false);
+        for (const std::size_t side : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}})
+            for (const NextSheet& next : part.next[side]) {
+                const Vec2 middle = on_paper_(Vec2(next.shared_m));
+                if (side < 2) {
+                    mark({middle.x, low_mm_.y - off}, true);
+                    mark({middle.x, high_mm_.y + off}, true);
+                } else {
+                    mark({low_mm_.x - off, middle.y}, false);
+                    mark({high_mm_.x + off, middle.y}, false);
+                }
             }
-        }
+        for (const std::size_t side : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}})
+            for (const NextSheet& next : part.next[side])
+                if (const Result<void> drawn = draw_number(side, next, taken); !drawn) return drawn;
+        return {};
+    }
+
+    // West and east: at the outer side of the mark, above the plan for the northern half of it and below for the
+    // southern. North and south: above and below. Where others stand there already, the key alone says it.
+    Result<void> draw_number(std::size_t side, const NextSheet& next, std::vector<PlanBox>& taken) {
+        const Result<BrailleCells> cells = braille_of(std::to_string(next.number), table_);
+        if (!cells) return tl::unexpected(cells.error());
+        const Vec2 half = 0.5 * braille_size_mm(cells->size());
+        const Vec2 at = on_paper_(side < 2 ? Vec2(next.shared_m, next.along_m) : Vec2(next.along_m, next.shared_m));
+        const bool above = side == 2 || (side < 2 && at.y >= 0.5 * (low_mm_.y + high_mm_.y));
+        const double y = above ? high_mm_.y + kClear_mm + half.y : low_mm_.y - kClear_mm - half.y;
+        const double beside = 0.5 * kThinLine_mm + kClear_mm + half.x;
+        const double x = side == 0 ? at.x - beside : side == 1 ? at.x + beside : at.x;
+        constexpr double kUnprinted_mm = 6.0;
+        for (double aside = 0.0; aside < 40.0; aside += 1.0)
+            for (const double way : {-1.0, 1.0}) {
+                const PlanBox box{{x + way * aside, y}, {1.0, 0.0}, half};
+                if (box.middle_m.x - half.x < kUnprinted_mm ||
+                    box.middle_m.x + half.x > made_.plan.width_mm - kUnprinted_mm)
+                    continue;
+                if ((side < 2 && aside > 0.0) || is_near_any(box, taken, kClear_mm)) continue;
+                taken.push_back(box);
+                lay_braille(made_.plan, *cells, box.middle_m + Vec2(-half.x, half.y) + Vec2(0.5, -0.5) * kBrailleDot_mm,
+                            ++parts_);
+                return {};
+            }
+        return {};
     }
 
     // A coarse plan has no signs of small rooms, and stairs are read by their lines.
@@ -370,7 +449,6 @@ private:
         if (mended_.closed > 0) said.push_back(phrase("export.closed", {{"count", mended_.closed}}));
         if (!base_.empty()) said.push_back(base_);
         keep_promises();
-        said.insert(said.end(), made_.broken.begin(), made_.broken.end());
         if (!shrunk_.empty()) said.push_back(phrase("export.shrunk", {{"names", names_list(shrunk_)}}));
         if (!left_out_.empty()) said.push_back(phrase("export.left_out", {{"names", names_list(left_out_)}}));
         if (storey_.moving > 0) said.push_back(phrase("export.moving", {{"count", storey_.moving}}));
@@ -380,8 +458,7 @@ private:
     void keep_promises() {
         std::vector<std::string> unsigned_rooms;
         for (std::size_t i = 0; i < made_.signs.size(); ++i)
-            if (present_[i] && !made_.signs[i].on_sheet && !is_known_by_lines(i) && !is_left_to_key(i) &&
-                !storey_.rooms[i].shut)
+            if (present_[i] && !made_.signs[i].is_known() && !is_left_to_key(i) && !storey_.rooms[i].shut)
                 unsigned_rooms.push_back(made_.signs[i].name);
         // Of several sheets another one may have the sign: see swell_sheets.
         if (!unsigned_rooms.empty() && !made_.part)
@@ -413,8 +490,8 @@ private:
         return room < storey_.rooms.size() ? room : kNothing;
     }
 
-    Result<SwellSheet> write_key() {
-        std::vector<KeyLine> text;
+    void list_key() {
+        std::vector<KeyLine>& text = made_.key_lines;
         const auto add = [&](std::string line) { text.push_back({{}, std::move(line)}); };
         add(made_.plan.title);
         add(phrase("export.key_scale", {{"one_to", made_.one_to}, {"metres", bar_m_}}));
@@ -422,9 +499,14 @@ private:
         if (made_.part) {
             constexpr std::array kGoesOn{"export.goes_on_west", "export.goes_on_east", "export.goes_on_north",
                                          "export.goes_on_south"};
+            if (made_.part->larger) add(phrase("export.key_larger"));
+            bool goes_on = false;
             for (std::size_t side = 0; side < 4; ++side)
-                if (const int next = made_.part->next[side]; next > 0) add(phrase(kGoesOn[side], {{"sheet", next}}));
-            add(phrase("export.key_marks", {{"metres", kShared_mm / on_paper_.mm_per_m}}));
+                for (const NextSheet& next : made_.part->next[side]) {
+                    add(phrase(kGoesOn[side], {{"sheet", next.number}}));
+                    goes_on = true;
+                }
+            if (goes_on) add(phrase("export.key_marks", {{"metres", kShared_mm / on_paper_.mm_per_m}}));
         }
         if (base_drawn_)
             add(base_room_ == kNothing ? phrase("export.key_base")
@@ -443,6 +525,7 @@ private:
             if (!thing_drawn_[i]) continue;
             (thing_room_[i] == kNothing ? outside : in_room[thing_room_[i]]).push_back(storey_.things[i].name);
         }
+        made_.key_line_of_room.assign(storey_.rooms.size(), kNoKeyLine);
         std::vector<std::size_t> order;
         for (std::size_t i = 0; i < made_.signs.size(); ++i)
             if (present_[i]) order.push_back(i);
@@ -454,29 +537,25 @@ private:
         for (const std::size_t i : order) {
             const RoomSign& sign = made_.signs[i];
             const std::string name = capitalised(sign.name);
-            std::string line = sign.on_sheet          ? name + "."
-                               : is_known_by_lines(i) ? phrase("export.key_room_by_lines", {{"name", name}})
-                                                      : phrase("export.key_room_unsigned", {{"name", name}});
+            std::string line = sign.on_sheet            ? name + "."
+                               : is_known_by_lines(i)   ? phrase("export.key_room_by_lines", {{"name", name}})
+                               : !sign.doors_to.empty() ? phrase("export.key_room_by_doors",
+                                                                 {{"name", name}, {"names", names_list(sign.doors_to)}})
+                                                        : phrase("export.key_room_unsigned", {{"name", name}});
             if (!in_room[i].empty())
                 line += " " + phrase("export.key_room_things", {{"names", names_list(in_room[i])}});
+            made_.key_line_of_room[i] = text.size();
             text.push_back({sign.on_sheet ? sign.sign : std::string(), std::move(line)});
         }
         if (!outside.empty()) add(phrase("export.key_outside_things", {{"names", names_list(outside)}}));
-        for (const std::string& sentence : made_.simplified) add(sentence);
-        for (const KeyLine& line : text) {
-            made_.key_text.push_back(line.sign.empty() ? line.text : line.sign + "  " + line.text);
-            made_.plan.text += made_.key_text.back() + "\n";
-        }
-        Result<std::vector<SheetPage>> key = braille_pages(text, table_, made_.plan.width_mm, made_.plan.height_mm,
-                                                           phrase("export.key_title", {{"title", made_.plan.title}}));
-        if (!key) return tl::unexpected(key.error());
-        made_.key = std::move(*key);
-        return std::move(made_);
     }
 
     const Storey& storey_;
     const SheetWish& wish_;
     BrailleTable table_;
+    std::vector<std::string>& letters_;  // see swell_sheet
+    std::string taken_letters_;          // by signs of one letter on this sheet
+    std::vector<PlanBox> sign_boxes_;
     Vec2 low_mm_{0.0}, high_mm_{0.0};  // of the plan on the page
     std::vector<bool> present_;        // rooms with floor on it
     SwellSheet made_;
@@ -525,135 +604,34 @@ std::vector<RoomSign> room_signs(const Storey& storey) {
     return signs;
 }
 
+Result<void> write_key(SwellSheet& sheet, BrailleTable table) {
+    std::vector<KeyLine> lines = sheet.key_lines;
+    for (const std::vector<std::string>* sentences : {&sheet.broken, &sheet.simplified})
+        for (const std::string& sentence : *sentences) lines.push_back({{}, sentence});
+    sheet.key_text.clear();
+    sheet.plan.text.clear();
+    for (const KeyLine& line : lines) {
+        sheet.key_text.push_back(line.sign.empty() ? line.text : line.sign + "  " + line.text);
+        sheet.plan.text += sheet.key_text.back() + "\n";
+    }
+    Result<std::vector<SheetPage>> key = braille_pages(lines, table, sheet.plan.width_mm, sheet.plan.height_mm,
+                                                       phrase("export.key_title", {{"title", sheet.plan.title}}));
+    if (!key) return tl::unexpected(key.error());
+    sheet.key = std::move(*key);
+    return {};
+}
+
 Result<SwellSheet> swell_sheet(const Storey& storey, const SheetWish& wish) {
-    return SheetMaker(storey, wish, std::nullopt).make();
+    std::vector<std::string> letters;
+    Result<SwellSheet> sheet = SheetMaker(storey, wish, std::nullopt, letters).make();
+    if (!sheet) return sheet;
+    if (const Result<void> written = write_key(*sheet, wish.table); !written) return tl::unexpected(written.error());
+    return sheet;
 }
 
-namespace {
-
-// Sheets of one scale that cover the storey; empty where they would be too many. Those without any floor are left out.
-std::vector<SheetPart> parts_of(const Storey& storey, const SheetWish& wish, double one_to) {
-    const Vec2 all = storey.max_m - storey.min_m;
-    const double shared = kShared_mm * one_to / 1000.0;
-    const auto across = [&](double whole, double one) {
-        return whole <= one ? 1 : static_cast<int>(std::ceil((whole - shared) / (one - shared) - 1e-9));
-    };
-    int columns = 0, rows = 0;
-    for (const bool turned : {false, true}) {
-        const Vec2 one = room_on_page(wish.paper, turned, true) * (one_to / 1000.0);
-        const int x = across(all.x, one.x), y = across(all.y, one.y);
-        if (columns == 0 || x * y < columns * rows) columns = x, rows = y;
-    }
-    if (columns * rows > 2 * kMostSheets) return {};
-    // All are as large as each other.
-    const Vec2 one((all.x + shared * (columns - 1)) / columns, (all.y + shared * (rows - 1)) / rows);
-    std::vector<SheetPart> parts;
-    std::vector<int> number(static_cast<std::size_t>(columns * rows), 0);
-    const auto place = [&](int x, int y) { return static_cast<std::size_t>(y * columns + x); };
-    std::vector<std::array<int, 2>> at;
-    for (int y = 0; y < rows; ++y)
-        for (int x = 0; x < columns; ++x) {
-            SheetPart part;
-            part.min_m = {storey.min_m.x + x * (one.x - shared), storey.max_m.y - one.y - y * (one.y - shared)};
-            part.max_m = part.min_m + one;
-            part.one_to = one_to;
-            bool floor = false;
-            for (std::size_t i = 0; i < storey.floor.room.size() && !floor; ++i) {
-                const auto wide = static_cast<std::size_t>(storey.floor.wide);
-                const Vec2 cell = storey.min_m + (Vec2(i % wide, i / wide) + Vec2(0.5)) * storey.floor.cell_m;
-                floor = storey.floor.room[i] != kNothing && cell.x >= part.min_m.x && cell.y >= part.min_m.y &&
-                        cell.x <= part.max_m.x && cell.y <= part.max_m.y;
-            }
-            if (!floor) continue;
-            part.number = number[place(x, y)] = static_cast<int>(parts.size()) + 1;
-            parts.push_back(part);
-            at.push_back({x, y});
-        }
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        const auto [x, y] = at[i];
-        SheetPart& part = parts[i];
-        part.count = static_cast<int>(parts.size());
-        part.next = {x > 0 ? number[place(x - 1, y)] : 0, x + 1 < columns ? number[place(x + 1, y)] : 0,
-                     y > 0 ? number[place(x, y - 1)] : 0, y + 1 < rows ? number[place(x, y + 1)] : 0};
-        part.shared_m = {part.min_m.x + 0.5 * shared, part.max_m.x - 0.5 * shared, part.max_m.y - 0.5 * shared,
-                         part.min_m.y + 0.5 * shared};
-    }
-    return static_cast<int>(parts.size()) > kMostSheets ? std::vector<SheetPart>{} : parts;
-}
-
-// Rooms that none of them signs, though they should; told on the first sheet.
-std::vector<std::string> unsigned_on_all(const Storey& storey, const SheetWish& wish,
-                                         const std::vector<SwellSheet>& sheets) {
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < storey.rooms.size(); ++i) {
-        const StoreyRoom& room = storey.rooms[i];
-        const bool needed =
-            room.kind != RoomKind::Stairs && !room.shut && !(wish.coarse && room.area_m2 < kCoarseRoom_m2);
-        if (needed && std::none_of(sheets.begin(), sheets.end(),
-                                   [&](const SwellSheet& sheet) { return sheet.signs[i].on_sheet; }))
-            names.push_back(room.name);
-    }
-    return names;
-}
-
-// The scale from which on every room has space for its sign, were it empty: looking saves many sheets. Rooms that have
-// none at `finest` either are not waited for.
-double scale_of_signs(const Storey& storey, const SheetWish& wish, double finest) {
-    double one_to = kScales.back();
-    const std::vector<RoomSign> signs = room_signs(storey);
-    for (std::size_t i = 0; i < signs.size(); ++i) {
-        const StoreyRoom& room = storey.rooms[i];
-        if (room.kind == RoomKind::Stairs || room.shut || (wish.coarse && room.area_m2 < kCoarseRoom_m2)) continue;
-        const Result<BrailleCells> cells = braille_signs(signs[i].sign, wish.table);
-        const Vec2 sign = braille_size_mm(cells ? cells->size() : 2);
-        // The floor begins a body's radius inside the walls.
-        const Vec2 size = (room.max_m - room.min_m + Vec2(0.5)) * 1000.0;
-        const double needed = std::min(size.x / (sign.x + 2.0 * kClear_mm), size.y / (sign.y + 2.0 * kClear_mm));
-        if (needed >= finest) one_to = std::min(one_to, needed);
-    }
-    return one_to;
-}
-
-}  // namespace
-
-Result<std::vector<SwellSheet>> swell_sheets(const Storey& storey, const SheetWish& wish) {
-    Result<SwellSheet> one = swell_sheet(storey, wish);
-    if (one && one->broken.empty()) return std::vector<SwellSheet>{std::move(*one)};
-    const double coarsest = one ? one->one_to : kScales.back();
-    double finest = coarsest;
-    for (const double one_to : kScales)
-        if (one_to < finest && !parts_of(storey, wish, one_to).empty()) finest = one_to;
-    const double for_signs = scale_of_signs(storey, wish, finest);
-    std::vector<SwellSheet> best;
-    std::size_t least = std::numeric_limits<std::size_t>::max();
-    int tried = 0;
-    for (auto scale = kScales.rbegin(); scale != kScales.rend() && tried < kScalesTried; ++scale) {
-        const double one_to = *scale;
-        if (one_to >= coarsest || one_to < finest || (one_to > for_signs && one_to > finest)) continue;
-        const std::vector<SheetPart> parts = parts_of(storey, wish, one_to);
-        if (parts.empty()) continue;
-        ++tried;
-        std::vector<SwellSheet> sheets;
-        std::size_t broken = 0;
-        for (const SheetPart& part : parts) {
-            Result<SwellSheet> sheet = SheetMaker(storey, wish, part).make();
-            if (!sheet) return tl::unexpected(sheet.error());
-            broken += sheet->broken.size();
-            sheets.push_back(std::move(*sheet));
-        }
-        if (const auto names = unsigned_on_all(storey, wish, sheets); !names.empty()) {
-            broken += names.size();
-            sheets.front().broken.push_back(
-                phrase("export.no_sign", {{"count", names.size()}, {"names", names_list(names)}}));
-        }
-        if (broken < least) best = std::move(sheets), least = broken;
-        if (least == 0) break;
-    }
-    if (best.empty()) {
-        if (!one) return tl::unexpected(one.error());
-        best.push_back(std::move(*one));
-    }
-    return best;
+Result<SwellSheet> swell_sheet(const Storey& storey, const SheetWish& wish, const SheetPart& part,
+                               std::vector<std::string>& letters) {
+    return SheetMaker(storey, wish, part, letters).make();
 }
 
 }  // namespace handrail

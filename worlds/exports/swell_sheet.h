@@ -15,16 +15,13 @@
 #include <vector>
 
 #include "worlds/exports/braille.h"
+#include "worlds/exports/braille_page.h"
 #include "worlds/exports/sheet.h"
+#include "worlds/exports/sheet_parts.h"
 #include "worlds/exports/wall_ink.h"
 #include "worlds/plan/storey.h"
 
 namespace handrail {
-
-struct PaperSize {
-    double short_mm = 210.0, long_mm = 297.0;
-};
-inline constexpr PaperSize kA4{210.0, 297.0}, kA3{297.0, 420.0};
 
 inline constexpr double kLeastGap_mm = 3.0, kLeastSymbol_mm = 6.4, kWallLine_mm = 1.5, kThinLine_mm = 1.0;
 inline constexpr double kBrailleDot_mm = 1.5, kBraillePitch_mm = 2.5, kBrailleCell_mm = 6.0, kBrailleLine_mm = 10.0;
@@ -37,21 +34,19 @@ struct SheetWish {
 };
 inline constexpr double kCoarseRoom_m2 = 6.0;
 
-// One of several sheets of a storey, west to east and north to south. Neighbours share a strip.
-struct SheetPart {
-    Vec2 min_m{0.0}, max_m{0.0};  // what it shows
-    double one_to = 0.0;
-    int number = 1, count = 1;         // from 1
-    std::array<int, 4> next{};         // its neighbour to the west, east, north, south; 0: there is none
-    std::array<double, 4> shared_m{};  // the middle of the strip shared with each: a place east or north
-};
-
 // How a room is called on the sheet.
 struct RoomSign {
     std::string sign;  // two letters, or a letter and a number; of one storey no two are alike
     std::string name;
     bool on_sheet = false;  // else the key alone names it: there was no room for the sign
     Vec2 at_mm{0.0};        // its middle there
+    Vec2 half_mm{0.0};      // and what it covers on either side of that
+    // Where it has no sign: the signed rooms that its doors lead to, if no other room without a sign has the same.
+    std::vector<std::string> doors_to{};
+
+    bool by_lines = false;  // stairs, whose lines are on the sheet
+
+    bool is_known() const { return on_sheet || by_lines || !doors_to.empty(); }
 };
 inline constexpr int kWallPart = 1;  // SheetShape::part of all walls
 
@@ -63,22 +58,32 @@ struct SwellSheet {
     std::vector<SheetPage> key;           // pages of braille: what signs and lines mean, and what was simplified
     std::vector<std::string> key_text;    // the same in print, a line each
     std::vector<std::string> simplified;  // sentences
-    std::vector<RoomSign> signs;          // see room_signs
+    std::vector<RoomSign> signs;          // see room_signs; one letter where two cells have no room
     double one_to = 0.0;                  // 75: a scale of 1 to 75
     OnPaper on_paper;                     // where a place of the world is on the plan
     std::vector<std::string> drawn;       // names of the things that stand on it
     // Sentences on what every sheet promises and this one does not keep: 3 mm between what is not joined, a sign in
-    // every room, doors of 6.4 mm, openings where the route graph has them. Empty: it keeps all.
+    // every room or its doors in the key, doors of 6.4 mm, openings where the route graph has them. Empty: it keeps
+    // all.
     std::vector<std::string> broken;
-    std::optional<SheetPart> part;  // of several sheets
+    std::optional<SheetPart> part;              // of several sheets
+    std::vector<KeyLine> key_lines;             // of which `key`, `key_text` and the text of the plan are made
+    std::vector<std::size_t> key_line_of_room;  // its place there; kNoKeyLine where it is on another sheet
 };
+inline constexpr std::size_t kNoKeyLine = static_cast<std::size_t>(-1);
 
 // Upright or across, whichever is larger. Fails with one sentence where the storey is larger than a sheet at 1 to 1000,
 // where there is nothing to draw, and where braille cannot be had.
 Result<SwellSheet> swell_sheet(const Storey& storey, const SheetWish& wish);
-// The same on as few sheets as keep their promises: one where one does, else several at a larger scale, at most
-// kMostSheets; those that keep most where none keep all. Takes up to a minute for a large storey.
-inline constexpr int kMostSheets = 40;
+// One of several. `letters`: of every room the one letter that it has as its sign on sheets made before, or none; those
+// of this sheet are added.
+Result<SwellSheet> swell_sheet(const Storey& storey, const SheetWish& wish, const SheetPart& part,
+                               std::vector<std::string>& letters);
+// Makes the pages of the key of its lines, simplifications and broken promises.
+Result<void> write_key(SwellSheet& sheet, BrailleTable table);
+// The same on several sheets where one does not keep its promises: at the coarsest scale that gives most rooms their
+// sign, at most kMostSheets. Rooms that are too small for it come on more sheets that show their surroundings larger,
+// and each key says on which. Where no scale keeps all, the one that keeps most. Takes half a second a sheet.
 Result<std::vector<SwellSheet>> swell_sheets(const Storey& storey, const SheetWish& wish);
 
 // A page to be printed and swollen first, and chosen from by touch: dots of 1.2 to 1.8 mm, lines of 0.5 to 2 mm and

@@ -236,7 +236,7 @@ bool in_doorway(const Storey& storey, const OnPaper& on_paper, const PlanBox& bo
 
 std::optional<Vec2> place_of_sign(const Storey& storey, std::size_t room, const OnPaper& on_paper,
                                   const RoomGrid& rooms, const Places& places, const Places& beside_things,
-                                  const Vec2& half_mm) {
+                                  const Vec2& half_mm, const std::vector<PlanBox>& others) {
     const StoreyRoom& mine = storey.rooms[room];
     const double reach = glm::distance(on_paper(mine.min_m), on_paper(mine.max_m)) + 5.0;
     const auto box_at = [&](const Vec2& p) { return PlanBox{p, {1.0, 0.0}, half_mm}; };
@@ -249,7 +249,8 @@ std::optional<Vec2> place_of_sign(const Storey& storey, std::size_t room, const 
     const auto in_room = [&](const Vec2& p) {
         const std::vector<Vec2> corners = corners_of(box_at(p));
         return is_mine(p) && std::all_of(corners.begin(), corners.end(), is_mine) &&
-               !in_doorway(storey, on_paper, box_at(p), mine.outside ? kBeforeHouse_mm : kBeforeDoor_mm);
+               !in_doorway(storey, on_paper, box_at(p), mine.outside ? kBeforeHouse_mm : kBeforeDoor_mm) &&
+               !is_near_any(box_at(p), others, kBetweenSigns_mm);
     };
     const Vec2 middle = on_paper(mine.middle_m);
     std::optional<Vec2> place = beside_things.nearest_fit(middle, reach, box_at, in_room);

@@ -70,10 +70,14 @@ struct BaseArrow {
 std::optional<BaseArrow> arrow_of_base(const StoreyBase& base, const OnPaper& on_paper, const Ink& walls,
                                        const Places& places, const Vec2& half_mm);
 
+// Between two signs, that they are not read as one word.
+inline constexpr double kBetweenSigns_mm = 6.4;
+
 // Where a sign of such half sides fits for the how manyth room of the storey: in the room with all four corners and in
-// no doorway; next to things, else where they stand. The nearest to the middle of the room. `rooms`: see rooms_on.
+// no doorway; next to things, else where they stand; so far from the `others`. The nearest to the middle of the room.
+// `rooms`: see rooms_on.
 std::optional<Vec2> place_of_sign(const Storey& storey, std::size_t room, const OnPaper& on_paper,
                                   const RoomGrid& rooms, const Places& places, const Places& beside_things,
-                                  const Vec2& half_mm);
+                                  const Vec2& half_mm, const std::vector<PlanBox>& others);
 
 }  // namespace handrail

@@ -19,6 +19,15 @@ void for_sides(const RoomGrid& grid, std::size_t square, Each each) {
     if (square >= wide) each(square - wide);
 }
 
+// Whether a square has a neighbour whose room answers; most squares have none, and on a page there are millions.
+template <class Answers>
+bool any_side(const RoomGrid& grid, std::size_t square, Answers answers) {
+    const auto wide = static_cast<std::size_t>(grid.wide);
+    const std::size_t x = square % wide;
+    return (x + 1 < wide && answers(square + 1)) || (x > 0 && answers(square - 1)) ||
+           (square + wide < grid.room.size() && answers(square + wide)) || (square >= wide && answers(square - wide));
+}
+
 // Squares of one border that touch, corners included, belong to one piece.
 void split_into_pieces(const RoomGrid& grid, const std::array<std::uint32_t, 2>& rooms,
                        const std::vector<std::size_t>& squares, std::vector<RoomBorder>& borders) {
@@ -52,16 +61,12 @@ RoomGrid::RoomGrid(int wide_squares, int high_squares)
 
 void spread_rooms(RoomGrid& grid) {
     std::vector<std::size_t> reached;
-    for (std::size_t i = 0; i < grid.room.size(); ++i) {
+    for (std::size_t i = 0; i < grid.room.size(); ++i)
         if (grid.blocked[i]) grid.room[i] = kNothing;
-    }
-    // Most squares have a room already; only those at the edge of what has one reach further.
-    for (std::size_t i = 0; i < grid.room.size(); ++i) {
-        if (grid.room[i] == kNothing) continue;
-        bool edge = false;
-        for_sides(grid, i, [&](std::size_t next) { edge = edge || (!grid.blocked[next] && grid.room[next] == kNothing); });
-        if (edge) reached.push_back(i);
-    }
+    // Only squares at the edge of what has a room already reach further.
+    const auto is_free = [&](std::size_t square) { return grid.room[square] == kNothing && !grid.blocked[square]; };
+    for (std::size_t i = 0; i < grid.room.size(); ++i)
+        if (grid.room[i] != kNothing && any_side(grid, i, is_free)) reached.push_back(i);
     for (std::size_t i = 0; i < reached.size(); ++i)
         for_sides(grid, reached[i], [&](std::size_t next) {
             if (grid.blocked[next] || grid.room[next] != kNothing) return;
@@ -73,7 +78,11 @@ void spread_rooms(RoomGrid& grid) {
 std::vector<RoomBorder> borders_of(const RoomGrid& grid) {
     std::map<std::array<std::uint32_t, 2>, std::vector<std::size_t>> squares;
     for (std::size_t i = 0; i < grid.room.size(); ++i) {
-        if (grid.room[i] == kNothing) continue;
+        const std::uint32_t mine = grid.room[i];
+        if (mine == kNothing || !any_side(grid, i, [&](std::size_t next) {
+                return grid.room[next] != mine && grid.room[next] != kNothing;
+            }))
+            continue;
         for_sides(grid, i, [&](std::size_t next) {
             if (grid.room[next] == kNothing || grid.room[next] == grid.room[i]) return;
             std::vector<std::size_t>& of =

@@ -1,0 +1,53 @@
+// Where a storey that does not fit on one sheet is cut into several, and which scale their rooms need. Pure functions
+// over plain values; any thread. Time goes with the floor's squares, below 0.1 s for a large building.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "worlds/base/vec.h"
+#include "worlds/plan/storey.h"
+
+namespace handrail {
+
+struct PaperSize {
+    double short_mm = 210.0, long_mm = 297.0;
+};
+inline constexpr PaperSize kA4{210.0, 297.0}, kA3{297.0, 420.0};
+
+inline constexpr double kSheetMargin_mm = 12.0, kSheetHead_mm = 14.0, kSheetFoot_mm = 12.0;
+inline constexpr double kPartHead_mm = 9.0, kPartFoot_mm = 8.0;  // more of them, for marks and numbers of sheets
+inline constexpr double kShared_mm = 35.0;                       // of neighbouring sheets: more than a sign needs
+inline constexpr int kMostSheets = 40;
+inline constexpr std::array kSheetScales{20.0,  25.0,  30.0,  40.0,  50.0,  60.0,  75.0,  90.0,  100.0,
+                                         110.0, 125.0, 150.0, 175.0, 200.0, 225.0, 250.0, 275.0, 300.0,
+                                         350.0, 400.0, 450.0, 500.0, 600.0, 700.0, 800.0, 900.0, 1000.0};
+
+// Room for the plan on a page; of one of several sheets: `part`.
+Vec2 room_on_page(const PaperSize& paper, bool across, bool part);
+
+// The sheet on which it goes on.
+struct NextSheet {
+    int number = 0;
+    double shared_m = 0.0;  // the middle of the strip that both show: a place east, or north
+    double along_m = 0.0;   // the middle of the side that they share: a place north, or east
+};
+
+// One of several sheets of a storey. Neighbours share a strip.
+struct SheetPart {
+    Vec2 min_m{0.0}, max_m{0.0};  // what it shows
+    double one_to = 0.0;
+    int number = 1, count = 1;                     // from 1
+    std::array<std::vector<NextSheet>, 4> next{};  // its neighbours to the west, east, north, south
+    bool larger = false;  // shows once more what others show, at a scale at which small rooms have their sign
+};
+
+// Sheets of one scale that cover the storey, as few as reach. They are cut where the cut crosses least floor, along
+// walls and between wings, and none shows empty corners. Empty where there would be more than kMostSheets.
+std::vector<SheetPart> parts_of(const Storey& storey, const PaperSize& paper, double one_to);
+
+// Of every room the coarsest of `scales` (which grow) at which a box of that size is free in it, as if nothing stood
+// there; 0: at none.
+std::vector<double> scales_needed(const Storey& storey, const std::vector<double>& scales, const Vec2& box_mm);
+
+}  // namespace handrail

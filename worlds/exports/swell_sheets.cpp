@@ -1,0 +1,224 @@
+#include <algorithm>
+#include <limits>
+
+#include "worlds/base/language.h"
+#include "worlds/exports/names.h"
+#include "worlds/exports/swell_sheet.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kMostRooms = 0.85;     // as many have their sign of two cells at the scale that is chosen
+constexpr int kScalesTried = 2;         // if a coarser one breaks other promises than that of signs
+constexpr double kAroundSmall_m = 2.0;  // that a larger sheet shows around its rooms
+constexpr double kBesideSign_mm = 3.7;  // what a sign needs on either side: its clearance and walls that became thicker
+
+Vec2 needed_mm(std::size_t cells) { return braille_size_mm(cells) + Vec2(2.0 * kBesideSign_mm); }
+
+// What is made of one storey: sheets of one scale that cover it, then larger ones of what is too small there.
+class SheetsMaker {
+public:
+    SheetsMaker(const Storey& storey, const SheetWish& wish)
+        : storey_(storey),
+          wish_(wish),
+          scales_(kSheetScales.begin(), kSheetScales.end()),
+          for_two_cells_(scales_needed(storey, scales_, needed_mm(2))),
+          for_one_cell_(scales_needed(storey, scales_, needed_mm(1))) {}
+
+    // Empty where it takes too many sheets at any scale.
+    Result<std::vector<SwellSheet>> make() {
+        std::size_t least = std::numeric_limits<std::size_t>::max();
+        std::vector<SwellSheet> best;
+        int tried = 0;
+        for (std::size_t scale = first_scale() + 1; scale-- > 0 && tried < kScalesTried && least > 0;) {
+            std::vector<SheetPart> parts = parts_of(storey_, wish_.paper, scales_[scale]);
+            if (parts.empty()) break;
+            ++tried;
+            if (Result<void> made = draw(parts); !made) return tl::unexpected(made.error());
+            std::size_t broken = 0;
+            for (const SwellSheet& sheet : sheets_) broken += sheet.broken.size();
+            if (broken >= least) continue;
+            least = broken;
+            best = sheets_;
+            best_letters_ = letters_;
+        }
+        sheets_ = std::move(best);
+        letters_ = std::move(best_letters_);
+        if (sheets_.empty()) return std::move(sheets_);
+        if (Result<void> added = add_larger(); !added) return tl::unexpected(added.error());
+        if (Result<void> ended = write_keys(); !ended) return tl::unexpected(ended.error());
+        return std::move(sheets_);
+    }
+
+private:
+    bool needs_sign(std::size_t room) const {
+        return !storey_.rooms[room].shut && !(wish_.coarse && storey_.rooms[room].area_m2 < kCoarseRoom_m2);
+    }
+
+    // The coarsest scale that most rooms need and that takes no more than kMostSheets, and from there the finest that
+    // takes no more sheets than it.
+    std::size_t first_scale() const {
+        std::vector<double> needed;
+        for (std::size_t i = 0; i < storey_.rooms.size(); ++i)
+            if (needs_sign(i) && storey_.rooms[i].kind != RoomKind::Stairs && for_two_cells_[i] > 0.0)
+                needed.push_back(for_two_cells_[i]);
+        std::sort(needed.begin(), needed.end());
+        const double most =
+            needed.empty()
+                ? scales_.back()
+                : needed[static_cast<std::size_t>(static_cast<double>(needed.size() - 1) * (1.0 - kMostRooms))];
+        std::size_t scale = 0;
+        while (scale + 1 < scales_.size() && scales_[scale + 1] <= most) ++scale;
+        const auto sheets_at = [&](std::size_t at) { return parts_of(storey_, wish_.paper, scales_[at]).size(); };
+        while (scale + 1 < scales_.size() && sheets_at(scale) == 0) ++scale;
+        const std::size_t sheets = sheets_at(scale);
+        while (scale > 0 && sheets > 0 && sheets_at(scale - 1) == sheets) --scale;
+        return scale;
+    }
+
+    Result<void> draw(const std::vector<SheetPart>& parts) {
+        sheets_.clear();
+        letters_.clear();
+        for (const SheetPart& part : parts) {
+            Result<SwellSheet> sheet = swell_sheet(storey_, wish_, part, letters_);
+            if (!sheet) return tl::unexpected(sheet.error());
+            sheets_.push_back(std::move(*sheet));
+        }
+        return {};
+    }
+
+    bool is_known(std::size_t room) const {
+        return std::any_of(sheets_.begin(), sheets_.end(),
+                           [&](const SwellSheet& sheet) { return sheet.signs[room].is_known(); });
+    }
+
+    std::vector<std::size_t> unknown() const {
+        std::vector<std::size_t> rooms;
+        for (std::size_t i = 0; i < storey_.rooms.size(); ++i)
+            if (needs_sign(i) && !is_known(i)) rooms.push_back(i);
+        return rooms;
+    }
+
+    // Rooms next to each other that need about the same scale share a larger sheet. Where a sign did not fit after all,
+    // a finer scale is tried once more.
+    Result<void> add_larger() {
+        std::vector<std::size_t> at_scale(storey_.rooms.size(), 0), tried(storey_.rooms.size(), 0);
+        for (std::size_t i = 0; i < at_scale.size(); ++i)
+            while (at_scale[i] + 1 < scales_.size() && scales_[at_scale[i] + 1] < for_one_cell_[i]) ++at_scale[i];
+        for (std::vector<std::size_t> rooms = unknown(); static_cast<int>(sheets_.size()) < kMostSheets;
+             rooms = unknown()) {
+            std::erase_if(rooms, [&](std::size_t room) { return for_one_cell_[room] == 0.0 || tried[room] >= 2; });
+            if (rooms.empty()) break;
+            const std::size_t first = *std::min_element(
+                rooms.begin(), rooms.end(), [&](std::size_t a, std::size_t b) { return at_scale[a] < at_scale[b]; });
+            const auto [part, shown] = larger_part(first, rooms, scales_[at_scale[first]]);
+            Result<SwellSheet> sheet = swell_sheet(storey_, wish_, part, letters_);
+            if (!sheet) return tl::unexpected(sheet.error());
+            bool helped = false;
+            for (const std::size_t room : shown) {
+                helped = helped || sheet->signs[room].is_known();
+                ++tried[room];
+                at_scale[room] -= at_scale[room] > 0 ? 1 : 0;
+            }
+            if (helped) sheets_.push_back(std::move(*sheet));
+        }
+        return {};
+    }
+
+    struct LargerPart {
+        SheetPart part;
+        std::vector<std::size_t> rooms;
+    };
+
+    LargerPart larger_part(std::size_t first, std::vector<std::size_t> rooms, double one_to) const {
+        const Vec2 around(kAroundSmall_m), middle = storey_.rooms[first].middle_m;
+        const auto far = [&](std::size_t room) { return glm::distance(storey_.rooms[room].middle_m, middle); };
+        std::sort(rooms.begin(), rooms.end(),
+                  [&](std::size_t a, std::size_t b) { return a == first || (b != first && far(a) < far(b)); });
+        const auto fits = [&](const Vec2& size) {
+            return std::any_of(std::begin(kWays), std::end(kWays), [&](bool across) {
+                const Vec2 page = room_on_page(wish_.paper, across, true) * (one_to / 1000.0);
+                return size.x <= page.x && size.y <= page.y;
+            });
+        };
+        LargerPart made;
+        Vec2 low = storey_.rooms[first].min_m - around, high = storey_.rooms[first].max_m + around;
+        const Vec2 page = room_on_page(wish_.paper, high.x - low.x > high.y - low.y, true) * (one_to / 1000.0);
+        // A room that is longer than a page is shown around its middle.
+        low = glm::max(low, middle - 0.5 * page);
+        high = glm::min(high, middle + 0.5 * page);
+        made.rooms.push_back(first);
+        for (const std::size_t room : rooms) {
+            const Vec2 both_low = glm::min(low, storey_.rooms[room].min_m - around),
+                       both_high = glm::max(high, storey_.rooms[room].max_m + around);
+            if (room == first || !fits(both_high - both_low)) continue;
+            low = both_low, high = both_high;
+            made.rooms.push_back(room);
+        }
+        made.part.min_m = glm::max(low, storey_.min_m);
+        made.part.max_m = glm::min(high, storey_.max_m);
+        made.part.one_to = one_to;
+        made.part.number = static_cast<int>(sheets_.size()) + 1;
+        made.part.larger = true;
+        return made;
+    }
+
+    // What a sheet leaves to others, and what none of them shows, is known only now.
+    Result<void> write_keys() {
+        for (SwellSheet& sheet : sheets_) {
+            sheet.part->count = static_cast<int>(sheets_.size());
+            sheet.key_lines.insert(sheet.key_lines.begin() + 1,
+                                   {{}, phrase("export.key_sheets", {{"count", sheets_.size()}})});
+            for (std::size_t& line : sheet.key_line_of_room) line += line == kNoKeyLine ? 0 : 1;
+        }
+        for (SwellSheet& sheet : sheets_)
+            for (std::size_t i = 0; i < storey_.rooms.size(); ++i)
+                if (sheet.key_line_of_room[i] != kNoKeyLine && !sheet.signs[i].is_known()) name_elsewhere(sheet, i);
+        std::vector<std::vector<std::string>> lacking(sheets_.size());
+        for (const std::size_t room : unknown()) {
+            std::size_t shows = 0;
+            while (shows + 1 < sheets_.size() && sheets_[shows].key_line_of_room[room] == kNoKeyLine) ++shows;
+            lacking[shows].push_back(storey_.rooms[room].name);
+        }
+        for (std::size_t i = 0; i < sheets_.size(); ++i) {
+            if (!lacking[i].empty())
+                sheets_[i].broken.push_back(
+                    phrase("export.no_sign", {{"count", lacking[i].size()}, {"names", names_list(lacking[i])}}));
+            if (Result<void> written = write_key(sheets_[i], wish_.table); !written) return written;
+        }
+        return {};
+    }
+
+    void name_elsewhere(SwellSheet& sheet, std::size_t room) const {
+        const auto other = std::find_if(sheets_.begin(), sheets_.end(),
+                                        [&](const SwellSheet& one) { return one.signs[room].on_sheet; });
+        if (other == sheets_.end()) return;
+        const std::string name = capitalised(storey_.rooms[room].name),
+                          without = phrase("export.key_room_unsigned", {{"name", name}});
+        std::string& text = sheet.key_lines[sheet.key_line_of_room[room]].text;
+        if (text.compare(0, without.size(), without) != 0) return;
+        text.replace(0, without.size(),
+                     phrase("export.key_room_elsewhere", {{"name", name}, {"sheet", other->part->number}}));
+    }
+
+    static constexpr bool kWays[] = {false, true};
+
+    const Storey& storey_;
+    const SheetWish& wish_;
+    std::vector<double> scales_, for_two_cells_, for_one_cell_;  // of every room, see scales_needed
+    std::vector<SwellSheet> sheets_;
+    std::vector<std::string> letters_, best_letters_;
+};
+
+}  // namespace
+
+Result<std::vector<SwellSheet>> swell_sheets(const Storey& storey, const SheetWish& wish) {
+    Result<SwellSheet> one = swell_sheet(storey, wish);
+    if (one && one->broken.empty()) return std::vector<SwellSheet>{std::move(*one)};
+    Result<std::vector<SwellSheet>> sheets = SheetsMaker(storey, wish).make();
+    if (!sheets || !sheets->empty()) return sheets;
+    if (!one) return tl::unexpected(one.error());
+    return std::vector<SwellSheet>{std::move(*one)};
+}
+
+}  // namespace handrail
