@@ -11,6 +11,8 @@ namespace {
 constexpr double kBesideDoor_m = 0.15, kWindow_m = 1.2, kWindowHigh_m = 1.2, kSill_m = 0.9, kProud_m = 0.02;
 constexpr double kLeastThing_m = 0.05, kMostThing_m = 200.0, kOut_m = 0.4;
 constexpr std::size_t kMostThings = 30'000;
+// A room with more things than that is not searched for a free place: the time goes with their square.
+constexpr std::size_t kMostLookedAt = 300;
 
 // Of an outline, where it passes nearest; and between which corners that is.
 double away_from(const std::vector<Ring>& rings, const Vec2& at, std::pair<Vec2, Vec2>* side = nullptr) {
@@ -397,7 +399,6 @@ bool WordsPlan::stands_free(const WordRoom& room, const Vec2& at, const Vec2& ha
 Vec2 WordsPlan::free_corner(const WordRoom& room, const Vec3& size_m) const {
     constexpr int kMostPlaces = 40;
     constexpr double kStep_m = 0.25;
-    constexpr std::size_t kMostLookedAt = 300;
     const Vec2 half(0.5 * size_m.x, 0.5 * size_m.y), in(0.5 * plan_.wall_m);
     const Vec2 least = room.least + in + half, most = room.most - in - half;
     for (const Vec2& at : {Vec2(least.x, most.y), most, Vec2(most.x, least.y), least})
@@ -421,6 +422,7 @@ Vec2 WordsPlan::free_corner(const WordRoom& room, const Vec3& size_m) const {
 Vec2 WordsPlan::nearest_free(const WordRoom& room, const Vec2& at, const Vec2& half) const {
     constexpr double kStep_m = 0.1;
     constexpr int kMostSteps = 100;
+    if (placed_here_.size() > kMostLookedAt) return at;
     for (int step = 0; step <= kMostSteps; ++step)
         for (const int side : {2, 6, 0, 4, 1, 3, 5, 7})
             if (const Vec2 there = at + side_direction(side) * (kStep_m * step); stands_free(room, there, half))
@@ -480,7 +482,7 @@ Vec2 WordsPlan::place_of_thing(const Said& said, const WordRoom& room, Vec3& siz
         constexpr int kMostSlides = 300;
         const Vec2 first = against(side, along), half(0.5 * size_m.x, 0.5 * size_m.y);
         const Vec2 way = side == 0 || side == 4 ? Vec2(1.0, 0.0) : Vec2(0.0, 1.0);
-        for (int slide = 0; slide <= kMostSlides; ++slide)
+        for (int slide = 0; slide <= kMostSlides && placed_here_.size() <= kMostLookedAt; ++slide)
             for (const double to : {1.0, -1.0})
                 if (const Vec2 at = first + way * (to * kSlide_m * slide); stands_free(room, at, half)) return at;
         return first;
