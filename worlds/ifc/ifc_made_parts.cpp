@@ -26,7 +26,7 @@ bool leads_up(PartRole role) {
 
 // By what rooms are called that have no floor on purpose, in English and German.
 bool is_open_below(const StatedRoom& room) {
-    constexpr std::array<std::string_view, 7> kWords{"void",    "shaft",  "open to below", "luftraum",
+    constexpr std::array<std::string_view, 7> kWords{"void",    "shaft",  "below", "luftraum",
                                                      "schacht", "atrium", "stair"};
     const std::string name = lower_ascii(room.name);
     return std::any_of(kWords.begin(), kWords.end(),

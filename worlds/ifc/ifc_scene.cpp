@@ -25,7 +25,7 @@ constexpr std::array kCalled{
     Called{PartRole::Ramp, "ramp"},
     Called{PartRole::Lift, "lift"},
     Called{PartRole::Escalator, "escalator"},
-    Called{PartRole::Walkway, "moving walkway"},
+    Called{PartRole::Walkway, "moving_walkway"},
     Called{PartRole::Railing, "railing"},
     Called{PartRole::Column, "column"},
     Called{PartRole::Beam, "beam"},
