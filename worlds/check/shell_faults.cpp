@@ -10,6 +10,8 @@ namespace handrail {
 namespace {
 
 constexpr double kNarrowestCrack_m = 1e-3, kWidestCrack_m = 0.06;
+// Between an underside and what it rests on, as a beam or a slab on a wall, a joint is usual up to this.
+constexpr double kLevelCrack = 0.7, kWidestLevelJoint_m = 0.02;
 constexpr double kLeastCrack_m2 = 0.01;  // of the faces that look at each other
 constexpr double kLeastOpen_m2 = 0.05;
 constexpr double kMostDrop_m = 1.2;
@@ -43,6 +45,7 @@ std::optional<WorldFault> crack_between(const Examined& world, const Solid& one,
             if (glm::dot(plane.normal, facing.normal) > -0.99999) continue;
             const double gap = -facing.offset_m - plane.offset_m;
             if (gap < kNarrowestCrack_m || gap > kWidestCrack_m) continue;
+            if (std::abs(plane.normal.z) > kLevelCrack && gap < kWidestLevelJoint_m) continue;
             const std::vector<Vec3> part = looked_at(one.shape.faces[a], plane, other.shape.faces[b]);
             if (part.empty() || area_m2(std::span(part)) < kLeastCrack_m2) continue;
             Vec3 middle(0.0);

@@ -4,6 +4,7 @@
 #include "worlds/check/examined.h"
 #include "worlds/geometry/clip.h"
 #include "worlds/scene/lint.h"
+#include "worlds/scene/stated_building.h"
 
 namespace handrail {
 namespace {
@@ -12,6 +13,7 @@ constexpr double kSame_m = 0.005;   // corners of two boxes that are one
 constexpr double kFar_m = 3.0;      // from where somebody can stand
 constexpr double kHighest_m = 4.0;  // above a floor, of what hangs on a wall
 constexpr double kTouching_m = 0.1;
+constexpr double kUpperDoor_m = 1.0;  // above the base
 
 WorldFault fault_of(const Examined& world, FeatureId id, FaultKind kind) {
     const Feature& feature = world.scene.features[id.value];
@@ -79,8 +81,19 @@ bool touches_nothing(const Examined& world, FeatureId id) {
     return std::none_of(near.begin(), near.end(), [&](std::uint32_t i) { return world.scene.solids[i].feature != id; });
 }
 
+// The reader puts a start before each door to the outside. One of an upper storey leads to a balcony or to nothing, and
+// nobody begins there.
+bool before_upper_door(const Scene& scene, const Start& start) {
+    if (!scene.stated || start.feet_m.z < scene.starts.front().feet_m.z + kUpperDoor_m) return false;
+    const std::vector<StatedPortal>& portals = scene.stated->portals;
+    return std::any_of(portals.begin(), portals.end(), [&](const StatedPortal& portal) {
+        return portal.kind == StatedPortalKind::Door && portal.source.line == start.source.line;
+    });
+}
+
 void starts(const Examined& world, std::vector<WorldFault>& faults) {
     for (const Start& start : world.scene.starts) {
+        if (before_upper_door(world.scene, start)) continue;
         if (world.space->nearest(start.feet_m, 0.5, 0.4, 1.0) != kNothing) continue;
         WorldFault fault{FaultKind::StartLost, start.feet_m, start.source};
         fault.name = start.name;
