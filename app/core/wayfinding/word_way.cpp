@@ -58,13 +58,15 @@ void WordWay::plan() {
     planned.goal = way_.floor == floor ? way_.goal : nullptr;
     planned.from_m = context_.body.feet_m();
     planned.notch = nearest_notch(context_.body.heading_goal_rad);
+    planned.open = ground_.open_now(*floor);
     auto work = [planned = std::move(planned), room = room_, middle_m = rooms_.graph().rooms[room_].middle_m,
-                 scene = rooms_.file_scene(), open = ground_.open_now(*floor)](const std::stop_token& stop) {
+                 scene = rooms_.file_scene()](const std::stop_token& stop) {
         Planned made = planned;
         if (!made.goal)
             made.goal = std::make_shared<const WordGoal>(goal_in_room(
                 made.floor->ground.space(), made.floor->room_of_span, room, stated_room_at(*scene, middle_m)));
-        made.route = made.floor->planner.plan(made.from_m, notch_heading_rad(made.notch), *made.goal, open, {}, stop);
+        made.route =
+            made.floor->planner.plan(made.from_m, notch_heading_rad(made.notch), *made.goal, made.open, {}, stop);
         return made;
     };
     if (rooms_.beside()) planning_.begin(std::move(work));
@@ -124,7 +126,7 @@ LegAt WordWay::leg_at(std::size_t which) const {
 // From where one is the legs that are left still lead there, for bodies with errors too.
 bool WordWay::holds() const {
     const LegAt first = leg_at(at_);
-    if (at_ == 0 && glm::length(first.from_m - way_.from_m) < kUnmoved_m) return true;
+    if (at_ == 0 && glm::length(first.from_m - way_.from_m) < kUnmoved_m && way_.open == open_now()) return true;
     WordRoute left;
     left.legs.assign(way_.route->legs.begin() + static_cast<std::ptrdiff_t>(at_), way_.route->legs.end());
     left.legs.front().turn_notches = first.notch - first.from_notch;

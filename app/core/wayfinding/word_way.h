@@ -54,6 +54,7 @@ private:
         std::optional<WordRoute> route;
         Vec3 from_m{0.0};
         int notch = 0;
+        DoorsOpen open;  // as the doors stood then
     };
     void plan();
     void take(Planned planned);

@@ -176,7 +176,8 @@ std::shared_ptr<const Scene> corridor_with_closet() {
             walls + door,
         "corridor.map", {});
     EXPECT_TRUE(scene) << (scene ? "" : scene.error().sentence());
-    scene->room_names = {RoomName{Vec3(1.5, 2.4, 0.0), "Corridor"}, RoomName{Vec3(8.0, 12.0, 0.0), "Hall"}};
+    scene->room_names = {RoomName{Vec3(1.5, 2.4, 0.0), "Corridor"}, RoomName{Vec3(8.0, 12.0, 0.0), "Hall"},
+                         RoomName{Vec3(5.0, 4.0, 0.0), "Pantry"}};
     return std::make_shared<const Scene>(std::move(*scene));
 }
 
@@ -199,6 +200,23 @@ TEST(OpenDoors, whose_leaf_leaves_no_way_beside_it_are_announced_and_can_be_shut
     p.tap(Command::Use, 2.0);
     EXPECT_TRUE(p.heard("Closet is shut")) << p.news();
     EXPECT_EQ(p.ask(Command::RepeatLeg).find("in the way"), std::string::npos) << p.news();
+}
+
+TEST(OpenDoors, that_are_shut_on_the_way_are_told_to_be_opened_again) {
+    test::AppSession p;
+    p.app.apply(WorldEntered{make_ready(corridor_with_closet())}, 0.0);
+    p.run(0.1);
+    p.app.apply(Placed{{5.1, 2.3, 0.0}, 0.0}, p.now);
+    p.tap(Command::Use, 2.0);
+    ASSERT_TRUE(p.heard("Closet opens"));
+    p.ask(Command::Routes);
+    p.line("Pantry");
+    const std::string before = p.ask(Command::RepeatLeg);
+    EXPECT_EQ(before.find("Open it"), std::string::npos) << before;
+    p.tap(Command::Use, 2.0);
+    ASSERT_TRUE(p.heard("Closet is shut"));
+    const std::string after = p.ask(Command::RepeatLeg);
+    EXPECT_NE(after.find("Open it"), std::string::npos) << before << " | " << after;
 }
 
 }  // namespace open_doors_test
