@@ -26,11 +26,14 @@ bool leads_up(PartRole role) {
 
 // By what rooms are called that have no floor on purpose, in English and German.
 bool is_open_below(const StatedRoom& room) {
-    constexpr std::array<std::string_view, 7> kWords{"void",    "shaft",  "below", "luftraum",
-                                                     "schacht", "atrium", "stair"};
+    constexpr std::array<std::string_view, 8> kWords{"void",    "shaft",  "below", "luftraum",
+                                                     "schacht", "atrium", "stair", "treppe"};
     const std::string name = lower_ascii(room.name);
-    return std::any_of(kWords.begin(), kWords.end(),
-                       [&](std::string_view word) { return name.find(word) != std::string::npos; });
+    // At the beginning of a word: "upstairs" is no stairs.
+    return std::any_of(kWords.begin(), kWords.end(), [&](std::string_view word) {
+        const std::size_t at = name.find(word);
+        return at != std::string::npos && (at == 0 || name[at - 1] < 'a' || name[at - 1] > 'z');
+    });
 }
 
 // Places within the outline, evenly spread.
@@ -49,7 +52,7 @@ std::vector<Vec3> places_in(const StatedRoom& room) {
     return places;
 }
 
-// Nothing lies under any place of the room, and nothing comes up into it.
+// Nothing lies under any place of the room. What comes up into it is no floor.
 bool lacks_floor(const IfcBuilding& building, const BoxIndex& index, const StatedRoom& room) {
     const std::vector<Vec3> places = places_in(room);
     if (places.empty()) return false;
@@ -59,8 +62,7 @@ bool lacks_floor(const IfcBuilding& building, const BoxIndex& index, const State
         index.find({low, high}, near);
         for (const std::uint32_t p : near) {
             const IfcPart& part = building.parts[p];
-            if (leads_up(part.role)) return false;
-            if (carries(part.role) && crosses(part.body, low, high)) return false;
+            if (!leads_up(part.role) && carries(part.role) && crosses(part.body, low, high)) return false;
         }
     }
     return true;
@@ -78,14 +80,23 @@ void add_part(IfcBuilding& building, PartRole role, const StatedRoom& room, std:
     building.parts.push_back(std::move(part));
 }
 
-std::vector<ConvexSolid> floor_of(const StatedRoom& room) {
+// Left open over what comes up through it.
+std::vector<ConvexSolid> floor_of(const IfcBuilding& building, const BoxIndex& index, const StatedRoom& room) {
     Frame frame;
     frame.origin_m = {0.0, 0.0, room.floor_m - kFloorThick_m};
-    std::vector<ConvexSolid> solids;
+    Body body;
     for (const Ring& part : convex_parts(room.rings))
         if (std::optional<ConvexSolid> solid = prism(part, {0.0, 0.0, kFloorThick_m}, frame))
-            solids.push_back(std::move(*solid));
-    return solids;
+            body.solids.push_back(std::move(*solid));
+    std::vector<std::uint32_t> near;
+    index.find(body.bounds_m(), near);
+    for (const std::uint32_t p : near) {
+        const Aabb& box = building.parts[p].box;
+        if (!leads_up(building.parts[p].role) || box.min_m.z > room.floor_m - kLeastHigh_m) continue;
+        cut_away(body, std::array{Plane{{1, 0, 0}, box.max_m.x}, Plane{{-1, 0, 0}, -box.min_m.x},
+                                  Plane{{0, 1, 0}, box.max_m.y}, Plane{{0, -1, 0}, -box.min_m.y}});
+    }
+    return std::move(body.solids);
 }
 
 BoxIndex index_of(const IfcBuilding& building) {
@@ -108,7 +119,7 @@ std::vector<std::uint32_t> make_floors(IfcBuilding& building) {
     }
     // Those of one storey stand next to each other, so none may carry another while they are looked at.
     for (const std::uint32_t r : made)
-        add_part(building, PartRole::Slab, building.rooms[r], floor_of(building.rooms[r]));
+        add_part(building, PartRole::Slab, building.rooms[r], floor_of(building, index, building.rooms[r]));
     return made;
 }
 

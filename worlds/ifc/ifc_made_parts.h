@@ -6,8 +6,8 @@
 
 namespace handrail {
 
-// Adds a floor under each room that nothing lies under, but none where stairs come up or the room says that it is open
-// to below. Returns the places of those rooms.
+// Adds a floor under each room that nothing lies under, open where stairs come up, but none if its name says that it is
+// open below. Returns the places of those rooms.
 std::vector<std::uint32_t> make_floors(IfcBuilding& building);
 
 // Adds walls around all rooms, but only if the file gives spaces and no building around them. Returns how many rooms.
