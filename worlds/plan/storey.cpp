@@ -207,7 +207,9 @@ private:
         clear_floor(made_);
         std::vector<std::uint32_t> mine(graph_.rooms.size(), kNothing);
         for (std::uint32_t i = 0; i < made_.rooms.size(); ++i) mine[made_.rooms[i].room] = i;
-        // A roof that one can stand on may belong to the storey below it: the lower floor counts.
+        // A roof that one can stand on may belong to the storey below it: the lower floor counts. But where a raised
+        // way or a deck has ways in, the ground that a reader laid under it does not hide it.
+        const auto is_ground = [&](std::uint32_t room) { return made_.rooms[room].outside || made_.rooms[room].shut; };
         std::vector<double> height_m(floor.room.size(), std::numeric_limits<double>::infinity());
         for (std::uint32_t i = 0; i < space_.spans.size(); ++i) {
             const std::uint32_t room = graph_.room_of_span[i];
@@ -218,7 +220,9 @@ private:
             if (x < 0 || y < 0 || x >= floor.wide || y >= floor.high) continue;
             const std::size_t cell =
                 static_cast<std::size_t>(y) * static_cast<std::size_t>(floor.wide) + static_cast<std::size_t>(x);
-            if (at.z >= height_m[cell]) continue;
+            const std::uint32_t known = floor.room[cell], here = mine[room];
+            const bool same_kind = known == kNothing || is_ground(known) == is_ground(here);
+            if (same_kind ? at.z >= height_m[cell] : is_ground(here)) continue;
             height_m[cell] = at.z;
             floor.room[cell] = mine[room];
         }
