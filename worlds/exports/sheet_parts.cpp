@@ -15,6 +15,7 @@ namespace {
 // What is shown around the floor, as around a storey: its walls.
 constexpr double kAroundFloor_m = 0.9, kAroundBase_m = 1.0;
 constexpr double kLeastProgress_m = 0.5;  // that a cut takes off
+constexpr double kUneven = 0.15;          // that a cut may cross more floor where both sides are as large as each other
 constexpr double kLeastSide_mm = 10.0;    // of a strip that makes two sheets neighbours
 
 struct Area {
@@ -154,9 +155,10 @@ private:
                 if (!takes_off(*before) || !takes_off(*behind)) continue;
                 const int sheets = sheets_for(*before) + sheets_for(*behind);
                 if (sheets > fewest) continue;
-                const double crossed = sums_.crossed_m(area, axis, at);
-                if (sheets == fewest && crossed >= least) continue;
-                fewest = sheets, least = crossed;
+                const double uneven = std::abs((behind->high - behind->low)[axis] - (before->high - before->low)[axis]);
+                const double cost = sums_.crossed_m(area, axis, at) + kUneven * uneven;
+                if (sheets == fewest && cost >= least) continue;
+                fewest = sheets, least = cost;
                 best = cut;
             }
         return best;

@@ -261,26 +261,31 @@ private:
         return {};
     }
 
+    // Pieces of stairs that lead to the same room are next to each other, and are one staircase under a finger.
+    bool are_flights(std::size_t a, std::size_t b) const {
+        return storey_.rooms[a].kind == RoomKind::Stairs && storey_.rooms[b].kind == RoomKind::Stairs;
+    }
+
     // A corridor may be too narrow for any sign. The key then names the rooms that it leads to, if that says which it
     // is.
     void find_by_doors() {
+        for (const std::uint32_t flight : stairs_.drawn) made_.signs[flight].by_lines = true;
         std::vector<std::set<std::string>> leads_to(storey_.rooms.size());
         for (const StoreyPortal& portal : storey_.portals) {
-            if (portal.kind != PassageKind::Door && portal.kind != PassageKind::Opening) continue;
             if (!shown(portal.place_m)) continue;
             for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
                 const RoomSign& other = made_.signs[portal.rooms[1 - side]];
-                if (other.on_sheet) leads_to[portal.rooms[side]].insert(other.name);
+                if (other.is_known()) leads_to[portal.rooms[side]].insert(other.name);
             }
         }
-        for (const std::uint32_t flight : stairs_.drawn) made_.signs[flight].by_lines = true;
         const auto has_no_sign = [&](std::size_t i) { return present_[i] && !made_.signs[i].is_known(); };
         const std::vector<RoomSign> signs = made_.signs;
         for (std::size_t i = 0; i < storey_.rooms.size(); ++i) {
             if (!has_no_sign(i) || leads_to[i].empty()) continue;
             bool alone = true;
             for (std::size_t j = 0; j < storey_.rooms.size(); ++j)
-                alone = alone && (j == i || !present_[j] || signs[j].is_known() || leads_to[j] != leads_to[i]);
+                alone = alone && (j == i || !present_[j] || signs[j].is_known() || leads_to[j] != leads_to[i] ||
+                                  are_flights(i, j));
             if (alone) made_.signs[i].doors_to.assign(leads_to[i].begin(), leads_to[i].end());
         }
     }
@@ -321,19 +326,22 @@ private:
     Result<BrailleCells> title_cells(std::size_t width) const {
         std::string name = storey_.world;
         for (;;) {
-            Result<BrailleCells> cells = braille_of(title_of(name), table_);
+            Result<BrailleCells> cells = braille_of(name.empty() ? short_title() : title_of(name), table_);
             if (!cells || cells->size() <= width) return cells;
-            if (name.empty())
-                return made_.part ? braille_of(phrase("export.part_title_short",
-                                                      {{"storey", storey_.number}, {"sheet", made_.part->number}}),
-                                               table_)
-                                  : braille_lines(*cells, width, 0).front();
+            if (name.empty()) return braille_lines(*cells, width, 0).front();
             // By words, and within the only one by letters.
             std::size_t shorter = name.find_last_of(' ');
             if (shorter == std::string::npos) shorter = name.size() - 1;
             while (shorter > 0 && (static_cast<unsigned char>(name[shorter]) & 0xC0U) == 0x80U) --shorter;
             name.resize(shorter);
         }
+    }
+
+    // Without the name of the world.
+    std::string short_title() const {
+        return made_.part
+                   ? phrase("export.part_title_short", {{"storey", storey_.number}, {"sheet", made_.part->number}})
+                   : phrase("export.sheet_title_short", {{"storey", storey_.number}, {"count", storey_.count}});
     }
 
     // Name of the sheet, north, and a bar to measure by.
@@ -412,7 +420,7 @@ private:
         const Vec2 at = on_paper_(side < 2 ? Vec2(next.shared_m, next.along_m) : Vec2(next.along_m, next.shared_m));
         const bool above = side == 2 || (side < 2 && at.y >= 0.5 * (low_mm_.y + high_mm_.y));
         const double y = above ? high_mm_.y + kClear_mm + half.y : low_mm_.y - kClear_mm - half.y;
-        const double beside = 0.5 * kThinLine_mm + kClear_mm + half.x;
+        const double beside = 0.5 * kThinLine_mm + kClear_mm + 0.1 + half.x;
         const double x = side == 0 ? at.x - beside : side == 1 ? at.x + beside : at.x;
         constexpr double kUnprinted_mm = 6.0;
         for (double aside = 0.0; aside < 40.0; aside += 1.0)

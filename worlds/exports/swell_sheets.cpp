@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <limits>
+#include <map>
 
 #include "worlds/base/language.h"
 #include "worlds/exports/names.h"
@@ -8,8 +9,13 @@
 namespace handrail {
 namespace {
 
-constexpr double kMostRooms = 0.85;     // as many have their sign of two cells at the scale that is chosen
+// At the scale that is chosen so many rooms have room for one cell at least; and of one sheet so many have a letter,
+// for there are 25.
+constexpr double kWithOneCell = 0.7;
+constexpr std::size_t kMostLetters = 20;
 constexpr int kScalesTried = 2;         // if a coarser one breaks other promises than that of signs
+constexpr int kMostLarger = 10;         // sheets tried for rooms that are too small on the others
+constexpr double kFinestLarger = 50.0;  // at a finer scale a shaft of half a metre would have a sheet of its own
 constexpr double kAroundSmall_m = 2.0;  // that a larger sheet shows around its rooms
 constexpr double kBesideSign_mm = 3.7;  // what a sign needs on either side: its clearance and walls that became thicker
 
@@ -22,8 +28,8 @@ public:
         : storey_(storey),
           wish_(wish),
           scales_(kSheetScales.begin(), kSheetScales.end()),
-          for_two_cells_(scales_needed(storey, scales_, needed_mm(2))),
-          for_one_cell_(scales_needed(storey, scales_, needed_mm(1))) {}
+          for_one_cell_(scales_needed(storey, scales_, needed_mm(1))),
+          for_sign_(for_whole_signs()) {}
 
     // Empty where it takes too many sheets at any scale.
     Result<std::vector<SwellSheet>> make() {
@@ -34,9 +40,9 @@ public:
             std::vector<SheetPart> parts = parts_of(storey_, wish_.paper, scales_[scale]);
             if (parts.empty()) break;
             ++tried;
-            if (Result<void> made = draw(parts); !made) return tl::unexpected(made.error());
-            std::size_t broken = 0;
-            for (const SwellSheet& sheet : sheets_) broken += sheet.broken.size();
+            const Result<std::size_t> broken_here = draw(parts, least);
+            if (!broken_here) return tl::unexpected(broken_here.error());
+            const std::size_t broken = *broken_here;
             if (broken >= least) continue;
             least = broken;
             best = sheets_;
@@ -55,36 +61,67 @@ private:
         return !storey_.rooms[room].shut && !(wish_.coarse && storey_.rooms[room].area_m2 < kCoarseRoom_m2);
     }
 
+    // Signs with a number have more than two cells.
+    std::vector<double> for_whole_signs() const {
+        std::vector<double> needed(storey_.rooms.size(), 0.0);
+        std::map<std::size_t, std::vector<double>> of_cells;
+        const std::vector<RoomSign> signs = room_signs(storey_);
+        for (std::size_t i = 0; i < needed.size(); ++i) {
+            const Result<BrailleCells> cells = braille_signs(signs[i].sign, wish_.table);
+            if (!cells) continue;  // the sheets say so
+            std::vector<double>& known = of_cells[cells->size()];
+            if (known.empty()) known = scales_needed(storey_, scales_, needed_mm(cells->size()));
+            needed[i] = known[i];
+        }
+        return needed;
+    }
+
+    // How many rooms have room for a letter alone.
+    std::size_t letters_at(std::size_t scale) const {
+        std::size_t letters = 0;
+        for (std::size_t i = 0; i < storey_.rooms.size(); ++i)
+            letters += needs_sign(i) && for_one_cell_[i] >= scales_[scale] && for_sign_[i] < scales_[scale] ? 1 : 0;
+        return letters;
+    }
+
+    // The coarsest scale at which so many of the rooms have room for it.
+    double needed_by(const std::vector<double>& of_room, double share) const {
+        std::vector<double> needed;
+        for (std::size_t i = 0; i < storey_.rooms.size(); ++i)
+            if (needs_sign(i) && storey_.rooms[i].kind != RoomKind::Stairs && of_room[i] > 0.0)
+                needed.push_back(of_room[i]);
+        std::sort(needed.begin(), needed.end());
+        const auto last = static_cast<double>(needed.size()) - 1.0;
+        return needed.empty() ? scales_.back() : needed[static_cast<std::size_t>(last * (1.0 - share))];
+    }
+
     // The coarsest scale that most rooms need and that takes no more than kMostSheets, and from there the finest that
     // takes no more sheets than it.
     std::size_t first_scale() const {
-        std::vector<double> needed;
-        for (std::size_t i = 0; i < storey_.rooms.size(); ++i)
-            if (needs_sign(i) && storey_.rooms[i].kind != RoomKind::Stairs && for_two_cells_[i] > 0.0)
-                needed.push_back(for_two_cells_[i]);
-        std::sort(needed.begin(), needed.end());
-        const double most =
-            needed.empty()
-                ? scales_.back()
-                : needed[static_cast<std::size_t>(static_cast<double>(needed.size() - 1) * (1.0 - kMostRooms))];
+        const double most = needed_by(for_one_cell_, kWithOneCell);
         std::size_t scale = 0;
         while (scale + 1 < scales_.size() && scales_[scale + 1] <= most) ++scale;
         const auto sheets_at = [&](std::size_t at) { return parts_of(storey_, wish_.paper, scales_[at]).size(); };
         while (scale + 1 < scales_.size() && sheets_at(scale) == 0) ++scale;
+        while (scale > 0 && letters_at(scale) > kMostLetters * sheets_at(scale) && sheets_at(scale - 1) > 0) --scale;
         const std::size_t sheets = sheets_at(scale);
         while (scale > 0 && sheets > 0 && sheets_at(scale - 1) == sheets) --scale;
         return scale;
     }
 
-    Result<void> draw(const std::vector<SheetPart>& parts) {
+    // How many promises they break; no more are drawn once these are as many as `most`.
+    Result<std::size_t> draw(const std::vector<SheetPart>& parts, std::size_t most) {
         sheets_.clear();
         letters_.clear();
+        std::size_t broken = 0;
         for (const SheetPart& part : parts) {
             Result<SwellSheet> sheet = swell_sheet(storey_, wish_, part, letters_);
             if (!sheet) return tl::unexpected(sheet.error());
+            broken += sheet->broken.size();
             sheets_.push_back(std::move(*sheet));
+            if (broken >= most) break;
         }
-        return {};
+        return broken;
     }
 
     bool is_known(std::size_t room) const {
@@ -105,13 +142,16 @@ private:
         std::vector<std::size_t> at_scale(storey_.rooms.size(), 0), tried(storey_.rooms.size(), 0);
         for (std::size_t i = 0; i < at_scale.size(); ++i)
             while (at_scale[i] + 1 < scales_.size() && scales_[at_scale[i] + 1] < for_one_cell_[i]) ++at_scale[i];
-        for (std::vector<std::size_t> rooms = unknown(); static_cast<int>(sheets_.size()) < kMostSheets;
-             rooms = unknown()) {
-            std::erase_if(rooms, [&](std::size_t room) { return for_one_cell_[room] == 0.0 || tried[room] >= 2; });
+        for (int larger = 0; larger < kMostLarger && static_cast<int>(sheets_.size()) < kMostSheets; ++larger) {
+            std::vector<std::size_t> rooms = unknown();
+            std::erase_if(rooms,
+                          [&](std::size_t room) { return for_one_cell_[room] <= kFinestLarger || tried[room] >= 2; });
             if (rooms.empty()) break;
-            const std::size_t first = *std::min_element(
+            const std::size_t first = *std::max_element(
                 rooms.begin(), rooms.end(), [&](std::size_t a, std::size_t b) { return at_scale[a] < at_scale[b]; });
-            const auto [part, shown] = larger_part(first, rooms, scales_[at_scale[first]]);
+            std::erase_if(rooms, [&](std::size_t room) { return at_scale[room] + 1 < at_scale[first]; });
+            const std::size_t scale = at_scale[first] - (at_scale[first] > 0 ? 1 : 0);
+            const auto [part, shown] = larger_part(first, rooms, scales_[scale]);
             Result<SwellSheet> sheet = swell_sheet(storey_, wish_, part, letters_);
             if (!sheet) return tl::unexpected(sheet.error());
             bool helped = false;
@@ -120,7 +160,7 @@ private:
                 ++tried[room];
                 at_scale[room] -= at_scale[room] > 0 ? 1 : 0;
             }
-            if (helped) sheets_.push_back(std::move(*sheet));
+            if (helped && sheet->broken.empty()) sheets_.push_back(std::move(*sheet));
         }
         return {};
     }
@@ -205,7 +245,7 @@ private:
 
     const Storey& storey_;
     const SheetWish& wish_;
-    std::vector<double> scales_, for_two_cells_, for_one_cell_;  // of every room, see scales_needed
+    std::vector<double> scales_, for_one_cell_, for_sign_;  // of every room, see scales_needed
     std::vector<SwellSheet> sheets_;
     std::vector<std::string> letters_, best_letters_;
 };
