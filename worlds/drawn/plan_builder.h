@@ -83,7 +83,8 @@ private:
     std::vector<OuterDoor> outer_;
     double ground_m_ = 0.0;
     std::size_t ground_level_ = 0;
-    int to_nowhere_ = 0, narrow_ = 0, widened_ = 0, off_walls_ = 0, moved_ = 0, guessed_widths_ = 0, revolving_ = 0, no_stairs_ = 0;
+    int to_nowhere_ = 0, narrow_ = 0, widened_ = 0, off_walls_ = 0, moved_ = 0, guessed_widths_ = 0, revolving_ = 0,
+        no_stairs_ = 0;
 };
 
 }  // namespace handrail
