@@ -156,12 +156,13 @@ class Reader {
 public:
     Reader() {
         const fs::path maps = kRoot / "worlds" / "maps";
-        for (const char* map : {"my-house.map", "MAP", "WORLD"}) stand_in(map, maps / "house.map");
+        for (const char* map : {"my-house.map", "MAP", "WORLD", "WELT"}) stand_in(map, maps / "house.map");
         stand_in("FILE", maps / "first_room.map");
         stand_in("school.map", maps / "school.map");
         for (const char* ifc : {"office.ifc", "FILE.ifc"})
             stand_in(ifc, kRoot / "tests" / "unit" / "ifc" / "worlds" / "small_house.ifc");
-        stand_in("my-library.rooms", kRoot / "tests" / "fuzz" / "inputs" / "rooms" / "seeds" / "corners.rooms");
+        for (const char* rooms : {"my-library.rooms", "meine-buecherei.rooms"})
+            stand_in(rooms, kRoot / "tests" / "fuzz" / "inputs" / "rooms" / "seeds" / "corners.rooms");
         stand_in("city.osm", kRoot / "tests" / "unit" / "osm" / "worlds" / "test_house.osm");
         fs::create_directories(folder_.path() / "scenarios");
         fs::copy_file(kRoot / "tests" / "scenarios" / "first_contact.toml",

@@ -222,6 +222,7 @@ Route EarWay::planned() const {
 void EarWay::tell(const std::string& words, double now_s) {
     if (!words.empty()) return context_.answer(words, now_s);
     if (word_.at_work()) return context_.answer(phrase("leg.looks"), now_s);
+    if (!follower_.following()) return tell_on(now_s);
     // No legs lead on from here: as the ways of hands are told.
     if (Route route = planned(); route.reaches && route.points_m.size() > 1)
         follow_silently(std::move(route), std::string(name_));
