@@ -1,5 +1,7 @@
 // All that goes upward in the session, on one page: what its features may ask of it, and whom their news concerns. App
 // thread only.
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "app/core/menu/setting_lists.h"
