@@ -1,6 +1,9 @@
 // Worlds written in words and read again have as many rooms, doors, windows, stairs and pieces of furniture.
 #include <gmock/gmock.h>
 
+#include <map>
+#include <set>
+
 #include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
@@ -108,6 +111,35 @@ TEST(WindowsInWords, come_back_in_both_languages) {
             EXPECT_LT(glm::length(one.bounds_m.max_m - other.bounds_m.max_m), 1e-3) << written;
         }
         EXPECT_TRUE(test::thing_of(again, "Bay window, large")->landmark);
+    }
+}
+
+// Of the floor of each room, of things, and of the walls, which all have the most frequent.
+TEST(MaterialsInWords, come_back_in_both_languages) {
+    const Scene scene = test::read_rooms(
+        "Building: House.\nWalls: 0.2 metres thick, made of brick.\n\n"
+        "Room: Hall, 6 by 4 metres, floor of stone. Door outside in the south wall. Table in the north-east corner, "
+        "made of metal.\n\nRoom: Study, 4 by 4 metres, east of Hall, wooden floor. Door to Hall. Shelf, made of "
+        "wood.\n");
+    const auto materials_of = [](const Scene& of) {
+        std::map<std::string, std::set<std::string>> names;
+        for (const Feature& feature : of.features) {
+            const std::string what = feature.kind == FeatureKind::Floor  ? "floor"
+                                     : feature.kind == FeatureKind::Wall ? "wall"
+                                                                         : feature.name;
+            names[what].insert(of.material(feature.material).name);
+        }
+        return names;
+    };
+    const auto before = materials_of(scene);
+    EXPECT_EQ(before.at("Table"), std::set<std::string>{"metal"});
+    for (const WordLanguage language : {WordLanguage::English, WordLanguage::German}) {
+        const std::string written = text_of(stated_house(scene, language), scene, language);
+        const auto after = materials_of(test::read_rooms(written));
+        for (const char* what : {"Table", "Shelf", "floor", "wall"}) {
+            ASSERT_TRUE(after.contains(what)) << written;
+            EXPECT_EQ(after.at(what), before.at(what)) << what << "\n" << written;
+        }
     }
 }
 
