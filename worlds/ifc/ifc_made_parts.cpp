@@ -10,7 +10,9 @@ namespace handrail {
 namespace {
 
 constexpr double kFloorThick_m = 0.1, kWallThick_m = 0.05;
-constexpr double kBelow_m = 0.4, kAbove_m = 0.2;  // of a room's level: where what lies there is its floor
+constexpr double kBelow_m = 0.9,
+                 kAbove_m = 0.2;      // of a room's level: where what lies there is its floor, also a sunk one
+constexpr double kStepDown_m = 0.05;  // things that end so far below it lead down to one
 constexpr double kLeastRoom_m2 = 0.5, kLeastHigh_m = 1.5;
 
 bool carries(PartRole role) {
@@ -19,6 +21,8 @@ bool carries(PartRole role) {
                                 PartRole::Lift,  PartRole::Beam,  PartRole::Escalator, PartRole::Walkway};
     return std::find(kRoles.begin(), kRoles.end(), role) != kRoles.end();
 }
+
+bool is_thing(PartRole role) { return role == PartRole::Furniture || role == PartRole::Fixture; }
 
 bool leads_up(PartRole role) {
     return role == PartRole::Stairs || role == PartRole::Ramp || role == PartRole::Lift || role == PartRole::Escalator;
@@ -63,6 +67,7 @@ bool lacks_floor(const IfcBuilding& building, const BoxIndex& index, const State
         for (const std::uint32_t p : near) {
             const IfcPart& part = building.parts[p];
             if (!leads_up(part.role) && carries(part.role) && crosses(part.body, low, high)) return false;
+            if (is_thing(part.role) && crosses(part.body, low, place - Vec3(0.0, 0.0, kStepDown_m))) return false;
         }
     }
     return true;
