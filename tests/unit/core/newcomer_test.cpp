@@ -233,7 +233,7 @@ void walks_to_three_rooms_and_out_again(const Building& building, const char* de
     for (std::size_t i = 0; i < rooms.size(); ++i) {
         EXPECT_TRUE(n.go_to_room(rooms[i])) << rooms[i] << ": " << n.last_lines(60);
         if (i < here.size()) EXPECT_LT(std::abs(n.feet_m().z - begun_m.z), 1.0) << rooms[i];
-        else if (building.below) EXPECT_LT(n.feet_m().z, begun_m.z - 1.5) << rooms[i];
+        else if (building.below) EXPECT_LT(n.feet_m().z, begun_m.z - 1.0) << rooms[i];
         else EXPECT_GT(n.feet_m().z, begun_m.z + 2.0) << rooms[i];
         std::cout << building.file << (device ? " with " : " without ") << (device ? device : "a device") << ": "
                   << rooms[i] << " after " << n.now_s() << " s\n";
