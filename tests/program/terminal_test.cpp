@@ -66,7 +66,7 @@ TEST(Terminal, keys_act_at_once_and_words_behind_a_colon) {
                  "ading\r",
                  "Facing north"))
         << "a word";
-    EXPECT_TRUE(at.after("\t", "1 of 11")) << "the menu";
+    EXPECT_TRUE(at.after("\t", "1 of 12")) << "the menu";
     EXPECT_TRUE(at.after("\x1b[B", "2 of 12")) << "down the list";
     at.job->send(SIGTERM);
     EXPECT_EQ(at.job->ends(), 0);
