@@ -132,7 +132,7 @@ RouteFollower::Said RouteFollower::tick(const Vec3& feet_m, const DistanceWords&
                                                {"distance", distance_words(ahead, how)}});
         }
     }
-    if (said.text.empty() && along_m_ - word_at_m_ >= kReassureEvery_m)
+    if (said.text.empty() && left_m() > kThere_m && along_m_ - word_at_m_ >= kReassureEvery_m)
         said.text = phrase("route.on_the_way", {{"distance", distance_words(left_m(), how)}});
     if (!said.text.empty()) word_at_m_ = along_m_;
     return said;

@@ -2,6 +2,7 @@
 // pure functions; app thread.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -46,7 +47,7 @@ public:
     const Vec3& goal_m() const { return route_.points_m.back(); }
     double along_m() const { return along_m_; }  // where on the route one is
     std::vector<Vec3> ahead_m() const;           // the rest of it
-    double left_m() const { return route_.length_m - along_m_; }
+    double left_m() const { return std::max(0.0, route_.length_m - along_m_); }
     // `there`: whether one has arrived; it is told whether the end of the route is within kThere_m, which a wall may
     // stand before.
     using There = std::function<bool(bool at_end)>;
