@@ -150,7 +150,7 @@ std::vector<Ring> PlanBuilder::platforms_in(std::size_t space, std::size_t level
 
 // "Toilets F03, level 2": the level where rooms of several have one name.
 std::string PlanBuilder::room_name(const PlanSpace& space, std::size_t level, bool with_level) const {
-    const std::string name = space.name.empty() ? space.number : space.name;
+    std::string name = space.name.empty() ? space.number : space.name;
     if (!with_level || name.empty()) return name;
     return phrase("plan.on_level", {{"name", name}, {"level", plan_.levels[level].name}});
 }
