@@ -407,7 +407,7 @@ private:
             }
         for (const std::size_t side : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}})
             for (const NextSheet& next : part.next[side])
-                if (const Result<void> drawn = draw_number(side, next, taken); !drawn) return drawn;
+                if (Result<void> drawn = draw_number(side, next, taken); !drawn) return drawn;
         return {};
     }
 
