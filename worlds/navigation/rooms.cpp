@@ -52,7 +52,7 @@ MadeRoomName by_thing(const Feature& feature) {
 std::string made_name(const MadeRoomName& made) {
     constexpr std::array kLooks{"room_name.niche", "room_name.corridor",   "room_name.small_room",
                                 "room_name.room",  "room_name.large_room", "room_name.hall"};
-    const std::string thing = in_spoken_language(made.thing_made ? spoken_kind(made.thing) : made.thing, made.thing_in);
+    std::string thing = in_spoken_language(made.thing_made ? spoken_kind(made.thing) : made.thing, made.thing_in);
     if (made.with_thing)
         return phrase(made.look == RoomLook::Niche ? "room_name.niche_with" : "room_name.room_with",
                       {{"thing", thing}});

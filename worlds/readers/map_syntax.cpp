@@ -4,6 +4,7 @@
 #include <span>
 
 #include "worlds/base/text.h"
+#include "worlds/readers/map_keys.h"
 
 namespace handrail {
 namespace {
