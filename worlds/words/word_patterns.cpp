@@ -510,7 +510,11 @@ private:
                             forms.push_back(word.substr(0, word.size() - cut.size()) + std::string(put));
             std::vector<std::string> longer;
             for (const std::string& begin : made)
-                for (const std::string& form : forms) longer.push_back(begin + (begin.empty() ? "" : " ") + form);
+                for (const std::string& form : forms) {
+                    std::string& name = longer.emplace_back(begin);
+                    if (!begin.empty()) name += ' ';
+                    name += form;
+                }
             made = std::move(longer);
             if (end == key.size()) {
                 for (const std::string& name : made)

@@ -14,7 +14,7 @@ constexpr double kLeastWall_m = 0.05, kMostWall_m = 0.6, kLeastStep_m = 0.2, kMo
 
 }  // namespace
 
-void WordsPlan::warn(int line, std::string message, std::string action) {
+void WordsPlan::warn(int line, const std::string& message, const std::string& action) {
     constexpr std::size_t kMostKept = 20;
     ++warnings_in_all_;
     if (warnings_.size() < kMostKept)

@@ -107,7 +107,7 @@ private:
     Vec2 place_of_thing(const Said& said, const WordRoom& room, Vec3& size_m, bool usual);
     std::size_t level_for(const WordRoom& a, const WordRoom* b) const;
 
-    void warn(int line, std::string message, std::string action);
+    void warn(int line, const std::string& message, const std::string& action);
     std::string nearest_room(const std::string& name) const;
     std::string room_words(const WordRoom& room) const;
 
