@@ -227,9 +227,7 @@ void WordsPlan::add_door(std::size_t r, const Said& said) {
     Border border;
     std::size_t other = kNoRoom;
     bool placed = false;
-    const auto lost = [&](std::string message) {
-        warn(said.line, std::move(message), phrase("rooms_text.then_left_out"));
-    };
+    const auto lost = [&](const std::string& message) { warn(said.line, message, phrase("rooms_text.then_left_out")); };
     if (to && by_name_.find(name_key(to->name, speaker_.language)) == by_name_.end()) {
         lost(phrase("rooms_text.unknown_room",
                     {{"name", one_line(to->name.substr(0, 100))}, {"near", nearest_room(to->name)}}));
@@ -496,8 +494,8 @@ Vec2 WordsPlan::place_of_thing(const Said& said, const WordRoom& room, Vec3& siz
         return {east ? most.x - 0.5 * size_m.x : least.x + 0.5 * size_m.x,
                 north ? most.y - 0.5 * size_m.y : least.y + 0.5 * size_m.y};
     }
-    const auto no_such = [&](std::string message) {
-        warn(said.line, std::move(message), phrase("rooms_text.then_corner"));
+    const auto no_such = [&](const std::string& message) {
+        warn(said.line, message, phrase("rooms_text.then_corner"));
         return free_corner(room, size_m);
     };
     if (said.words.find(Says::ByWindow)) {
