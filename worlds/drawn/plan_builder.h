@@ -60,6 +60,9 @@ private:
     double room_height(std::size_t space, std::size_t level) const;
     void warn(std::string message, std::string action);
     std::uint32_t room_at(std::size_t space, std::size_t level) const;
+    // What joins two rooms of different storeys where the file says so; either may be kNotStated.
+    static StatedPortal portal_between(StatedPortalKind kind, const std::string& name, int line, std::uint32_t low,
+                                       std::uint32_t high);
     std::vector<std::uint32_t> rooms_at(const std::vector<std::size_t>& spaces, std::size_t level) const;
     const StatedRoom* stated_at(std::size_t space, std::size_t level) const;
 

@@ -79,14 +79,8 @@ void PlanBuilder::add_flight(const PlanFlight& flight) {
         add_solid(upright(well.box(from, from + kStepOff_m, -half, half), at_m - kSlabThick_m, at_m), SolidRole::Solid,
                   kNoFeature);
     fence_flight(flight, well, top_m);
-    StatedPortal portal;
-    portal.kind = StatedPortalKind::Stairs;
-    portal.name = flight.name;
-    portal.source.line = flight.line;
-    portal.rooms = {room_at(flight.from, flight.low), room_at(flight.to, flight.high)};
-    std::erase(portal.rooms, kNotStated);
-    std::sort(portal.rooms.begin(), portal.rooms.end());
-    portal.by_boundaries = true;
+    StatedPortal portal = portal_between(StatedPortalKind::Stairs, flight.name, flight.line,
+                                         room_at(flight.from, flight.low), room_at(flight.to, flight.high));
     portal.passable = steps.climbable;
     portal.feature = feature;
     portal.place_m = Vec3(well.at(0.0, flight.back ? -0.5 * half : 0.0), low_m);

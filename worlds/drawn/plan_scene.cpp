@@ -208,6 +208,19 @@ double PlanBuilder::room_height(std::size_t s, std::size_t level) const {
     return space.height_m ? std::clamp(*space.height_m, std::min(kLeast_m, most_m), most_m) : most_m;
 }
 
+StatedPortal PlanBuilder::portal_between(StatedPortalKind kind, const std::string& name, int line, std::uint32_t low,
+                                         std::uint32_t high) {
+    StatedPortal portal;
+    portal.kind = kind;
+    portal.name = name;
+    portal.source.line = line;
+    portal.rooms = {low, high};
+    std::erase(portal.rooms, kNotStated);
+    std::sort(portal.rooms.begin(), portal.rooms.end());
+    portal.by_boundaries = true;
+    return portal;
+}
+
 std::uint32_t PlanBuilder::room_at(std::size_t space, std::size_t level) const {
     if (space >= plan_.spaces.size()) return kNotStated;
     const std::vector<std::size_t>& levels = plan_.spaces[space].levels;

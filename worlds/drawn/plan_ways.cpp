@@ -132,14 +132,8 @@ void PlanBuilder::add_platforms() {
     for (const PlanLift& lift : plan_.lifts) {
         const double low_m = floor_of(lift.from, lift.low), way_m = floor_of(lift.to, lift.high) - low_m;
         if (way_m < kLeastRise_m) continue;
-        StatedPortal portal;
-        portal.kind = StatedPortalKind::Lift;
-        portal.name = lift.name;
-        portal.source.line = lift.line;
-        portal.rooms = {room_at(lift.from, lift.low), room_at(lift.to, lift.high)};
-        std::erase(portal.rooms, kNotStated);
-        std::sort(portal.rooms.begin(), portal.rooms.end());
-        portal.by_boundaries = true;
+        StatedPortal portal = portal_between(StatedPortalKind::Lift, lift.name, lift.line, room_at(lift.from, lift.low),
+                                             room_at(lift.to, lift.high));
         portal.feature = add_cabin(lift.ring, low_m, way_m, lift.name, {0.0, 1.0});
         const Aabb box = scene_.features[portal.feature.value].bounds_m;
         portal.place_m = {box.centre_m().x, box.centre_m().y, low_m};

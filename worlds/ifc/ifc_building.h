@@ -70,7 +70,7 @@ IfcBuilding read_building(IfcModel& model, const IfcRelations& relations, const 
 std::vector<std::string> free_the_way(IfcBuilding& building, const WallGap& gap);
 // A body of 0.5 m passes through.
 bool can_pass(const IfcBuilding& building, const WallGap& gap);
-// Which side of a gap lies under open sky, as the sign of its y; 0: neither or both.
+// The side of a gap that lies under open sky: -1 or 1, along the y axis of the gap; 0: neither side, or both.
 double sky_side(const IfcBuilding& building, const WallGap& gap);
 // Names of what keeps a person of 0.5 m from standing before the gap, passing, and standing behind it.
 std::vector<std::string> in_the_way(const IfcBuilding& building, const WallGap& gap);

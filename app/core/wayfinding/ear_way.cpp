@@ -21,7 +21,7 @@ namespace {
 // Than by a lift: the way on foot may be longer by this share and by so much, and is told all the same.
 constexpr double kLongerOnFoot = 1.5, kLongerOnFoot_m = 15.0;
 constexpr double kTakenUpAhead_m = 2.0;     // of where one is beside the way
-constexpr double kAtPlace_m = 0.2;          // no wall is as thin as to stand between
+constexpr double kAtPlace_m = 0.2;          // nearer than this no wall can stand between
 constexpr double kWorthTurningBack = 1.15;  // a way on that is longer by more
 
 }  // namespace

@@ -145,8 +145,8 @@ std::string WordWay::tell() {
     if (state_ != State::Known) return {};
     const LegAt leg = leg_at(at_);
     const SpokenLeg told = spoken_leg(context_, *way_.floor, leg, open_now());
-    // The ground of words is coarser than the body: it may let slide past what stops the body, and would say the same
-    // for ever.
+    // Legs are planned on a grid coarser than the body. On it a body may slide past what stops the real one, and the
+    // same leg would be told for ever.
     if (stopped_on(leg) && told.leaf.empty()) {
         stop();
         state_ = State::NoWay;

@@ -25,7 +25,7 @@ public:
     // Once a tick, after the rooms.
     void tick(double now_s);
 
-    // Set by the session: the stairs that the way which is followed leads over next, where one stands at them.
+    // Set by the session: the next stairs on the way that is followed, if one stands at them.
     std::function<std::optional<RoutePassage>()> on_way;
 
 private:
