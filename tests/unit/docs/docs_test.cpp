@@ -221,7 +221,9 @@ TEST(Results, say_of_each_table_when_where_and_with_what_it_was_measured) {
             if (!row && inside) {
                 ++tables;
                 EXPECT_TRUE(line.empty()) << page << ": an empty line ends the table " << head;
-                std::getline(lines, line);
+                line.clear();  // the paragraph may be wrapped
+                for (std::string part; std::getline(lines, part) && !part.empty();)
+                    line += (line.empty() ? "" : " ") + part;
                 EXPECT_TRUE(std::regex_match(line, kMeasured)) << page << ", after the table " << head << ": " << line;
             }
             inside = row;

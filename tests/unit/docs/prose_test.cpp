@@ -1,0 +1,324 @@
+// Keeps the documents readable: line and sentence lengths, odd patterns, spelling, and names that no longer exist.
+// plain_pages.txt lists the pages that were rewritten for this; it only grows. The rules: docs/developer/language.md.
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "tests/support/project_files.h"
+#include "tests/support/project_root.h"
+#include "tests/support/temporary_folder.h"
+
+namespace handrail {
+namespace prose_test {
+namespace fs = std::filesystem;
+
+const fs::path kRoot = test::project_root();
+const fs::path kHere = kRoot / "tests" / "unit" / "docs";
+
+constexpr std::size_t kMostWords = 35, kMostColumns = 100;
+constexpr double kMostWordsOnAverage = 20.0;
+
+// The lines of a file of this folder, without comments.
+std::vector<std::string> listed_in(const char* file) {
+    std::istringstream lines(test::content_of(kHere / file));
+    std::vector<std::string> listed;
+    for (std::string line; std::getline(lines, line);)
+        if (!line.empty() && !line.starts_with('#')) listed.push_back(line);
+    return listed;
+}
+
+bool is_german(const std::string& page) { return page.starts_with("docs/de/"); }
+
+struct ProseLine {
+    std::size_t number = 0;
+    std::string text;
+};
+
+// A paragraph, an item of a list or a heading, on as many lines as it has.
+struct Block {
+    std::vector<ProseLine> lines;
+    bool heading = false, table = false;
+};
+
+bool begins_item(const std::string& line) {
+    static const std::regex kItem(R"(^ {0,3}([-*]|\d+\.) .*)");
+    return std::regex_match(line, kItem);
+}
+
+// What people wrote on a page. Left out: code, HTML, and what is quoted from the program between "<!-- ... -->" and
+// "<!-- end -->".
+std::vector<Block> blocks_of(const std::string& page) {
+    std::istringstream lines(test::content_of(kRoot / page));
+    std::vector<Block> blocks;
+    bool code = false, quoted = false, open = false;
+    std::size_t number = 0;
+    for (std::string line; std::getline(lines, line);) {
+        ++number;
+        if (line.starts_with("```")) code = !code;
+        if (line.starts_with("<!--")) quoted = line.find("end -->") == std::string::npos;
+        const bool skipped = code || quoted || line.starts_with("```") || line.starts_with("<") ||
+                             line.starts_with("    ") || line.find_first_not_of(' ') == std::string::npos;
+        const bool table = line.starts_with("|"), heading = line.starts_with("#");
+        if (skipped) {
+            open = false;
+            continue;
+        }
+        if (!open || table || heading || begins_item(line)) blocks.push_back({{}, heading, table});
+        blocks.back().lines.push_back({number, line});
+        open = !table && !heading;
+    }
+    return blocks;
+}
+
+// A block's text on one line: links as their words, code as `X`.
+std::string words_of(const Block& block) {
+    static const std::regex kMark(R"(^ *([-*]|\d+\.|#+) +)"), kLink(R"(!?\[([^\]]*)\]\([^)]*\))"), kCode("`[^`]*`"),
+        kAddress(R"(https?://\S+)");
+    std::string text;
+    for (const ProseLine& line : block.lines)
+        text += (text.empty() ? "" : " ") + std::regex_replace(line.text, std::regex("^ +"), "");
+    text = std::regex_replace(text, kMark, "");
+    text = std::regex_replace(text, kCode, "X");
+    text = std::regex_replace(text, kLink, "$1");
+    return std::regex_replace(text, kAddress, "X");
+}
+
+std::vector<std::string> sentences_of(const std::string& text) {
+    std::vector<std::string> sentences;
+    static const std::set<std::string> kShort{"e.g.", "i.e.", "z. B.", "Nr.", "vs."};
+    std::size_t from = 0;
+    for (std::size_t i = 0; i + 2 < text.size(); ++i) {
+        if (text[i] != '.' && text[i] != '?' && text[i] != '!') continue;
+        std::size_t after = i + 1;
+        while (after < text.size() && std::string_view("\")*_").find(text[after]) != std::string_view::npos) ++after;
+        if (after + 1 >= text.size() || text[after] != ' ') continue;
+        const auto next = static_cast<unsigned char>(text[after + 1]);
+        if (!std::isupper(next) && !std::isdigit(next) && next < 0x80 && next != '"' && next != '*') continue;
+        const std::size_t word = text.rfind(' ', i);
+        if (kShort.contains(text.substr(word == std::string::npos ? 0 : word + 1, i - word))) continue;
+        sentences.push_back(text.substr(from, after - from));
+        from = after + 1;
+    }
+    if (from < text.size()) sentences.push_back(text.substr(from));
+    return sentences;
+}
+
+std::size_t word_count(const std::string& sentence) {
+    std::istringstream words(sentence);
+    std::size_t count = 0;
+    for (std::string word; words >> word;)
+        count += std::any_of(word.begin(), word.end(), [](unsigned char c) { return std::isalnum(c) || c >= 0x80; });
+    return count;
+}
+
+std::string place_of(const std::string& page, const Block& block) {
+    return page + ":" + std::to_string(block.lines.front().number);
+}
+
+TEST(Prose, lists_pages_that_exist) {
+    for (const std::string& page : listed_in("plain_pages.txt")) EXPECT_TRUE(fs::exists(kRoot / page)) << page;
+}
+
+TEST(Prose, has_sentences_of_20_words_on_average_and_35_at_most) {
+    for (const std::string& page : listed_in("plain_pages.txt")) {
+        std::size_t words = 0, sentences = 0;
+        for (const Block& block : blocks_of(page)) {
+            if (block.heading || block.table) continue;
+            for (const std::string& sentence : sentences_of(words_of(block))) {
+                const std::size_t count = word_count(sentence);
+                EXPECT_LE(count, kMostWords) << place_of(page, block) << ": " << sentence;
+                words += count;
+                ++sentences;
+            }
+        }
+        EXPECT_LE(static_cast<double>(words),
+                  kMostWordsOnAverage * static_cast<double>(std::max<std::size_t>(sentences, 1)))
+            << page << ": " << words << " words in " << sentences << " sentences";
+    }
+}
+
+TEST(Prose, is_seen_to_be_too_long) {
+    EXPECT_EQ(sentences_of("A door. See X. It is 1.5 m wide, e.g. here. \"Stop!\" He stops.").size(), 5U);
+    EXPECT_EQ(word_count("A door - 0.9 m wide."), 5U);
+}
+
+// Tables and code cannot be wrapped; nor can a link or a command that is longer than a line.
+TEST(Prose, wraps_at_100_columns) {
+    for (const std::string& page : listed_in("plain_pages.txt"))
+        for (const Block& block : blocks_of(page)) {
+            if (block.table) continue;
+            for (const ProseLine& line : block.lines) {
+                const auto columns = static_cast<std::size_t>(
+                    std::count_if(line.text.begin(), line.text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+                const bool one_piece =
+                    line.text.find(' ', line.text.find_first_not_of("- ")) == std::string::npos ||
+                    std::regex_match(line.text,
+                                     std::regex(R"re(^[- ]*[("]*(\[[^\]]*\]\([^)]*\)|`[^`]*`)[)".,:;]*$)re"));
+                EXPECT_TRUE(columns <= kMostColumns || one_piece)
+                    << page << ":" << line.number << ": " << columns << " columns";
+            }
+        }
+}
+
+struct Pattern {
+    const char* found;    // a regular expression, whole words
+    const char* instead;  // what to write
+};
+
+// Turns of speech that strangers stumbled over.
+constexpr Pattern kEnglishPatterns[]{
+    {"where there (is|are) (none|no|one)", "if there is none"},
+    {"(is|are|was|were) told", "is reported, is announced, says so"},
+    {"tells? (of|that|it|which|what|where|how)", "says, reports, shows"},
+    {"stands? in (the|a|each|every|one|its|docs|its own)", "is in"},
+    {"stands? (there|here|below|above|behind)", "is there, follows"},
+    {"lies? in (the|a|each) (file|folder|table|text|section|list)", "is in"},
+    {"beside", "next to, as well as, in the background"},
+    {"a \\w+ of (its|one's|their|your|the test's) own", "a separate ..., a custom ..."},
+    {"by (itself|themselves|oneself)", "automatically, alone"},
+    {"likewise", "also"},
+    {"to the bit", "bit for bit"},
+    {"how manyth", "every nth"},
+    {"so many", "this many"},
+    {"in force", "effective"},
+    {"asked for", "requested"},
+    {"anew", "again"},
+    {"for who", "if you"},
+    {"(and|,) of (it|them|these|those) ", "and one of them, ..."},
+    {"held? (equal|against)", "compared with"},
+    {"that persons?", "people who"},
+    {"is had", "is available"},
+    {"one (wants|likes|needs|has|is|can|may|hears|feels|walks|stands)", "you"},
+    {"nor is", "and is not"},
+    {"of what", "of the"},
+    {"as long as one", "as long as you"},
+    {"a seam", "an interface"},
+    {"callers own", "caller's"},
+};
+
+constexpr Pattern kGermanPatterns[]{
+    {"Klanggerät(e|en|s)?", "Audiogerät"},
+    {"Taste vom Anfang", "Standardtaste"},
+    {"Tasten vom Anfang", "Standardtasten"},
+};
+
+// A page, and a pattern that is right there, with the reason.
+bool is_allowed(const std::string& page, const std::string& found) {
+    static const std::set<std::pair<std::string, std::string>> kAllowed{
+        // The rules show what not to write.
+        {"docs/developer/language.md", "*"},
+    };
+    return kAllowed.contains({page, "*"}) || kAllowed.contains({page, found});
+}
+
+TEST(Prose, has_none_of_the_listed_patterns) {
+    for (const std::string& page : listed_in("plain_pages.txt")) {
+        std::vector<Pattern> patterns(std::begin(kEnglishPatterns), std::end(kEnglishPatterns));
+        if (is_german(page)) patterns.assign(std::begin(kGermanPatterns), std::end(kGermanPatterns));
+        for (const Block& block : blocks_of(page)) {
+            if (block.table) continue;  // many are made from the program's texts, which have their own tests
+            const std::string text = words_of(block);
+            for (const Pattern& pattern : patterns) {
+                const std::regex searched("\\b" + std::string(pattern.found) + "\\b", std::regex::icase);
+                EXPECT_TRUE(is_allowed(page, pattern.found) || !std::regex_search(text, searched))
+                    << place_of(page, block) << ": \"" << pattern.found << "\"; rather: " << pattern.instead << "\n"
+                    << text;
+            }
+        }
+    }
+}
+
+// All of the project but its documents, in one text.
+const std::string& sources() {
+    static const std::string kAll = [] {
+        std::string all;
+        for (const std::string& file : test::project_files())
+            if (!file.ends_with(".md") && !file.ends_with(".svg") && !file.ends_with(".png"))
+                all += file + "\n" + test::content_of(kRoot / file) + "\n";
+        return all;
+    }();
+    return kAll;
+}
+
+// `ServoLoop::open`, `force_n`, `haptic/servo/servo_loop.h`: each part must be in the sources or be a file.
+TEST(Prose, names_only_what_exists) {
+    static const std::regex kCode("`([^`]+)`"),
+        kName(R"(^(?:[A-Za-z_]\w*(?:::|\.|/))*[A-Za-z_]\w*(?:\.(?:h|cpp|sh|py|toml|md|txt|cmake))?(?:\(\))?$)");
+    std::set<std::string> looked_up;
+    for (const std::string& page : listed_in("plain_pages.txt"))
+        for (const Block& block : blocks_of(page))
+            for (const ProseLine& line : block.lines)
+                for (auto it = std::sregex_iterator(line.text.begin(), line.text.end(), kCode);
+                     it != std::sregex_iterator(); ++it) {
+                    std::string name = (*it)[1];
+                    const bool of_code = name.find('_') != std::string::npos || name.find("::") != std::string::npos ||
+                                         name.find('/') != std::string::npos || name.ends_with("()") ||
+                                         std::regex_match(name, std::regex("[A-Z][a-z]+[A-Z][A-Za-z]*"));
+                    if (!of_code || !std::regex_match(name, kName) || !looked_up.insert(name).second) continue;
+                    if (name.ends_with("()")) name.resize(name.size() - 2);
+                    const std::size_t scope = name.rfind("::");
+                    const std::string last = scope == std::string::npos ? name : name.substr(scope + 2);
+                    const bool there =
+                        fs::exists(kRoot / name) || sources().find(last) != std::string::npos ||
+                        test::content_of(kHere / "names.txt").find("\n" + name + "\n") != std::string::npos;
+                    EXPECT_TRUE(there) << page << ":" << line.number << " names `" << name << "`, which does not exist";
+                }
+    EXPECT_TRUE(looked_up.size() > 3 || listed_in("plain_pages.txt").size() < 5) << "names were not understood";
+}
+
+// The words of a list that hunspell with this dictionary does not know.
+std::set<std::string> unknown_words(const std::set<std::string>& words, const std::string& dictionary) {
+    const test::TemporaryFolder folder;
+    const fs::path in = folder.path() / "words", out = folder.path() / "unknown";
+    std::ofstream file(in);
+    for (const std::string& word : words) file << word << '\n';
+    file.close();
+    const std::string command = "LC_ALL=C.UTF-8 hunspell -i UTF-8 -d " + dictionary + " -l '" + in.string() + "' >'" +
+                                out.string() + "' 2>/dev/null";
+    EXPECT_EQ(std::system(command.c_str()), 0) << command;
+    std::istringstream lines(test::content_of(out));
+    std::set<std::string> unknown;
+    for (std::string line; std::getline(lines, line);) unknown.insert(line);
+    return unknown;
+}
+
+bool has_dictionary(const std::string& dictionary) {
+    const std::string command = "hunspell -d " + dictionary + " -l /dev/null >/dev/null 2>&1";
+    return std::system(command.c_str()) == 0;
+}
+
+TEST(Prose, is_spelled_as_the_dictionaries_or_the_word_list_have_it) {
+    if (!has_dictionary("en_GB") || !has_dictionary("de_DE"))
+        GTEST_SKIP() << "needs hunspell, hunspell-en-gb and hunspell-de-de: the spelling of the documents";
+    // A word of letters, with apostrophes and hyphens inside.
+    static const std::regex kWord(R"((?:[A-Za-z]|[\xC3\xC5][\x80-\xBF])+(?:'[a-z]+)?)");
+    for (const bool german : {false, true}) {
+        std::map<std::string, std::string> places;
+        std::set<std::string> words;
+        for (const std::string& page : listed_in("plain_pages.txt")) {
+            if (is_german(page) != german) continue;
+            for (const Block& block : blocks_of(page)) {
+                // Words with digits, names of files and addresses are no words of a language.
+                const std::string text =
+                    std::regex_replace(words_of(block), std::regex(R"(\S*[\d_/\\]\S*|\S+\.\w+)"), " ");
+                for (auto it = std::sregex_iterator(text.begin(), text.end(), kWord); it != std::sregex_iterator();
+                     ++it)
+                    if (words.insert(it->str()).second) places[it->str()] = place_of(page, block);
+            }
+        }
+        const auto known = listed_in(german ? "words_de.txt" : "words_en.txt");
+        const std::set<std::string> own(known.begin(), known.end());
+        EXPECT_TRUE(std::is_sorted(known.begin(), known.end())) << "the word list is in the order of `LC_ALL=C sort`";
+        for (const std::string& word : unknown_words(words, german ? "de_DE" : "en_GB"))
+            EXPECT_TRUE(own.contains(word)) << places[word] << ": " << word;
+        if (!german) EXPECT_TRUE(unknown_words({"colour", "color"}, "en_GB") == std::set<std::string>{"color"});
+    }
+}
+
+}  // namespace prose_test
+}  // namespace handrail
