@@ -193,11 +193,10 @@ constexpr Pattern kEnglishPatterns[]{
     {"held? (equal|against)", "compared with"},
     {"that persons?", "people who"},
     {"is had", "is available"},
-    {"one (wants|likes|needs|has|is|can|may|hears|feels|walks|stands)", "you"},
+    {"one (wants|likes|needs|hears|feels|walks|stands)", "you"},
     {"nor is", "and is not"},
     {"of what", "of the"},
     {"as long as one", "as long as you"},
-    {"a seam", "an interface"},
     {"callers own", "caller's"},
 };
 
