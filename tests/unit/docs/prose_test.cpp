@@ -195,7 +195,6 @@ constexpr Pattern kEnglishPatterns[]{
     {"is had", "is available"},
     {"one (wants|likes|needs|hears|feels|walks|stands)", "you"},
     {"nor is", "and is not"},
-    {"of what", "of the"},
     {"as long as one", "as long as you"},
     {"callers own", "caller's"},
 };
