@@ -259,8 +259,9 @@ TEST(Prose, names_only_what_exists) {
                                          std::regex_match(name, std::regex("[A-Z][a-z]+[A-Z][A-Za-z]*"));
                     if (!of_code || !std::regex_match(name, kName) || !looked_up.insert(name).second) continue;
                     if (name.ends_with("()")) name.resize(name.size() - 2);
-                    const std::size_t scope = name.rfind("::");
-                    const std::string last = scope == std::string::npos ? name : name.substr(scope + 2);
+                    const std::size_t scope = name.find_last_of(":.");  // of a class, or of a suite of tests
+                    const bool file = name.find('/') != std::string::npos;
+                    const std::string last = scope == std::string::npos || file ? name : name.substr(scope + 1);
                     const bool there =
                         fs::exists(kRoot / name) || sources().find(last) != std::string::npos ||
                         test::content_of(kHere / "names.txt").find("\n" + name + "\n") != std::string::npos;
