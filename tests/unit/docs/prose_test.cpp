@@ -75,7 +75,8 @@ std::vector<Block> blocks_of(const std::string& page) {
     return blocks;
 }
 
-// A block's text on one line: links as their words, code as `X`.
+// A block's text on one line: links as their words, code as `X`, and what the program says, which has its own tests, as
+// "X".
 std::string words_of(const Block& block) {
     static const std::regex kMark(R"(^ *([-*]|\d+\.|#+) +)"), kLink(R"(!?\[([^\]]*)\]\([^)]*\))"), kCode("`[^`]*`"),
         kAddress(R"(https?://\S+)");
@@ -85,6 +86,8 @@ std::string words_of(const Block& block) {
     text = std::regex_replace(text, kMark, "");
     text = std::regex_replace(text, kCode, "X");
     text = std::regex_replace(text, kLink, "$1");
+    text = std::regex_replace(text, std::regex("\"[^\"]*([.?!])\""), "\"X$1\"");
+    text = std::regex_replace(text, std::regex("\"[^\"]*[^\".?!]\""), "\"X\"");
     return std::regex_replace(text, kAddress, "X");
 }
 
