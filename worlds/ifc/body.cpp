@@ -102,7 +102,7 @@ std::optional<ConvexSolid> prism(const Ring& outline, const Vec3& way_m, const F
             box.include(p);
         }
     // The middle of a box may lie outside a slanted form, so faces are turned outwards by the outline's direction.
-    const bool turned = (signed_area(outline) < 0.0) != (way_m.z < 0.0) != frame.mirrored();
+    const bool turned = ((signed_area(outline) < 0.0) != (way_m.z < 0.0)) != frame.mirrored();
     std::vector<Plane> planes;
     std::vector<std::vector<Vec3>> sides;
     const auto add = [&](std::vector<Vec3> face) {
