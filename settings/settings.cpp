@@ -400,6 +400,11 @@ void SettingsStore::clear(SettingSource source) {
     impl_->rebuild();
 }
 
+void SettingsStore::take_layer(SettingSource source, SettingsStore other) {
+    impl_->layers[source] = std::move(other.impl_->layers[source]);
+    impl_->rebuild();
+}
+
 std::vector<SettingRow> SettingsStore::explain() const {
     std::vector<SettingRow> rows;
     const auto add = [&](const std::string& key, const SettingValue& value, std::string_view unit, std::string range,

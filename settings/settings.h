@@ -195,6 +195,8 @@ public:
     Result<void> set_assignment(std::string_view assignment, SettingSource source);
     // Forgets what one source said, as when a world is left.
     void clear(SettingSource source);
+    // What `other` has of that source, in place of what there was: read elsewhere, as beside a world that is loading.
+    void take_layer(SettingSource source, SettingsStore other);
     // Every setting in table order, then the entries of [workspace.device], [profile] and [keys].
     std::vector<SettingRow> explain() const;
     // Saves live changes into the person's file, which keeps everything else it holds, unknown keys and comments too.

@@ -273,7 +273,7 @@ void Monkey::world() {
 
 void Monkey::owner() {
     if (const auto wanted = app().requests().take_world()) {
-        note("chosen", wanted->filename().string());
+        note("chosen", wanted->file.filename().string());
         app().apply(WorldEntered{make_ready(worlds_[below(static_cast<std::uint32_t>(worlds_.size()))])},
                     session_->now_s());
     }

@@ -154,7 +154,7 @@ const Mark* DeskVisit::mark() const {
 std::string DeskVisit::go_to_world() {
     const std::filesystem::path* file = world();
     if (!file) return phrase("desk.no_world_to_go_to");
-    context_.requests.world = *file;
+    context_.requests.world = WorldRequest{*file};
     return phrase("desk.going_to", {{"world", name_of_file(*file)}});
 }
 

@@ -134,6 +134,7 @@ private:
     void set_left_hand(const HandFacts& hand, double now_s);
     void offer_hand(const std::string& spoken_name, double now_s) { hand_.forces.offer(spoken_name, now_s); }
     void change_settings(const Settings& settings, double now_s);
+    void take_settings(Settings settings, double now_s);
     void press(Command command, double now_s, int times = 1);
     void release(Command command);
     bool take_key(std::string_view key, double now_s);

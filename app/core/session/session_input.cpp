@@ -30,6 +30,7 @@ bool Session::apply(SessionInput input, double now_s) {
                    [&](const HandOffered& in) { offer_hand(in.spoken_name, now_s); },
                    [&](WorldEntered& in) {
                        given_.side_file = std::move(in.additions);
+                       if (in.settings) take_settings(std::move(*in.settings), now_s);
                        enter_world(std::move(in.world), now_s);
                    },
                    [&](const Placed& in) { place(in.feet_m, in.heading_rad, now_s); },

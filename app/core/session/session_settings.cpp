@@ -8,15 +8,20 @@
 namespace handrail {
 
 void Session::change_settings(const Settings& settings, double now_s) {
+    take_settings(settings, now_s);
+    if (state_.world.scene) hand_.workspace.take_settings(now_s);
+}
+
+// Without what follows for the hand and the world it is in.
+void Session::take_settings(Settings settings, double now_s) {
     if (settings.speech.language != state_.person.settings.speech.language) {
         for (const Diagnostic& fault : speak_as_set(settings.speech, menu_.languages().folder()))
             say(fault.sentence(), SpeechClass::Answer, now_s);
         desk_visit_.furnish();  // its controls' names
     }
-    state_.person.settings = settings;
+    state_.person.settings = std::move(settings);
     lay_device_overrides(state_.person.settings, state_.hands.right);
     state_.person.keys = KeyMap(state_.person.settings.keys, state_.person.settings.keyboard.hand);
-    if (state_.world.scene) hand_.workspace.take_settings(now_s);
 }
 
 // A live change, wherever it comes from: at once in force, stored and saved by whoever owns the settings.

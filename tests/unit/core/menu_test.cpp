@@ -282,7 +282,7 @@ TEST(WorldsMenu, offers_what_comes_along_what_was_visited_and_any_folder) {
     EXPECT_THAT(p.line("worlds"), HasSubstr("Museum, visited before, 1 of 4"));
     EXPECT_THAT(p.line("list"), HasSubstr("My house, comes with Handrail. 3: Old school"));
     p.line("old");
-    EXPECT_EQ(p.app.requests().take_world(), folder.path() / "old-school.map");
+    EXPECT_EQ(p.app.requests().take_world(), WorldRequest{folder.path() / "old-school.map"});
     EXPECT_EQ(p.app.requests().take_world(), std::nullopt);
     EXPECT_FALSE(p.app.dialogue().is_open());
     p.key("Tab");
@@ -292,12 +292,12 @@ TEST(WorldsMenu, offers_what_comes_along_what_was_visited_and_any_folder) {
     p.line("another");
     p.line(other.path().string());
     p.line("museum");
-    EXPECT_EQ(p.app.requests().take_world(), other.path() / "museum.obj");
+    EXPECT_EQ(p.app.requests().take_world(), WorldRequest{other.path() / "museum.obj"});
     p.key("Tab");
     p.line("worlds");
     p.line("another");
     p.line((folder.path() / "my_house.map").string());
-    EXPECT_EQ(p.app.requests().take_world(), folder.path() / "my_house.map");
+    EXPECT_EQ(p.app.requests().take_world(), WorldRequest{folder.path() / "my_house.map"});
 }
 
 TEST(RecentWorlds, are_kept_between_sessions_and_a_damaged_file_is_set_aside_and_said) {

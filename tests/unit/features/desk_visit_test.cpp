@@ -129,7 +129,7 @@ TEST_F(DeskAlone, puts_the_beacon_on_a_mark_and_goes_to_a_world) {
     visit.offer_worlds({{}, {"/far/castle.map", "/far/mill.map"}});
     visit.step(world, 1);
     EXPECT_THAT(visit.press(go), HasSubstr("Mill"));
-    EXPECT_EQ(plain.requests.world, "/far/mill.map");
+    EXPECT_EQ(plain.requests.world, WorldRequest{"/far/mill.map"});
 }
 
 }  // namespace desk_visit_test

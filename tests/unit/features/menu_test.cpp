@@ -118,12 +118,12 @@ TEST_F(MenuAlone, goes_to_worlds_that_are_offered_or_typed) {
     menu.worlds().open(1.0);
     line("castle");
     EXPECT_THAT(plain.said().back(), HasSubstr("Castle"));
-    EXPECT_EQ(plain.requests.take_world(), "/far/castle.map");
+    EXPECT_EQ(plain.requests.take_world(), WorldRequest{"/far/castle.map"});
     menu.worlds().open(1.0);
     line("another");
     line(folder.path().string());
     line("old mill");
-    EXPECT_EQ(plain.requests.take_world(), folder.path() / "old-mill.map");
+    EXPECT_EQ(plain.requests.take_world(), WorldRequest{folder.path() / "old-mill.map"});
 }
 
 TEST_F(MenuAlone, asks_for_a_language_by_its_own_name) {
