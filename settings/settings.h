@@ -215,9 +215,8 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-// One setting of plain Settings: its value as TOML writes it, and a change like SettingsStore::set. Both fail naming
-// the nearest key, a change also the legal range. For rows of the table only, not for [workspace.device], [profile] and
-// [keys].
+// One setting of plain Settings: its value as TOML writes it, for rows of the table only, and a change of any key like
+// SettingsStore::set. Both fail naming the nearest key, a change also the legal range.
 Result<std::string> setting_text(const Settings& settings, std::string_view key);
 Result<void> change_setting(Settings& settings, std::string_view key, std::string_view value);
 

@@ -300,9 +300,8 @@ private:
 
     // Where two periods of the sound device drop out it gets three, from the next start on.
     void hold_more_sound() {
-        if (settings_.values().sound.periods >= 3 || !ears_.sound().sound_drops_out() ||
-            !kept_.take({{"sound.periods", "3"}}))
-            return;
+        if (settings_.values().sound.periods >= 3 || !ears_.sound().sound_drops_out()) return;
+        app_.apply(SettingSet{"sound.periods", "3"}, clock_.now_s());
         say_(phrase("program.drops_out"));
     }
 

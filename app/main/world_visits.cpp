@@ -25,7 +25,8 @@ std::string_view act_word(const SessionInput& input) {
     if (std::holds_alternative<WorldEntered>(input)) return "world-entered";
     if (std::holds_alternative<HandChanged>(input)) return "hand-changed";
     if (std::holds_alternative<LeftHandChanged>(input)) return "left-hand-changed";
-    if (std::holds_alternative<SettingsChanged>(input)) return "settings-changed";
+    if (std::holds_alternative<SettingsChanged>(input) || std::holds_alternative<SettingSet>(input))
+        return "settings-changed";
     if (std::holds_alternative<WentOnAt>(input)) return "went-on";
     return {};
 }

@@ -173,6 +173,9 @@ Json fields_of(const SessionInput& input) {
             [](const HandMoved& in) {
                 return Json{{"is", "hand_moved"}, {"by_m", json_of_vec(in.by_m)}};
             },
+            [](const SettingSet& in) {
+                return Json{{"is", "setting"}, {"key", in.key}, {"value", in.value}};
+            },
             [](const SettingsChanged& in) {
                 return Json{{"is", "settings"}, {"settings", json_of(in.settings)}};
             },
@@ -267,6 +270,10 @@ const std::map<std::string, ReadFields, std::less<>>& readers() {
         {"focus", [](const Json& j) -> SessionInput { return FocusChanged{j.at("focused").get<bool>()}; }},
         {"stops", [](const Json& j) -> SessionInput { return Stopped{whole_of<std::uint32_t>(j.at("count"))}; }},
         {"hand_moved", [](const Json& j) -> SessionInput { return HandMoved{vec_of(j.at("by_m"))}; }},
+        {"setting",
+         [](const Json& j) -> SessionInput {
+             return SettingSet{j.at("key").get<std::string>(), j.at("value").get<std::string>()};
+         }},
         {"settings", [](const Json& j) -> SessionInput { return SettingsChanged{settings_of(j.at("settings"))}; }},
         {"hand",
          [](const Json& j) -> SessionInput {

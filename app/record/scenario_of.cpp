@@ -79,6 +79,8 @@ struct Writer {
                                    placed->heading_rad * 180.0 / 3.14159265358979323846));
         } else if (const auto* focus = std::get_if<FocusChanged>(&input)) {
             act(now_s, fmt::format("focus = {}", focus->focused));
+        } else if (const auto* set = std::get_if<SettingSet>(&input)) {
+            act(now_s, "set = " + in_quotes(set->key + "=" + set->value));
         } else if (std::holds_alternative<WorldEntered>(input)) {
             leave_out("replay.one_world");
         } else if (std::holds_alternative<Steered>(input) || std::holds_alternative<ItemActed>(input)) {

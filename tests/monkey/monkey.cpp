@@ -237,7 +237,7 @@ void Monkey::setting() {
     }
     if (chance(0.1)) value = word();
     note("setting", row.key + "=" + value);
-    (void)app().change_setting(row.key, value, session_->now_s());
+    (void)app().apply(SettingSet{std::string(row.key), value}, session_->now_s());
 }
 
 void Monkey::world() {

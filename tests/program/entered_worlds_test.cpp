@@ -53,6 +53,14 @@ TEST(EnteredWorlds, tell_what_is_wrong_with_their_settings_when_they_are_entered
     EXPECT_THAT(bars_of(run.out), testing::ElementsAre("17.5")) << run.out;
 }
 
+// A scale by its name, and then one that is typed into the list of settings.
+TEST(EnteredWorlds, are_felt_at_the_scale_that_was_chosen_last) {
+    const ProgramRun run = run_with({"house", "--no-window"},
+                                    "detail\nscale-bar\nmenu\nsettings\nworkspace\nscale\n8\nescape\nescape\nescape\n"
+                                    "scale-bar\nquit\n");
+    EXPECT_THAT(bars_of(run.out), testing::ElementsAre("23.3", "43.8")) << run.out;
+}
+
 class BuildingOfSeveral : public testing::Test {
 protected:
     ProgramRun explore(std::vector<std::string> more, const std::string& lines, ProgramCall call = {}) const {

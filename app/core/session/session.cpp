@@ -247,16 +247,13 @@ void Session::act_itself(Command command, double now_s) {
             cue(dictionary_.step(-1, listener(), now_s));
             break;
         case Command::Callouts:
-            state_.person.settings.walk.callouts = !state_.person.settings.walk.callouts;
-            state_.person.changes.emplace_back("walk.callouts",
-                                               state_.person.settings.walk.callouts ? "true" : "false");
+            state_.context.set("walk.callouts", state_.person.settings.walk.callouts ? "false" : "true", now_s);
             answer(phrase(state_.person.settings.walk.callouts ? "walking.callouts_on" : "walking.callouts_off"),
                    now_s);
             break;
         case Command::VerbosityCycle:
-            state_.person.settings.speech.verbosity = (state_.person.settings.speech.verbosity + 1) % 5;
-            state_.person.changes.emplace_back("speech.verbosity",
-                                               fmt::format("{}", state_.person.settings.speech.verbosity));
+            state_.context.set("speech.verbosity", fmt::format("{}", (state_.person.settings.speech.verbosity + 1) % 5),
+                               now_s);
             answer(phrase("session.verbosity", {{"level", state_.person.settings.speech.verbosity}}), now_s);
             break;
         case Command::Calibrate:

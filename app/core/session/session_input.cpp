@@ -21,6 +21,7 @@ bool Session::apply(SessionInput input, double now_s) {
                    [&](const FocusChanged& in) { set_focus(in.focused); },
                    [&](const Stopped& in) { know_stops(in.count, now_s); },
                    [&](const HandMoved& in) { move_hand(in.by_m); },
+                   [&](const SettingSet& in) { taken = set(in.key, in.value, now_s).has_value(); },
                    [&](const SettingsChanged& in) { change_settings(in.settings, now_s); },
                    [&](const HandChanged& in) {
                        state_.hands.keys_alone = in.for_want_of_one;

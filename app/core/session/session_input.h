@@ -64,6 +64,11 @@ struct Stopped {
 struct HandMoved {
     Vec3 by_m;
 };
+// One setting of any key, as a list, the desk or a command changes it: in force at once, and told by
+// Session::take_setting_changes. Not taken where it cannot be.
+struct SettingSet {
+    std::string key, value;
+};
 // New settings from outside; the world stays. Force ramps in again where the workspace changes.
 struct SettingsChanged {
     Settings settings;
@@ -143,8 +148,8 @@ struct WorldsKnown {
 
 using SessionInput =
     std::variant<CommandDown, CommandUp, KeyTapped, TextTyped, LineTyped, ItemActed, Steered, FocusChanged, Stopped,
-                 HandMoved, SettingsChanged, HandChanged, LeftHandChanged, HandOffered, WorldEntered, Placed, Told,
-                 FirstMinutesBegun, LessonLeft, SetUpOver, LastPlaceKnown, WentOnAt, CrashReportKnown,
+                 HandMoved, SettingSet, SettingsChanged, HandChanged, LeftHandChanged, HandOffered, WorldEntered,
+                 Placed, Told, FirstMinutesBegun, LessonLeft, SetUpOver, LastPlaceKnown, WentOnAt, CrashReportKnown,
                  SettingsFaultsKnown, DevicesFound, WorldsKnown, TeacherActed>;
 
 }  // namespace handrail

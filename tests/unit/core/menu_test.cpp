@@ -256,7 +256,7 @@ TEST(AdjustSettings, every_setting_steps_up_and_down_within_its_range_and_comes_
             for (const int by : {1, -1})
                 for (int i = 0; i < 60; ++i) {
                     const std::string value = stepped(line.key, settings, by);
-                    ASSERT_TRUE(set_in(settings, line.key, value)) << line.key << " " << value;
+                    ASSERT_TRUE(change_setting(settings, line.key, value)) << line.key << " " << value;
                     seen.insert(value);
                 }
             EXPECT_GE(seen.size(), 2U) << line.key;
@@ -265,7 +265,7 @@ TEST(AdjustSettings, every_setting_steps_up_and_down_within_its_range_and_comes_
     Settings settings;
     EXPECT_EQ(stepped("walk.step_length_m", settings, 1), "0.75");
     EXPECT_EQ(stepped("speech.rate_wpm", settings, -1), "165");
-    EXPECT_FALSE(set_in(settings, "walk.step_length_m", "9"));
+    EXPECT_FALSE(change_setting(settings, "walk.step_length_m", "9"));
     EXPECT_EQ(settings.walk.step_length_m, 0.7);
 }
 

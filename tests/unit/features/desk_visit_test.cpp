@@ -25,9 +25,6 @@ class DeskAlone : public ::testing::Test {
 protected:
     DeskAlone() {
         plain.hands.right = {true, true, *find_device_spec("sim-t")};
-        visit.change_setting = [this](std::string_view key, const std::string& value, double) {
-            return change_setting(plain.person.settings, key, value);
-        };
         visit.where_am_i = [] { return "At the oak."; };
         visit.progress = [](double) { return "Half of it. The rest is told elsewhere."; };
         visit.beacon = [this] { return beacon; };

@@ -289,6 +289,7 @@ TEST(RecordedInput, of_every_kind_is_read_as_it_was) {
     inputs.emplace_back(LastPlaceKnown{{{"/a/b.map", 0.03125, 0.3048, "Annex"}, {1.0, 2.0, 3.0}, 0.25}});
     inputs.emplace_back(WentOnAt{{{"/a/b.map"}, {1.0, 2.0, 3.0}, 0.25}});
     inputs.emplace_back(CrashReportKnown{"/a/crash.txt", {"It broke off.", "\"quoted\""}});
+    inputs.emplace_back(SettingSet{"workspace.scale", "40.0"});
     inputs.emplace_back(SettingsFaultsKnown{{"settings.toml, line 2: \"F99\" is no key."}});
     inputs.emplace_back(DevicesFound{{"Novint Falcon, called falcon."}});
     inputs.emplace_back(WorldsKnown{{"/worlds", {"/a/b.map", "/c.obj"}}});
