@@ -151,7 +151,8 @@ private:
     }
     void act(Command command, double now_s, int times = 1);
     void carry_out(Command command, double now_s, int times);
-    void act_itself(Command command, double now_s);
+    bool act_itself(Command command, double now_s);
+    struct Carriers;  // session_commands.cpp
     void answer_what_was_too_early(double now_s);
     void publish_pose(double now_s, PoseChange change) { hand_.workspace.publish(now_s, change); }
     void play(SoundKind kind, double now_s) { state_.cues.play(kind, now_s); }
