@@ -113,7 +113,10 @@ void fields(A& a, T& v) {
 template <class A, Is<SoftFace> T>
 void fields(A& a, T& v) {
     auto& [face, plastic, depth, stiffness, recovery, yields] = v;
-    a(face, plastic, depth, stiffness, recovery, yields);
+    auto packed_face = static_cast<std::uint32_t>(face);
+    a(packed_face);
+    if constexpr (A::kReads) face = packed_face;
+    a(plastic, depth, stiffness, recovery, yields);
 }
 template <class A, Is<Solid> T>
 void fields(A& a, T& v) {

@@ -1,5 +1,7 @@
 #include "app/core/desk/desk_visit.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <ctime>

@@ -1,5 +1,7 @@
 #include "app/core/lessons/lesson_session.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
