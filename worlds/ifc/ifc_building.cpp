@@ -494,12 +494,15 @@ private:
 };
 
 // What of a gap a body takes that goes through: 0.5 m wide and up to 1.8 m tall, above a threshold.
-std::optional<ConvexSolid> way_through(const WallGap& gap, double beyond_m = 0.1) {
-    constexpr double kWide_m = 0.5, kTall_m = 1.8, kThreshold_m = 0.2;
+// `standing`: it may stand on the threshold.
+std::optional<ConvexSolid> way_through(const WallGap& gap, bool standing = false) {
+    constexpr double kWide_m = 0.5, kTall_m = 1.8, kThreshold_m = 0.2, kBeyond_m = 0.1;
     const double middle = 0.5 * (gap.least_m.x + gap.most_m.x),
                  half = 0.5 * std::min(kWide_m, gap.most_m.x - gap.least_m.x - 0.02);
-    const Vec3 least{middle - half, gap.least_m.y - beyond_m, gap.least_m.z + kThreshold_m};
-    const Vec3 most{middle + half, gap.most_m.y + beyond_m, std::min(gap.least_m.z + kTall_m, gap.most_m.z - 0.02)};
+    const Vec3 least{middle - half, gap.least_m.y - kBeyond_m, gap.least_m.z + kThreshold_m};
+    const Vec3 most{middle + half, gap.most_m.y + kBeyond_m,
+                    standing ? std::min(gap.least_m.z + kThreshold_m + kTall_m, gap.most_m.z)
+                             : std::min(gap.least_m.z + kTall_m, gap.most_m.z - 0.02)};
     return box_solid(least, most, gap.axes);
 }
 
@@ -544,17 +547,9 @@ double sky_side(const IfcBuilding& building, const WallGap& gap) {
     return before == behind ? 0.0 : before ? -1.0 : 1.0;
 }
 
-std::vector<std::string> in_the_way(const IfcBuilding& building, const WallGap& gap) {
-    constexpr double kPerson_m = 0.5;
-    std::vector<std::string> names;
-    if (const std::optional<ConvexSolid> body = way_through(gap, kPerson_m))
-        for (const std::uint32_t i : blocking(building, *body)) names.push_back(building.parts[i].name);
-    return names;
-}
-
 std::vector<std::string> free_the_way(IfcBuilding& building, const WallGap& gap) {
     std::vector<std::string> cut;
-    const std::optional<ConvexSolid> body = way_through(gap);
+    const std::optional<ConvexSolid> body = way_through(gap, true);
     if (!body) return cut;
     for (const std::uint32_t i : blocking(building, *body)) {
         IfcPart& part = building.parts[i];

@@ -214,8 +214,10 @@ void fields(A& a, T& v) {
 }
 template <class A, Is<StatedPortal> T>
 void fields(A& a, T& v) {
-    auto& [kind, name, guid, feature, rooms, place, width, height, by_boundaries, opened_by_box, passable, source] = v;
-    a(kind, name, guid, feature, rooms, place, width, height, by_boundaries, opened_by_box, passable, source);
+    auto& [kind, name, guid, feature, rooms, place, width, height, by_boundaries, opened_by_box, passable, why,
+           in_the_way, step, source] = v;
+    a(kind, name, guid, feature, rooms, place, width, height, by_boundaries, opened_by_box, passable, why, in_the_way,
+      step, source);
 }
 template <class A, Is<MissingPart> T>
 void fields(A& a, T& v) {

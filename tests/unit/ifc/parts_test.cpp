@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/unit/ifc/ifc_hut.h"
+#include "worlds/check/faults.h"
 #include "worlds/ifc/step_file.h"
 #include "worlds/scene/honest_report.h"
 
@@ -134,6 +135,63 @@ TEST(DoorsOfIfc, that_lead_against_a_wall_are_reported_with_it) {
         EXPECT_EQ(report.doors_impassable, behind < 0.5 ? 1 : 0);
         const auto named = [](const Diagnostic& d) { return d.message.find("Lining") != std::string::npos; };
         EXPECT_EQ(std::any_of(scene.report.warnings.begin(), scene.report.warnings.end(), named), behind < 0.5);
+    }
+}
+
+// Each is said in the report, in what is to be checked, and among the warnings.
+TEST(DoorsOfIfc, that_no_body_passes_are_named_with_the_reason) {
+    struct Row {
+        Vec3 least, most;  // of the door
+        std::string reason;
+        std::string kind = {}, name = {};  // of what else stands there
+        Vec3 from = Vec3(0.0), to = Vec3(0.0);
+    };
+    const Row rows[] = {
+        {{2.5, 0.1, 0.0}, {3.5, 0.2, 2.1}, ""},
+        {{2.5, 0.1, 0.0}, {2.9, 0.2, 2.1}, "its opening is 0.4 metres wide and 2.1 metres high"},
+        {{2.5, 0.1, 0.0}, {3.5, 0.2, 1.2}, "its opening is 1.0 metres wide and 1.2 metres high"},
+        {{2.5, 0.1, 0.0},
+         {3.5, 0.2, 2.1},
+         "in the way stands Rack",
+         "IFCFURNISHINGELEMENT",
+         "Rack",
+         {2, 0.6, 0},
+         {4, 0.9, 2}},
+        {{2.5, 0.1, 0.0},
+         {3.5, 0.2, 2.1},
+         "there is a step of 0.4 metres",
+         "IFCSLAB",
+         "Landing",
+         {2, 0.3, 0},
+         {4, 2, 0.6}},
+        {{2.5, 0.1, 2.0}, {3.5, 0.2, 4.1}, "there is no floor on one side of it"},
+        {{2.5, 0.1, 0.0}, {2.51, 0.2, 2.1}, "the file gives it neither a form nor a size"},
+    };
+    for (const Row& row : rows) {
+        SCOPED_TRACE(row.reason);
+        Hut hut;
+        hut.part("IFCSLAB", "Floor", hut.block({-3.0, -3.0, -0.2}, {9.0, 5.0, 0.0}), ",$");
+        const int wall = hut.part("IFCWALL", "South", hut.block({0.0, 0.0, 0.0}, {6.0, 0.3, 5.0}), ",$");
+        const int door = hut.part("IFCDOOR", "Entrance", hut.block(row.least, row.most), ",2.1,1.,.DOOR.,$,$");
+        hut.opening(wall, hut.block({row.least.x, 0.0, row.least.z}, {row.most.x, 0.3, row.most.z}), door);
+        const int back =
+            hut.part("IFCDOOR", "Back door", hut.block({4.5, 0.1, 0.0}, {5.5, 0.2, 2.1}), ",2.1,1.,.DOOR.,$,$");
+        hut.opening(wall, hut.block({4.5, 0.0, 0.0}, {5.5, 0.3, 2.1}), back);
+        if (!row.kind.empty()) hut.part(row.kind, row.name, hut.block(row.from, row.to), ",$");
+        const Scene scene = hut.scene();
+        const HonestReport report = honest_report(scene);
+        EXPECT_EQ(report.doors, 2);
+        EXPECT_EQ(report.doors_impassable, row.reason.empty() ? 0 : 1);
+        const auto told = [&](const std::string& text) { return text.find(row.reason) != std::string::npos; };
+        if (row.reason.empty()) continue;
+        ASSERT_FALSE(report.check.empty());
+        EXPECT_EQ(check_words(scene, report.check[0]), "nobody can pass the door Entrance: " + row.reason);
+        EXPECT_TRUE(std::any_of(scene.report.warnings.begin(), scene.report.warnings.end(),
+                                [&](const Diagnostic& d) { return told(d.message); }));
+        const std::vector<WorldFault> faults = find_faults(scene, nullptr, nullptr);
+        EXPECT_TRUE(std::any_of(faults.begin(), faults.end(), [&](const WorldFault& fault) {
+            return fault.kind == FaultKind::ImpassableDoor && told(fault_words(scene, fault));
+        }));
     }
 }
 
