@@ -4,6 +4,8 @@
 #include "tests/unit/ifc/ifc_hut.h"
 #include "worlds/check/faults.h"
 #include "worlds/ifc/step_file.h"
+#include "worlds/navigation/reach.h"
+#include "worlds/navigation/rooms.h"
 #include "worlds/scene/honest_report.h"
 
 namespace handrail {
@@ -402,6 +404,29 @@ TEST(RoomsOfIfc, as_high_as_their_storey_do_not_hold_the_floor_over_them) {
     EXPECT_FALSE(holds(room, {2.0, 2.0, 3.0}));
     EXPECT_FALSE(holds(room, {2.0, 2.0, 2.8}));
     EXPECT_FALSE(holds(room, {5.0, 2.0, 1.0}));
+}
+
+// A gallery that nothing leads to is the widest place of the room.
+TEST(RoomsOfIfc, have_their_goal_where_one_comes_to_from_the_base) {
+    Hut hut;
+    hut.part("IFCSLAB", "Floor", hut.block({-6.0, -2.0, -0.2}, {8.0, 6.0, 0.0}), ",$");
+    hut.part("IFCSLAB", "Gallery", hut.block({0.0, 0.0, 2.4}, {8.0, 6.0, 2.6}), ",$");
+    hut.part("IFCSLAB", "Ceiling", hut.block({0.0, 0.0, 6.0}, {8.0, 6.0, 6.2}), ",$");
+    for (const Aabb& wall : {Aabb{{0.0, -0.2, 0.0}, {8.0, 0.0, 6.0}}, Aabb{{0.0, 6.0, 0.0}, {8.0, 6.2, 6.0}},
+                             Aabb{{8.0, -0.2, 0.0}, {8.2, 6.2, 6.0}}, Aabb{{-0.2, 1.2, 0.0}, {0.0, 6.2, 6.0}},
+                             Aabb{{0.0, 1.2, 0.0}, {8.0, 1.4, 2.4}}})
+        hut.part("IFCWALL", "Wall", hut.block(wall.min_m, wall.max_m), ",$");
+    hut.space("Hall", hut.block({0.0, 0.0, 0.0}, {8.0, 6.0, 6.0}));
+    Scene placed = hut.scene();
+    placed.starts = {Start{{-2.0, 0.6, 0.0}, 0.0, true, "", {}}};
+    const Result<WalkSpace> space = make_walk_space(placed, WalkBody{});
+    ASSERT_TRUE(space.has_value());
+    const RoomGraph graph = make_rooms(placed, *space);
+    const auto hall =
+        std::find_if(graph.rooms.begin(), graph.rooms.end(), [](const Room& room) { return room.name == "Hall"; });
+    ASSERT_NE(hall, graph.rooms.end());
+    const std::vector<bool> reached = spans_reached(*space, space->at(placed.starts[0].feet_m));
+    EXPECT_TRUE(reached[space->at(hall->middle_m)]);
 }
 
 TEST(PartsOfIfc, stand_with_slanted_outlines) {
