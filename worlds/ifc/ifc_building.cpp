@@ -109,7 +109,7 @@ private:
         const IfcShapes::Account& account = shapes_.account();
         if (!account.formed || part.prefab || stop_.stop_requested()) return;
         MissingPart missing;
-        const double stated_m3 = std::max(account.stated_m3, account.made_m3);
+        const double stated_m3 = account.stated_m3;
         const double lost_m3 = stated_m3 - account.made_m3 + std::max(0.0, own_m3 - volume_m3(part.body));
         if (far > 0) missing.reason = "ifc.lost_far";
         else if (!account.unread.empty() && (part.body.empty() || lost_m3 <= kLostShare * stated_m3))
@@ -117,6 +117,9 @@ private:
         else if (part.body.empty()) missing.reason = "ifc.lost_empty";
         else if (stated_m3 > kLeastStated_m3 && lost_m3 > kLostShare * stated_m3)
             missing.reason = "ifc.lost_share", missing.share = std::min(1.0, lost_m3 / stated_m3);
+        else if (stated_m3 > kLeastStated_m3 && -lost_m3 > kLostShare * stated_m3)
+            missing.reason = "ifc.lost_surplus", missing.share = -lost_m3 / stated_m3;
+        else if (!account.uncut.empty()) missing.reason = "ifc.lost_uncut", missing.detail = account.uncut;
         else return;
         missing.name = part.name;
         missing.guid = part.guid;

@@ -3,6 +3,7 @@
 
 #include "tests/unit/ifc/ifc_hut.h"
 #include "worlds/check/faults.h"
+#include "worlds/ifc/body.h"
 #include "worlds/ifc/step_file.h"
 #include "worlds/navigation/reach.h"
 #include "worlds/navigation/rooms.h"
@@ -324,6 +325,70 @@ TEST(MissingParts, are_named_with_their_guid_storey_and_reason) {
     EXPECT_THAT(said,
                 testing::HasSubstr("Away, E" + std::to_string(away) + ", on Ground, is not there: it lies too far"));
     EXPECT_THAT(said, testing::Not(testing::HasSubstr("Floor")));
+}
+
+// Sweeps that grow or shrink are made straight, so they show a part that lacks volume, and one that has too much.
+TEST(MissingParts, are_named_when_they_hold_another_volume) {
+    struct Row {
+        double from, to;  // side of the square
+        std::string said;
+        bool mapped = false;
+    };
+    const Row rows[] = {{1.0, 1.0, ""},
+                        {1.0, 2.0, "lacks 57 percent of its volume"},
+                        {2.0, 1.0, "has 71 percent more volume than in the file"},
+                        {1.0, 2.0, "lacks 57 percent of its volume", true}};
+    for (const Row& row : rows) {
+        SCOPED_TRACE(row.said);
+        Hut hut;
+        hut.part("IFCSLAB", "Floor", hut.block({0.0, 0.0, -0.2}, {6.0, 6.0, 0.0}), ",$");
+        const auto square = [&](double side) {
+            return hut.add("IFCRECTANGLEPROFILEDEF(.AREA.,$,$," + std::to_string(side) + "," + std::to_string(side) +
+                           ")");
+        };
+        const int up = hut.add("IFCDIRECTION((0.,0.,1.))"), from = square(row.from), to = square(row.to);
+        int item = hut.add("IFCEXTRUDEDAREASOLIDTAPERED(" + Hut::ref(from) + ",#2," + Hut::ref(up) + ",3.," +
+                           Hut::ref(to) + ")");
+        if (row.mapped) {  // also by a copy of another size
+            const int shape = hut.add("IFCSHAPEREPRESENTATION(#5,'Body','SweptSolid',(" + Hut::ref(item) + "))");
+            const int map = hut.add("IFCREPRESENTATIONMAP(#2," + Hut::ref(shape) + ")");
+            item = hut.add("IFCMAPPEDITEM(" + Hut::ref(map) + "," +
+                           Hut::ref(hut.add("IFCCARTESIANTRANSFORMATIONOPERATOR3D($,$,#1,0.5,$)")) + ")");
+        }
+        hut.part("IFCCOLUMN", "Post", item, ",$");
+        const Scene scene = hut.scene();
+        std::string said;
+        for (const CheckPoint& point : honest_report(scene).check) said += check_words(scene, point) + "\n";
+        EXPECT_EQ(honest_report(scene).parts_missing, row.said.empty() ? 0 : 1) << said;
+        EXPECT_THAT(said, testing::HasSubstr(row.said));
+        const std::vector<WorldFault> faults = find_faults(scene, nullptr, nullptr);
+        EXPECT_EQ(std::count_if(faults.begin(), faults.end(),
+                                [&](const WorldFault& fault) {
+                                    return fault.kind == FaultKind::MissingPart &&
+                                           fault_words(scene, fault).find(row.said) != std::string::npos;
+                                }),
+                  row.said.empty() ? 0 : 1);
+    }
+}
+
+TEST(MissingParts, know_what_a_closed_skin_encloses) {
+    const auto cube = [](bool holed) {
+        std::vector<FlatFace> faces;
+        const auto corner = [](int i) {
+            return Vec3(i & 1 ? 2.0 : 0.0, i & 2 ? 3.0 : 0.0, i & 4 ? 4.0 : 0.0) + Vec3(1e4);
+        };
+        for (const std::array<int, 4>& f : {std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
+                                            std::array{2, 6, 7, 3}, std::array{0, 4, 6, 2}, std::array{1, 3, 7, 5}})
+            if (!holed || f[0] != 4) faces.push_back({{{corner(f[0]), corner(f[1]), corner(f[2]), corner(f[3])}}});
+        return faces;
+    };
+    ASSERT_TRUE(enclosed_m3(cube(false)).has_value());
+    EXPECT_NEAR(*enclosed_m3(cube(false)), 24.0, 1e-9);
+    EXPECT_FALSE(enclosed_m3(cube(true)).has_value());
+    std::vector<FlatFace> turned = cube(false);
+    std::reverse(turned[2].rings[0].begin(), turned[2].rings[0].end());
+    EXPECT_FALSE(enclosed_m3(turned).has_value());
+    EXPECT_NEAR(volume_m3(body_of_faces(cube(false))), 24.0, 1e-6);
 }
 
 TEST(RoomsOfIfc, without_a_slab_get_a_floor_that_is_reported) {
