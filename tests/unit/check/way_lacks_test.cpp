@@ -228,10 +228,11 @@ TEST(StairsInOneGo, say_of_each_flight_what_is_in_the_way_on_it) {
             b.scene().features[portal.feature.value].bounds_m.include(b.scene().features[own.value].bounds_m);
         }
         stated.portals.push_back(portal);
-        headroom_m.push_back(1.0 + 0.1 * house);
+        headroom_m.push_back(1.35 + 0.05 * house);
         // Over the eighth step, as wide as the flight.
         const double step_x = 7.0 - 7 * 0.28, step_top = kUp_m * 8 / (kSteps + 1);
-        b.box(at + Vec3(step_x, 0, step_top + headroom_m.back()), at + Vec3(step_x + 0.28, 4, 6), "beam");
+        b.box(at + Vec3(step_x, 0, step_top + headroom_m.back()), at + Vec3(step_x + 0.28, 4, 6), "beam",
+              SolidRole::Solid, {}, FeatureKind::Wall);
     }
     b.scene().stated = std::make_shared<const StatedBuilding>(stated);
     const auto scene = b.share();
