@@ -326,9 +326,30 @@ private:
             bool cut = host.body.empty() && cut_pieces(host, opening, solids, passage);
             for (const ConvexSolid& solid : solids)
                 cut = cut_through(host.body, solid, frame_of(opening), passage, host.role) || cut;
+            cut = cut || is_open_already(host, solids, upright(frame_of(opening)));
             building_.openings_cut += cut && building ? 1 : 0;
             if (!cut && building) building_.openings_uncut.push_back(static_cast<std::size_t>(model_.line(opening)));
         }
+    }
+    // The opening lies between the ends of what it is to be cut into, and nothing stands in it: many a program writes
+    // its walls already cut, and their openings as well.
+    bool is_open_already(const IfcPart& host, const std::vector<ConvexSolid>& solids, const Frame& axes) const {
+        if (solids.empty()) return false;
+        std::vector<const Body*> of_host{&host.body};
+        if (const auto pieces = pieces_of_.find(host.id); pieces != pieces_of_.end())
+            for (const std::size_t piece : pieces->second) of_host.push_back(&building_.parts[piece].body);
+        for (const Vec3& way : {axes.x, axes.y, axes.z}) {
+            std::optional<Reach> whole, opening;
+            const auto include = [](std::optional<Reach>& all, const Reach& one) {
+                all = all ? Reach{std::min(all->least, one.least), std::max(all->most, one.most)} : one;
+            };
+            for (const Body* const body : of_host)
+                if (const std::optional<Reach> reach = reach_along(*body, way)) include(whole, *reach);
+            for (const ConvexSolid& solid : solids) include(opening, reach_along(solid, way));
+            const double middle = 0.5 * (opening->least + opening->most);
+            if (!whole || middle < whole->least || middle > whole->most) return false;
+        }
+        return true;
     }
     // The host has no body of its own, its parts have.
     bool cut_pieces(const IfcPart& host, std::uint64_t opening, const std::vector<ConvexSolid>& solids, bool passage) {

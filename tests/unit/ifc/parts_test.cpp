@@ -1,7 +1,10 @@
 // Each kind of part that once vanished, stayed shut or was put in the wrong place.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "tests/unit/ifc/ifc_hut.h"
+#include "worlds/base/language.h"
 #include "worlds/check/faults.h"
 #include "worlds/ifc/body.h"
 #include "worlds/ifc/step_file.h"
@@ -100,6 +103,26 @@ TEST(PartsOfIfc, are_cut_through_by_windows_that_end_at_their_faces) {
     const int window = hut.part("IFCWINDOW", "Window", hut.block({1.0, 0.1, 1.0}, {2.0, 0.2, 2.0}), ",1.,1.,$,$,$");
     hut.opening(wall, hut.block({1.0, 0.005, 1.0}, {2.0, 0.295, 2.0}), window);  // 5 mm short on both sides
     EXPECT_FALSE(in_a_solid(hut.scene(), {1.5, 0.002, 1.5}));
+}
+
+// A wall that comes already cut, with an opening that says so as well; and one whose opening lies beside it.
+TEST(PartsOfIfc, that_come_already_cut_need_no_cut) {
+    for (const bool beside : {false, true}) {
+        Hut hut;
+        const int wall =
+            hut.part("IFCWALL", "Wall",
+                     hut.less(hut.block({0, 0, 0}, {5, 0.3, 2.5}), hut.block({2, -0.1, -0.1}, {3, 0.4, 2.1})));
+        const double x = beside ? 7.0 : 2.0;
+        hut.opening(wall, hut.block({x, 0, 0}, {x + 1.0, 0.3, 2.1}));
+        const Scene scene = hut.scene();
+        ASSERT_TRUE(scene.stated);
+        EXPECT_EQ(scene.stated->openings, 1);
+        EXPECT_EQ(scene.stated->openings_cut, beside ? 0 : 1);
+        const auto uncut =
+            std::count_if(scene.report.warnings.begin(), scene.report.warnings.end(),
+                          [](const Diagnostic& warning) { return warning.message == phrase("ifc.opening_uncut"); });
+        EXPECT_EQ(uncut, beside ? 1 : 0);
+    }
 }
 
 TEST(DoorsOfIfc, without_an_opening_are_cut_as_the_whole_leaf) {
