@@ -1,5 +1,7 @@
 #include "settings/adjust.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -101,11 +103,6 @@ std::string stepped(std::string_view key, const Settings& settings, int by) {
                    },
                    [&](const TextField& f) { return f.at(s); }},
         info.field);
-}
-
-Result<void> set_in(Settings& settings, std::string_view key, std::string_view value) {
-    const SettingInfo& info = row(key);
-    return apply(info, value_from_word(info, value), settings);
 }
 
 }  // namespace handrail

@@ -29,7 +29,5 @@ SettingLine setting_line(std::string_view key, const Settings& settings);
 // The value one step up or down as SettingsStore::set takes it: a switch turns, a choice goes on (round), a number goes
 // by a twentieth of its range in round numbers and stops at the ends. `key` must be one of the table that steps.
 std::string stepped(std::string_view key, const Settings& settings, int by);
-// Writes a value as typed; fails in one sentence with the legal range and changes nothing.
-Result<void> set_in(Settings& settings, std::string_view key, std::string_view value);
 
 }  // namespace handrail

@@ -204,6 +204,52 @@ std::vector<std::string> path_of(std::string_view key) {
     return {std::string(key.substr(0, dot)), std::string(key.substr(dot + 1))};
 }
 
+// The names a person may have meant, for the sentence about an unknown one.
+std::string nearest_of_all(std::string_view key, std::span<const std::string> command_words) {
+    std::vector<std::string> names;
+    if (key.starts_with(kDevicePrefix) && key.rfind('.') >= kDevicePrefix.size()) {
+        for (const OverrideInfo& info : override_table())
+            names.push_back(fmt::format("{}.{}", key.substr(0, key.rfind('.')), info.field));
+    } else if (key.starts_with(kProfilePrefix) && key.rfind('.') >= kProfilePrefix.size()) {
+        for (const ProfileInfo& info : profile_table())
+            names.push_back(fmt::format("{}.{}", key.substr(0, key.rfind('.')), info.field));
+    } else {
+        for (const SettingInfo& info : settings_table()) names.emplace_back(info.key);
+        for (const std::string& word : command_words) names.push_back(fmt::format("{}{}", kKeysPrefix, word));
+    }
+    return nearest_key(key, names);
+}
+
+// Tries one entry on `target`; fails in one sentence.
+Result<void> apply_to(Settings& target, const std::string& key, const SettingValue& value,
+                      std::span<const std::string> command_words) {
+    if (const SettingInfo* info = find_setting(key)) return apply(*info, value, target);
+    if (const auto device = split_device_key(key))
+        return number_in_range(key, *device->field->plain, value).map([&](double number) {
+            target.workspace.devices[device->device].*device->field->at = number;
+        });
+    if (const auto profile = split_profile_key(key)) {
+        DeviceProfile changed = target.profiles[profile->device];
+        return apply(key, *profile->field, value, changed).map([&] { target.profiles[profile->device] = changed; });
+    }
+    if (key.starts_with(kKeysPrefix) && key.size() > kKeysPrefix.size()) {
+        const std::string word = key.substr(kKeysPrefix.size());
+        const bool known = std::find(command_words.begin(), command_words.end(), word) != command_words.end();
+        if (known || (command_words.empty() && is_command_word(word)))
+            return key_text(key, value).map([&](const std::string& text) { target.keys[word] = text; });
+    }
+    return fail(phrase("settings_file.unknown", {{"key", key}, {"nearest", nearest_of_all(key, command_words)}}));
+}
+
+// What was typed as a value of that key, or stands on the command line.
+SettingValue value_typed(const std::string& key, std::string_view value) {
+    if (const SettingInfo* info = find_setting(key)) return value_from_word(*info, value);
+    if (const auto device = split_device_key(key)) return value_from_word(*device->field->plain, value);
+    if (const auto profile = split_profile_key(key)) return value_from_word(*profile->field, value);
+    if (key.starts_with(kKeysPrefix)) return without_quotes(value);
+    return std::string(value);
+}
+
 }  // namespace
 
 struct SettingsStore::Impl {
@@ -213,45 +259,9 @@ struct SettingsStore::Impl {
     std::set<std::string> damaged_profiles;  // in the person's file
     Settings values;
 
-    // The names a person may have meant, for the sentence about an unknown one.
-    std::string nearest_key(std::string_view key) const {
-        std::vector<std::string> names;
-        if (key.starts_with(kDevicePrefix) && key.rfind('.') >= kDevicePrefix.size()) {
-            for (const OverrideInfo& info : override_table())
-                names.push_back(fmt::format("{}.{}", key.substr(0, key.rfind('.')), info.field));
-        } else if (key.starts_with(kProfilePrefix) && key.rfind('.') >= kProfilePrefix.size()) {
-            for (const ProfileInfo& info : profile_table())
-                names.push_back(fmt::format("{}.{}", key.substr(0, key.rfind('.')), info.field));
-        } else {
-            for (const SettingInfo& info : settings_table()) names.emplace_back(info.key);
-            for (const std::string& word : command_words) names.push_back(fmt::format("{}{}", kKeysPrefix, word));
-        }
-        return handrail::nearest_key(key, names);
-    }
-
-    // Tries one entry on `target`; fails in one sentence.
-    Result<void> apply_to(Settings& target, const std::string& key, const SettingValue& value) const {
-        if (const SettingInfo* info = find_setting(key)) return apply(*info, value, target);
-        if (const auto device = split_device_key(key))
-            return number_in_range(key, *device->field->plain, value).map([&](double number) {
-                target.workspace.devices[device->device].*device->field->at = number;
-            });
-        if (const auto profile = split_profile_key(key)) {
-            DeviceProfile changed = target.profiles[profile->device];
-            return apply(key, *profile->field, value, changed).map([&] { target.profiles[profile->device] = changed; });
-        }
-        if (key.starts_with(kKeysPrefix) && key.size() > kKeysPrefix.size()) {
-            const std::string word = key.substr(kKeysPrefix.size());
-            const bool known = std::find(command_words.begin(), command_words.end(), word) != command_words.end();
-            if (known || (command_words.empty() && is_command_word(word)))
-                return key_text(key, value).map([&](const std::string& text) { target.keys[word] = text; });
-        }
-        return fail(phrase("settings_file.unknown", {{"key", key}, {"nearest", nearest_key(key)}}));
-    }
-
     Result<void> check(const std::string& key, const SettingValue& value, SettingSource source) const {
         Settings scratch;
-        if (Result<void> applied = apply_to(scratch, key, value); !applied) return applied;
+        if (Result<void> applied = apply_to(scratch, key, value, command_words); !applied) return applied;
         if (source == SettingSource::World && !world_may_set(key))
             return fail(phrase("settings_file.not_for_worlds", {{"key", key}}));
         return {};
@@ -261,7 +271,7 @@ struct SettingsStore::Impl {
         values = Settings{};
         for (const auto& [source, layer] : layers)
             for (const auto& [key, entry] : layer) {
-                const Result<void> applied = apply_to(values, key, entry.value);
+                const Result<void> applied = apply_to(values, key, entry.value, command_words);
                 contract_pre(applied.has_value());  // entries were checked on their way into the layer
             }
         // Measured anew, it is whole again.
@@ -368,19 +378,14 @@ Result<std::string> setting_text(const Settings& settings, std::string_view key)
 }
 
 Result<void> change_setting(Settings& settings, std::string_view key, std::string_view value) {
-    const SettingInfo* info = find_setting(key);
-    if (!info) return tl::unexpected(unknown_setting(key));
-    return apply(*info, value_from_word(*info, value), settings);
+    const std::string name = canonical_key(key);
+    return apply_to(settings, name, value_typed(name, value), {});
 }
 
 Result<void> SettingsStore::set(std::string_view key, std::string_view value, SettingSource source) {
     contract_pre(source != SettingSource::Default);
     const std::string name = canonical_key(key);
-    SettingValue parsed = std::string(value);
-    if (const SettingInfo* info = find_setting(name)) parsed = value_from_word(*info, value);
-    else if (const auto device = split_device_key(name)) parsed = value_from_word(*device->field->plain, value);
-    else if (const auto profile = split_profile_key(name)) parsed = value_from_word(*profile->field, value);
-    else if (name.starts_with(kKeysPrefix)) parsed = without_quotes(value);
+    SettingValue parsed = value_typed(name, value);
     if (Result<void> checked = impl_->check(name, parsed, source); !checked) return checked;
     impl_->layers[source][name] = {std::move(parsed), source == SettingSource::CommandLine ? "--set" : ""};
     impl_->rebuild();
@@ -397,6 +402,11 @@ Result<void> SettingsStore::set_assignment(std::string_view assignment, SettingS
 void SettingsStore::clear(SettingSource source) {
     impl_->layers.erase(source);
     if (source == SettingSource::UserFile) impl_->damaged_profiles.clear();
+    impl_->rebuild();
+}
+
+void SettingsStore::take_layer(SettingSource source, SettingsStore other) {
+    impl_->layers[source] = std::move(other.impl_->layers[source]);
     impl_->rebuild();
 }
 

@@ -195,6 +195,8 @@ public:
     Result<void> set_assignment(std::string_view assignment, SettingSource source);
     // Forgets what one source said, as when a world is left.
     void clear(SettingSource source);
+    // What `other` has of that source, in place of what there was: read elsewhere, as beside a world that is loading.
+    void take_layer(SettingSource source, SettingsStore other);
     // Every setting in table order, then the entries of [workspace.device], [profile] and [keys].
     std::vector<SettingRow> explain() const;
     // Saves live changes into the person's file, which keeps everything else it holds, unknown keys and comments too.
@@ -213,9 +215,8 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-// One setting of plain Settings: its value as TOML writes it, and a change like SettingsStore::set. Both fail naming
-// the nearest key, a change also the legal range. For rows of the table only, not for [workspace.device], [profile] and
-// [keys].
+// One setting of plain Settings: its value as TOML writes it, for rows of the table only, and a change of any key like
+// SettingsStore::set. Both fail naming the nearest key, a change also the legal range.
 Result<std::string> setting_text(const Settings& settings, std::string_view key);
 Result<void> change_setting(Settings& settings, std::string_view key, std::string_view value);
 

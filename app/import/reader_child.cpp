@@ -48,6 +48,11 @@ T number(const char* word) {
     return value;
 }
 
+double metres(const char* word) {
+    double value = 0.0;
+    return parse_finite(word, value) ? value : 0.0;
+}
+
 // What is looked at in a mapped file that ends before by now.
 void end_where_the_file_was_cut() {
     struct sigaction act {};
@@ -162,8 +167,8 @@ int reader_process(int argc, char** argv) {
     (void)confine(permissions);  // what the kernel lacks, `handrail devices` reports
 
     ReadOptions options;
-    options.map_metres_per_unit = number<double>(argv[7]);
-    options.obj_metres_per_unit = number<double>(argv[8]);
+    options.map_metres_per_unit = metres(argv[7]);
+    options.obj_metres_per_unit = metres(argv[8]);
     options.unit_is_known = argv[9][0] == '1';
     options.guess_materials = argv[9][1] == '1';
     options.solid_meshes = argv[9][2] == '1';

@@ -25,7 +25,10 @@ struct FileAnswer {
 template <class A, Is<FileAnswer> T>
 void fields(A& a, T& v) {
     auto& [opened, size, name, error] = v;
-    a(opened, size, name, error);
+    a(opened);
+    const std::uint64_t packed = archive::count(a, size);
+    if constexpr (A::kReads) size = packed;
+    a(name, error);
 }
 
 // A message with room for one descriptor.

@@ -109,8 +109,7 @@ void CarriedLines::carry_out(const std::string& line, double now_s) {
     // The session knows a command by the word of the table alone. What always works comes before the
     // names of a list.
     const std::string word = parsed && parsed->command ? std::string(info(*parsed->command).word) : line;
-    const bool always =
-        parsed && (parsed->command == Command::StopEverything || parsed->command == Command::ToggleForces);
+    const bool always = parsed && parsed->command && in_list(*parsed->command) == InList::Always;
     if (app_.apply(LineTyped{always ? word : line}, now_s)) return;
     if (!always && word != line && app_.apply(LineTyped{word}, now_s)) return;
     if (!parsed) return say_(parsed.error().message);

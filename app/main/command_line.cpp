@@ -341,11 +341,6 @@ int explore(ExploreCall call, FirstLanguage first, std::ostream& err, const Long
         std::vector<Diagnostic>& problems = call.arguments.settings_problems;
         std::optional<SettingsStore> settings = load_settings(call.settings, std::move(first), problems, err);
         if (!settings) return 2;
-        if (call.arguments.world)  // house.settings.toml beside house.map
-            for (Diagnostic& problem :
-                 settings->load_file(fs::path(*call.arguments.world).replace_extension(".settings.toml"),
-                                     SettingSource::World, toml_beside_worlds()))
-                problems.push_back(std::move(problem));
         ExploreEnd end = run_explore(call.arguments, *settings, err, progress);
         if (!end.learner) return end.status;
         call = as_somebody_else(asked, std::move(end));
@@ -430,7 +425,7 @@ int run_command_line(const std::vector<std::string>& words, std::ostream& to_out
                 ExploreEnd end;
                 const int status = with_settings(call.explore.settings, [&](SettingsStore& settings) {
                     ExploreArguments& taught = call.explore.arguments;
-                    const auto done = run_lesson(call.arguments, taught, settings, out, err, progress);
+                    const auto done = run_lesson(call.arguments, taught, out, err, progress);
                     if (!done) end = run_explore(taught, settings, err, progress);
                     return done.value_or(end.status);
                 });

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/core/dialogue/words.h"
+#include "app/core/kept/world_request.h"
 #include "app/main/long_work.h"
 #include "app/teaching/learner_name.h"
 #include "app/wizard/wizard_part.h"
@@ -29,16 +30,12 @@ struct CommonArguments {
     std::string building;                        // --building: of a file with several
     std::filesystem::path data_in;               // where what is kept lies; empty: user_data_folder()
 
-    ReadOptions read_options() const {
-        ReadOptions options;
-        if (map_scale_m_per_unit) options.map_metres_per_unit = *map_scale_m_per_unit;
-        if (unit_m) options.map_metres_per_unit = options.obj_metres_per_unit = *unit_m;
-        options.building = building;
-        options.unit_is_known = map_scale_m_per_unit || unit_m;
-        return options;
+    // That world, as these options have it.
+    WorldRequest request(std::filesystem::path world) const {
+        return {std::move(world), map_scale_m_per_unit, unit_m, building};
     }
     std::filesystem::path data_folder() const;
-    // The same, with what a person has said of this world before. See keep_unit.
+    // How a reader is asked for that world, with what a person has said of it before.
     ReadOptions read_options(const std::filesystem::path& world) const;
 };
 
@@ -186,17 +183,18 @@ struct ExploreArguments {
     bool remember = false;                             // the learner wants what was learnt to be kept
     std::vector<std::string> lines;                    // to be done before those of standard input
     std::string program_version;
-    std::vector<std::string> news;              // to be said with the welcome
+    std::vector<std::pair<std::string, std::string>> lesson_settings;  // while one is in the lesson's world
+    std::vector<std::string> news;                                     // to be said with the welcome
     std::vector<Diagnostic> settings_problems;  // met while reading the settings; to be spoken, not only printed
 };
 // See lesson_command.cpp.
-std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments& explore, SettingsStore& settings,
-                              std::ostream& out, std::ostream& err, const LongWork& progress = {});
+std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments& explore, std::ostream& out,
+                              std::ostream& err, const LongWork& progress = {});
 // How it ended: for good, or because somebody else is to be here.
 struct ExploreEnd {
     int status = 0;
     std::optional<std::string> learner;  // who, by id; empty: nobody by name. None: it ended for good
-    std::filesystem::path world;         // that one was in
+    WorldRequest world;                  // that one was in
     std::vector<std::string> lines;      // that were read and not done yet
 };
 ExploreEnd run_explore(const ExploreArguments& arguments, SettingsStore& settings, std::ostream& err,

@@ -89,7 +89,7 @@ public:
         left_.look_for(arguments_.left_device.value_or(settings_.values().haptic.left_device));
         const int status = load_world(err) ? explore(err) : ended() ? 0 : 1;
         finish(err, status);
-        ExploreEnd end{status, learners_.next(), worlds_.path(), {}};
+        ExploreEnd end{status, learners_.next(), worlds_.here(), {}};
         if (lines_) end.lines = lines_->take_rest();
         return end;
     }
@@ -106,7 +106,7 @@ private:
         recording_.note("acts_by", static_cast<std::uint64_t>(spoken_to()));
         if (hand_.wanted() == "none") news_.push_back(phrase("program.no_device_as_asked"));
         ears_.sound().start();
-        worlds_.begin_notes(settings_, clock_.now_s());
+        worlds_.begin_notes(clock_.now_s());
         const bool first = !settings_.values().welcome.done && !arguments_.world && !arguments_.calibrate;
         const std::string voice = first ? ears_.voice_that_speaks() : std::string{};
         const double asked_s = clock_.now_s();
@@ -118,14 +118,11 @@ private:
         return asked_s;
     }
 
-    // One fault is said in full; of several the first, for all of them at once took minutes. The menu lists them.
     void take_settings_faults() {
         std::vector<std::string> faults;
         for (const Diagnostic& problem : arguments_.settings_problems) faults.push_back(problem.sentence());
         if (faults.empty()) return;
-        news_.push_back(faults.size() == 1
-                            ? faults.front()
-                            : phrase("program.settings_faults", {{"count", faults.size()}, {"first", faults.front()}}));
+        news_.push_back(settings_faults_words(faults));
         app_.apply(SettingsFaultsKnown{std::move(faults)}, clock_.now_s());
     }
 
@@ -159,8 +156,7 @@ private:
 
     // False when the world cannot be read or the person left meanwhile.
     bool load_world(std::ostream& err) {
-        const std::filesystem::path path = arguments_.world.value_or(first_world());
-        WorldLoading loading(path, arguments_.common);
+        WorldLoading loading(worlds_.first(), arguments_.common);
         watch_lines();
         while (!loading.ready()) {
             clock_.sleep_until_s(clock_.now_s() + kFrame_s);
@@ -181,8 +177,7 @@ private:
             return false;
         }
         if (ended()) return false;
-        worlds_.enter(std::move(*world), path,
-                      hand_.asked_s());  // goes on with the greeting instead of cutting it short
+        worlds_.enter(std::move(*world), hand_.asked_s());  // goes on with the greeting instead of cutting it short
         return true;
     }
 
@@ -203,6 +198,7 @@ private:
             set_up_.begin_if_asked();
             recording_.set_up(set_up_.under_way());
             if (auto ended = recording_.take_problem()) say_(std::move(*ended));
+            take_setting_changes();
             worlds_.change(now_s);
             learners_.turn(now_s);
             if (set_up_.under_way()) {
@@ -279,12 +275,17 @@ private:
         for (std::string& sentence : news) say_(std::move(sentence));
     }
 
+    // What the person has changed, to who keeps it, and to the ears.
+    void take_setting_changes() {
+        const bool changed = kept_.take(app_.take_setting_changes());
+        if (!worlds_.take_new_settings() && !changed) return;
+        recording_.note("ears_settings");
+        ears_.sound().set_settings(app_.settings());
+    }
+
     // To the servos and the ears, what this frame changed.
     void hand_over() {
-        if (kept_.take(app_.take_setting_changes())) {
-            recording_.note("ears_settings");
-            ears_.sound().set_settings(app_.settings());
-        }
+        take_setting_changes();
         if (!set_up_.under_way()) recording_.handed_over();
         ears_.follow_world(app_);
         ears_.show_dialogue(app_);
@@ -299,9 +300,8 @@ private:
 
     // Where two periods of the sound device drop out it gets three, from the next start on.
     void hold_more_sound() {
-        if (settings_.values().sound.periods >= 3 || !ears_.sound().sound_drops_out() ||
-            !kept_.take({{"sound.periods", "3"}}))
-            return;
+        if (settings_.values().sound.periods >= 3 || !ears_.sound().sound_drops_out()) return;
+        app_.apply(SettingSet{"sound.periods", "3"}, clock_.now_s());
         say_(phrase("program.drops_out"));
     }
 
@@ -350,7 +350,7 @@ private:
     KeptSettings kept_{settings_, clock_, say_};
     HandInUse hand_{{arguments_, settings_, clock_, switches_, contacts_, app_, say_, recording_.hand(0)}};
     GuidedSetUp set_up_{{settings_, switches_, app_, hand_, ears_, kept_, say_, arguments_.calibrate.has_value()}};
-    WorldVisits worlds_{arguments_, app_, say_};
+    WorldVisits worlds_{arguments_, settings_, app_, say_};
     DeviceFacts device_facts_;
     LessonHere lesson_{arguments_, app_, say_};
     LearnersHere learners_{arguments_, app_, recording_, say_};

@@ -48,7 +48,10 @@ ExploreCall as_somebody_else(ExploreCall asked, ExploreEnd end) {
     ExploreArguments& arguments = asked.arguments;
     arguments.learner = end.learner.value_or(std::string());
     if (!arguments.learner.empty()) arguments.record_in.reset();  // as they have agreed
-    arguments.world = std::move(end.world);
+    arguments.world = std::move(end.world.file);
+    arguments.common.building = std::move(end.world.building);
+    arguments.common.unit_m.reset();  // kept next to the world
+    arguments.lesson_settings.clear();
     arguments.lines = std::move(end.lines);
     arguments.lesson.reset();
     arguments.news = {phrase(arguments.learner.empty() ? "learner.nobody_here" : "learner.changes")};

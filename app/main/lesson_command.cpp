@@ -41,8 +41,8 @@ int check_lesson(const std::shared_ptr<TaughtWorld>& world, const LongWork& prog
 
 // 0: done. 1: a pupil failed, or there is nothing to watch. 2: the lesson is refused. None: it is to be taught, and
 // `explore` says how.
-std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments& explore, SettingsStore& settings,
-                              std::ostream& out, std::ostream& err, const LongWork& progress) {
+std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments& explore, std::ostream& out,
+                              std::ostream& err, const LongWork& progress) {
     std::error_code ec;
     if (arguments.file == "watch" && !std::filesystem::exists(arguments.file, ec))
         return watch_desk(desk_folder(), STDIN_FILENO, out, err);
@@ -74,9 +74,12 @@ std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments
         explore.news.push_back(
             phrase("teaching.session_is_next", {{"number", session + 1}, {"count", lesson.sessions.size()}}));
     }
+    SettingsStore lesson_settings;
     for (const auto* conditions : {&lesson.settings, &lesson.sessions[session].settings})
         for (const auto& [key, value] : *conditions)
-            if (const auto set = settings.set(key, value, SettingSource::World); !set) return refused(set.error());
+            if (const auto set = lesson_settings.set(key, value, SettingSource::World); !set)
+                return refused(set.error());
+            else explore.lesson_settings.emplace_back(key, value);
     explore.world = lesson.world;
     explore.lesson = LessonToTeach{std::move(*world), session, learner};
     return std::nullopt;

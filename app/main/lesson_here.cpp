@@ -1,5 +1,7 @@
 #include "app/main/lesson_here.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "app/core/kept/side_file.h"

@@ -10,6 +10,7 @@
 #include "app/core/dialogue/command_words.h"
 #include "app/core/kept/side_file.h"
 #include "app/core/kept/spoken_language.h"
+#include "app/core/scenario/read_request.h"
 #include "app/learners/way_out.h"
 #include "app/main/commands.h"
 #include "app/main/end_signals.h"
@@ -203,8 +204,8 @@ int check(const Recording& recording, std::ostream& out, std::ostream& err, cons
     return 0;
 }
 
-Result<std::shared_ptr<const Scene>> shared_world(const fs::path& file) {
-    auto scene = read_world(file);
+Result<std::shared_ptr<const Scene>> shared_world(const WorldRequest& world) {
+    auto scene = read_world(world.file, read_options(world));
     if (!scene) return tl::unexpected(scene.error());
     return std::make_shared<const Scene>(std::move(*scene));
 }

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <tuple>
@@ -31,8 +33,7 @@ public:
 private:
     bool is_same(const RecordedWorld& other) const {
         const auto what = [](const RecordedWorld& of) {
-            return std::tie(of.source.file, of.source.map_metres_per_unit, of.source.obj_metres_per_unit,
-                            of.source.unit_is_known, of.checksum, of.has_additions, of.additions);
+            return std::tie(of.request, of.checksum, of.has_additions, of.additions);
         };
         return !other.checksum.empty() && what(world_) == what(other);
     }

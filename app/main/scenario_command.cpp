@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/core/kept/side_file.h"
+#include "app/core/scenario/read_request.h"
 #include "app/core/scenario/scenario_run.h"
 #include "app/core/session/headless_session.h"
 #include "app/learners/way_out.h"
@@ -66,7 +67,12 @@ Result<void> write_transcript(const fs::path& folder, const Scenario& scenario, 
 
 Outcome run_one(const Scenario& scenario, const WayOut& way_out, const ScenarioArguments& arguments) {
     Outcome outcome{scenario.file.filename().string(), scenario.title, {}, 0.0};
-    auto scene = read_world(scenario.world, arguments.common.read_options());
+    WorldRequest request = scenario.world;
+    const CommonArguments& common = arguments.common;
+    if (!request.unit_m) request.unit_m = common.unit_m;
+    if (!request.map_scale_m_per_unit) request.map_scale_m_per_unit = common.map_scale_m_per_unit;
+    if (request.building.empty()) request.building = common.building;
+    auto scene = read_world(request.file, read_options(request));
     if (!scene) {
         outcome.failures.push_back(scene.error().sentence());
         return outcome;

@@ -6,6 +6,7 @@
 #include "app/core/kept/made_doors.h"
 #include "app/core/kept/side_file.h"
 #include "app/core/kept/world_shelf.h"
+#include "app/core/scenario/read_request.h"
 #include "app/import/toml_apart.h"
 #include "app/main/commands.h"
 #include "worlds/base/language.h"
@@ -124,12 +125,15 @@ fs::path first_world() { return world_folder() / "first_room.map"; }
 
 fs::path CommonArguments::data_folder() const { return data_in.empty() ? user_data_folder() : data_in; }
 
+WorldRequest with_kept_unit(WorldRequest request, const CommonArguments& common) {
+    if (!request.unit_m && !request.map_scale_m_per_unit)
+        request.unit_m = kept_unit(kept_by(request.file), common.data_folder(),
+                                   !common.data_in.empty() || is_shipped(request.file), toml_beside_worlds());
+    return request;
+}
+
 ReadOptions CommonArguments::read_options(const fs::path& world) const {
-    CommonArguments said = *this;
-    if (!unit_m && !map_scale_m_per_unit)
-        said.unit_m =
-            kept_unit(kept_by(world), data_folder(), !data_in.empty() || is_shipped(world), toml_beside_worlds());
-    return said.read_options();
+    return handrail::read_options(with_kept_unit(request(world), *this));
 }
 
 }  // namespace handrail

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/core/kept/ways_keeper.h"
+#include "app/core/kept/world_request.h"
 #include "app/import/import_world.h"
 #include "settings/toml_value.h"
 
@@ -37,6 +38,8 @@ Result<ImportedWorld> imported(const std::filesystem::path& world, const ReadOpt
 const TomlReader& toml_beside_worlds();
 // Keeps ways and rooms in the person's cache; nothing without one, or without handrail-reader, which unpacks them.
 WaysKeeper ways_in_cache();
+// With the unit that a person has said of this world before, where the request says none. See keep_unit. Any thread.
+WorldRequest with_kept_unit(WorldRequest request, const CommonArguments& common);
 // With the doors that a person has said to be missing in it: of whoever keeps what they add in that folder. The same
 // where there are none. Any thread.
 Scene mended(Scene scene, const std::filesystem::path& world, const CommonArguments& common);

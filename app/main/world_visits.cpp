@@ -25,17 +25,23 @@ std::string_view act_word(const SessionInput& input) {
     if (std::holds_alternative<WorldEntered>(input)) return "world-entered";
     if (std::holds_alternative<HandChanged>(input)) return "hand-changed";
     if (std::holds_alternative<LeftHandChanged>(input)) return "left-hand-changed";
-    if (std::holds_alternative<SettingsChanged>(input)) return "settings-changed";
+    if (std::holds_alternative<SettingsChanged>(input) || std::holds_alternative<SettingSet>(input))
+        return "settings-changed";
     if (std::holds_alternative<WentOnAt>(input)) return "went-on";
     return {};
 }
 
 }  // namespace
 
-void WorldVisits::begin_notes(const SettingsStore& settings, double now_s) {
+std::string settings_faults_words(const std::vector<std::string>& faults) {
+    if (faults.size() == 1) return faults.front();
+    return phrase("program.settings_faults", {{"count", faults.size()}, {"first", faults.front()}});
+}
+
+void WorldVisits::begin_notes(double now_s) {
     std::vector<std::string> lines{
         phrase("crash_report.program", {{"version", arguments_.program_version}, {"language", spoken_language()}})};
-    for (const SettingRow& row : settings.explain())
+    for (const SettingRow& row : settings_.explain())
         if (row.source != SettingSource::Default)
             lines.push_back(
                 phrase("crash_report.setting", {{"key", row.key},
@@ -68,25 +74,41 @@ std::string WorldVisits::crash_words(bool with_window, double now_s) {
     }
     const auto& last = trace_.left_at();
     std::error_code ec;
-    if (!last || !std::filesystem::exists(last->world, ec)) return phrase("last_place.crashed") + report;
+    if (!last || !std::filesystem::exists(last->world.file, ec)) return phrase("last_place.crashed") + report;
     app_.apply(LastPlaceKnown{*last}, now_s);
-    return phrase("last_place.crashed_offer", {{"world", name_of_file(last->world)},
+    return phrase("last_place.crashed_offer", {{"world", name_of_file(last->world.file)},
                                                {"window", with_window ? "yes" : "no"},
                                                {"keys", app_.keys().keys_of(Command::LastPlace)}}) +
            report;
 }
 
-void WorldVisits::enter(EnteringWorld world, const std::filesystem::path& path, double asked_s) {
-    const ReadReport& report = world.file->report;
+WorldRequest WorldVisits::first() const {
+    WorldRequest request = arguments_.common.request(arguments_.world.value_or(first_world()));
+    request.settings = arguments_.lesson_settings;
+    return request;
+}
+
+// What the world before brought goes, what this one brings comes.
+void WorldVisits::take_settings(LoadedWorld& world, double asked_s) {
+    settings_.take_layer(SettingSource::World, std::move(world.settings));
+    new_settings_ = true;
+    std::vector<std::string> faults;
+    for (const Diagnostic& problem : world.settings_problems) faults.push_back(problem.sentence());
+    if (!faults.empty()) say_(settings_faults_words(faults), asked_s);
+    for (const Diagnostic& problem : arguments_.settings_problems) faults.push_back(problem.sentence());
+    app_.apply(SettingsFaultsKnown{std::move(faults)}, asked_s);
+}
+
+void WorldVisits::enter(LoadedWorld world, double asked_s) {
+    const ReadReport& report = world.entering.file->report;
     if (report.warnings_in_all > 0)
         say_(phrase("program.problems",
                     {{"count", report.warnings_in_all}, {"first", report.warnings.front().sentence()}}),
              asked_s);
-    SideFile side_file = additions_to(path);
+    SideFile side_file = additions_to(world.request.file);
     // The unit said on the command line is kept when the world is first entered; from then on what is kept holds.
-    const bool unit_said = arguments_.world && path == *arguments_.world && !std::exchange(unit_kept_, true);
-    if (arguments_.common.unit_m && unit_said) {
-        keep_unit(side_file, *arguments_.common.unit_m);
+    if (world.asked.unit_m) {
+        keep_unit(side_file, *world.asked.unit_m);
         if (const auto saved = side_file.save(); !saved) say_(saved.error().sentence(), asked_s);
     }
     if (!arguments_.common.data_in.empty()) {  // what was learnt without consent, or before it was withdrawn, goes
@@ -94,16 +116,16 @@ void WorldVisits::enter(EnteringWorld world, const std::filesystem::path& path, 
         if (const auto saved = side_file.save(); !saved) say_(saved.error().sentence(), asked_s);
     }
     std::error_code ec;
-    path_ = std::filesystem::absolute(path, ec);
-    watch_.begin(path_, asked_s);
-    CommonArguments common = arguments_.common;
-    if (!unit_said) common.unit_m.reset();
-    const ReadOptions read = common.read_options(path);
-    app_.apply(WorldEntered{std::move(world),
-                            std::move(side_file),
-                            {path_, read.map_metres_per_unit, read.obj_metres_per_unit, read.unit_is_known}},
-               asked_s);
-    recent_.add(path);
+    here_ = std::move(world.asked);
+    here_.file = std::filesystem::absolute(here_.file, ec);
+    here_.unit_m.reset();
+    world.request.file = here_.file;
+    watch_.begin(here_.file, asked_s);
+    take_settings(world, asked_s);
+    app_.apply(
+        WorldEntered{std::move(world.entering), std::move(side_file), std::move(world.request), settings_.values()},
+        asked_s);
+    recent_.add(here_.file);
     app_.apply(WorldsKnown{{world_folder(), recent_.worlds()}}, asked_s);
 }
 
@@ -122,34 +144,31 @@ SideFile WorldVisits::additions_to(const std::filesystem::path& path) const {
     return SideFile::of_world(kept, arguments_.common.data_in, true, toml_beside_worlds());
 }
 
-void WorldVisits::begin_reading(const std::filesystem::path& path, const CommonArguments& common) {
-    next_path_ = path;
-    next_ = std::make_unique<WorldLoading>(next_path_, common);
+void WorldVisits::begin_reading(WorldRequest request) {
+    asked_ = std::move(request);
+    next_ = std::make_unique<WorldLoading>(asked_, arguments_.common);
+}
+
+// Where it is another world than the one one is in, once that is read.
+void WorldVisits::go_on_at(LastPlace last, double now_s) {
+    std::error_code ec;
+    if (std::filesystem::equivalent(last.world.file, here_.file, ec) && last.world.building == here_.building)
+        return void(app_.apply(WentOnAt{std::move(last)}, now_s));
+    begin_reading(last.world);
+    next_place_ = std::move(last);
 }
 
 void WorldVisits::change(double now_s) {
-    if (const auto wanted = app_.requests().take_world()) {
-        if (next_) return say_(phrase("program.still_read", {{"world", name_of_file(next_path_)}}));
-        CommonArguments common = arguments_.common;
-        common.unit_m.reset();  // it was said of another world
-        common.building.clear();
-        begin_reading(*wanted, common);
+    if (auto wanted = app_.requests().take_world()) {
+        if (next_) return say_(phrase("program.still_read", {{"world", name_of_file(asked_.file)}}));
+        wanted->map_scale_m_per_unit = arguments_.common.map_scale_m_per_unit;  // said of every map
+        begin_reading(std::move(*wanted));
     }
-    if (app_.requests().take_read_again() && !next_ && !path_.empty()) {
-        if (!app_.requests().take_begin_anew()) next_place_ = LastPlace{path_, app_.feet_m(), app_.heading_rad()};
-        CommonArguments common = arguments_.common;
-        common.unit_m.reset();  // kept by now, and perhaps mended
-        begin_reading(path_, common);
+    if (app_.requests().take_read_again() && !next_ && !here_.file.empty()) {
+        if (!app_.requests().take_begin_anew()) next_place_ = LastPlace{here_, app_.feet_m(), app_.heading_rad()};
+        begin_reading(here_);
     }
-    if (const auto last = app_.requests().take_last_place(); last && !next_) {
-        std::error_code ec;
-        if (std::filesystem::equivalent(last->world, path_, ec)) {
-            app_.apply(WentOnAt{*last}, now_s);
-        } else {
-            next_place_ = *last;
-            begin_reading(last->world, arguments_.common);
-        }
-    }
+    if (auto last = app_.requests().take_last_place(); last && !next_) go_on_at(std::move(*last), now_s);
     if (!next_) return watch_file(now_s);
     if (!next_->ready()) return next_->tell(now_s, [this](const std::string& words) { say_(words); });
     auto world = next_->take();
@@ -158,7 +177,7 @@ void WorldVisits::change(double now_s) {
     if (!world)
         return say_(phrase("program.stay_in", {{"problem", world.error().sentence()}, {"world", app_.scene()->name}}),
                     now_s);
-    enter(std::move(*world), next_path_, now_s);
+    enter(std::move(*world), now_s);
     if (place) app_.apply(WentOnAt{*place}, now_s);
 }
 
@@ -167,7 +186,7 @@ void WorldVisits::watch_file(double now_s) {
     const WorldWatch::News news = watch_.look(now_s);
     if (news == WorldWatch::News::None) return;
     say_(phrase(news == WorldWatch::News::Gone ? "program.world_gone" : "program.world_changed",
-                {{"file", path_.filename().string()}}),
+                {{"file", here_.file.filename().string()}}),
          now_s);
 }
 
@@ -175,12 +194,12 @@ bool WorldVisits::give_up_reading(double now_s) {
     if (!next_) return false;
     next_.reset();  // waits for what looks at the stop many times a second
     next_place_.reset();
-    say_(phrase("program.given_up", {{"left", name_of_file(next_path_)}, {"world", app_.scene()->name}}), now_s);
+    say_(phrase("program.given_up", {{"left", name_of_file(asked_.file)}, {"world", app_.scene()->name}}), now_s);
     return true;
 }
 
 void WorldVisits::note_place(double now_s) {
-    if (app_.standing()) trace_.note({path_, app_.feet_m(), app_.heading_rad()}, now_s);
+    if (app_.standing()) trace_.note({here_, app_.feet_m(), app_.heading_rad()}, now_s);
 }
 
 }  // namespace handrail

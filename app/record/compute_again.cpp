@@ -8,6 +8,7 @@
 
 #include "app/core/kept/made_doors.h"
 #include "app/core/kept/side_file.h"
+#include "app/core/scenario/read_request.h"
 #include "app/record/json_fields.h"
 #include "app/record/played_ears.h"
 #include "app/record/played_hand.h"
@@ -43,8 +44,8 @@ public:
         const fs::path folder = path_ / std::to_string(++worlds_);
         std::error_code ec;
         fs::create_directories(folder, ec);
-        const fs::path link = folder / world.source.file.filename();
-        fs::create_symlink(world.source.file, link, ec);
+        const fs::path link = folder / world.request.file.filename();
+        fs::create_symlink(world.request.file, link, ec);
         fs::path file = link;
         file += ".handrail.toml";
         if (!world.additions.empty()) (void)write_file_atomically(file, world.additions);
@@ -258,14 +259,10 @@ private:
 }  // namespace
 
 Result<std::shared_ptr<const Scene>> read_recorded_scene(const RecordedWorld& world) {
-    const std::string name = world.source.file.string();
-    ReadOptions options;
-    options.map_metres_per_unit = world.source.map_metres_per_unit;
-    options.obj_metres_per_unit = world.source.obj_metres_per_unit;
-    options.unit_is_known = world.source.unit_is_known;
-    auto scene = read_world(world.source.file, options);
+    const std::string name = world.request.file.string();
+    auto scene = read_world(world.request.file, read_options(world.request));
     if (!scene) return tl::unexpected(scene.error());
-    if (!world.checksum.empty() && SideFile::checksum_of_world(world.source.file) != world.checksum)
+    if (!world.checksum.empty() && SideFile::checksum_of_world(world.request.file) != world.checksum)
         return fail(phrase("replay.other_world"), name);
     return std::make_shared<const Scene>(with_made_doors(std::move(*scene), made_doors_in(world.additions)));
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "app/core/scenario/read_request.h"
 #include "app/record/json_fields.h"
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
@@ -80,17 +81,33 @@ Settings settings_of(const Json& json) {
 }
 
 Json json_of(const LastPlace& place) {
-    return {{"world", place.world.string()}, {"feet_m", json_of_vec(place.feet_m)}, {"heading_rad", place.heading_rad}};
+    Json json{{"world", place.world.file.string()},
+              {"feet_m", json_of_vec(place.feet_m)},
+              {"heading_rad", place.heading_rad}};
+    if (!place.world.building.empty()) json["building"] = place.world.building;
+    if (place.world.map_scale_m_per_unit) json["map_scale_m_per_unit"] = *place.world.map_scale_m_per_unit;
+    if (place.world.unit_m) json["unit_m"] = *place.world.unit_m;
+    return json;
+}
+std::optional<double> number_of(const Json& json, const char* key) {
+    const auto at = json.find(key);
+    return at == json.end() ? std::nullopt : std::optional(at->get<double>());
 }
 LastPlace last_place_of(const Json& json) {
-    return {json.at("world").get<std::string>(), vec_of(json.at("feet_m")), json.at("heading_rad").get<double>()};
+    const WorldRequest world{json.at("world").get<std::string>(), number_of(json, "map_scale_m_per_unit"),
+                             number_of(json, "unit_m"), json.value("building", std::string())};
+    return {world, vec_of(json.at("feet_m")), json.at("heading_rad").get<double>()};
 }
 
+// How it was read stands in the readers' words.
 Json json_of(const WorldEntered& in) {
-    Json json{{"world", in.source.file.string()},
-              {"map_metres_per_unit", in.source.map_metres_per_unit},
-              {"obj_metres_per_unit", in.source.obj_metres_per_unit},
-              {"unit_is_known", in.source.unit_is_known}};
+    const ReadOptions read = read_options(in.request);
+    Json json{{"world", in.request.file.string()},
+              {"map_metres_per_unit", read.map_metres_per_unit},
+              {"obj_metres_per_unit", read.obj_metres_per_unit},
+              {"unit_is_known", read.unit_is_known}};
+    if (!read.building.empty()) json["building"] = read.building;
+    if (in.settings) json["settings"] = json_of(*in.settings);
     if (!in.additions) return json;
     json["checksum"] = in.additions->world_checksum();
     const auto text = in.additions->path().empty() ? fail({}) : read_whole_file(in.additions->path());
@@ -100,8 +117,14 @@ Json json_of(const WorldEntered& in) {
 
 RecordedWorld world_of(const Json& json) {
     RecordedWorld world;
-    world.source = {json.at("world").get<std::string>(), json.at("map_metres_per_unit").get<double>(),
-                    json.at("obj_metres_per_unit").get<double>(), json.at("unit_is_known").get<bool>()};
+    world.request.file = json.at("world").get<std::string>();
+    world.request.building = json.value("building", std::string());
+    const double map_m = json.at("map_metres_per_unit").get<double>(),
+                 other_m = json.at("obj_metres_per_unit").get<double>();
+    if (json.at("unit_is_known").get<bool>()) {
+        if (map_m == other_m) world.request.unit_m = map_m;
+        else world.request.map_scale_m_per_unit = map_m;
+    }
     world.checksum = json.value("checksum", std::string());
     world.has_additions = json.contains("additions");
     world.additions = json.value("additions", std::string());
@@ -149,6 +172,9 @@ Json fields_of(const SessionInput& input) {
             },
             [](const HandMoved& in) {
                 return Json{{"is", "hand_moved"}, {"by_m", json_of_vec(in.by_m)}};
+            },
+            [](const SettingSet& in) {
+                return Json{{"is", "setting"}, {"key", in.key}, {"value", in.value}};
             },
             [](const SettingsChanged& in) {
                 return Json{{"is", "settings"}, {"settings", json_of(in.settings)}};
@@ -244,6 +270,10 @@ const std::map<std::string, ReadFields, std::less<>>& readers() {
         {"focus", [](const Json& j) -> SessionInput { return FocusChanged{j.at("focused").get<bool>()}; }},
         {"stops", [](const Json& j) -> SessionInput { return Stopped{whole_of<std::uint32_t>(j.at("count"))}; }},
         {"hand_moved", [](const Json& j) -> SessionInput { return HandMoved{vec_of(j.at("by_m"))}; }},
+        {"setting",
+         [](const Json& j) -> SessionInput {
+             return SettingSet{j.at("key").get<std::string>(), j.at("value").get<std::string>()};
+         }},
         {"settings", [](const Json& j) -> SessionInput { return SettingsChanged{settings_of(j.at("settings"))}; }},
         {"hand",
          [](const Json& j) -> SessionInput {
@@ -255,7 +285,10 @@ const std::map<std::string, ReadFields, std::less<>>& readers() {
          [](const Json& j) -> SessionInput { return HandOffered{j.at("spoken_name").get<std::string>()}; }},
         {"world_entered",
          [](const Json& j) -> SessionInput {
-             return WorldEntered{{}, {}, world_of(j).source};
+             return WorldEntered{{},
+                                 {},
+                                 world_of(j).request,
+                                 j.contains("settings") ? std::optional(settings_of(j.at("settings"))) : std::nullopt};
          }},
         {"placed",
          [](const Json& j) -> SessionInput {

@@ -22,7 +22,7 @@ Result<Settings> read_settings_text(const std::string& json);
 
 // A world as a recording names it: to be read again by who computes it again.
 struct RecordedWorld {
-    WorldSource source;
+    WorldRequest request;
     std::string checksum;  // of the file's bytes; empty: unknown
     bool has_additions = false;
     std::string additions;  // the text of its side file; empty: there was none

@@ -79,6 +79,8 @@ struct Writer {
                                    placed->heading_rad * 180.0 / 3.14159265358979323846));
         } else if (const auto* focus = std::get_if<FocusChanged>(&input)) {
             act(now_s, fmt::format("focus = {}", focus->focused));
+        } else if (const auto* set = std::get_if<SettingSet>(&input)) {
+            act(now_s, "set = " + in_quotes(set->key + "=" + set->value));
         } else if (std::holds_alternative<WorldEntered>(input)) {
             leave_out("replay.one_world");
         } else if (std::holds_alternative<Steered>(input) || std::holds_alternative<ItemActed>(input)) {
@@ -132,7 +134,9 @@ std::string without_actions(const std::string& toml, const std::vector<int>& lin
 
 Result<ScenarioText> scenario_of(const Recording& recording, const std::string& title) {
     Writer writer{recording, 0.0, {}, {}, {}, {}};
-    std::string world, device = "none", acts_by = "window-keys";
+    WorldRequest world;
+    Settings settings_then = recording.head.settings;  // with what the world brings
+    std::string device = "none", acts_by = "window-keys";
     double last_s = 0.0;
     std::vector<std::string> expected;
     std::set<std::string> told_by_program;
@@ -143,11 +147,11 @@ Result<ScenarioText> scenario_of(const Recording& recording, const std::string& 
     for (const RecordedLine& line : recording.lines) {
         if (over) break;
         rooms_known = rooms_known || entered(line);
-        if (line.is == "acts_by" && world.empty()) {
+        if (line.is == "acts_by" && world.file.empty()) {
             const auto who = Json::parse(line.json, nullptr, false).value("number", 0);
             acts_by = who == 1 ? "terminal-keys" : who == 2 ? "lines" : "window-keys";
         }
-        if (line.is == "said" && !world.empty() && expects && rooms_known) {
+        if (line.is == "said" && !world.file.empty() && expects && rooms_known) {
             const Json json = Json::parse(line.json, nullptr, false);
             const std::string text = json.value("text", std::string());
             if (json.value("class", std::string()) == "answer" && json.value("voiced", false) &&
@@ -160,20 +164,22 @@ Result<ScenarioText> scenario_of(const Recording& recording, const std::string& 
         if (!is_input(line.is)) continue;
         auto input = read_input_line(line.json);
         if (!input) return fail(input.error().message, "events.jsonl", line.line);
-        if (const auto* hand = std::get_if<HandChanged>(&input->input); hand && hand->hand.present && world.empty())
+        if (const auto* hand = std::get_if<HandChanged>(&input->input);
+            hand && hand->hand.present && world.file.empty())
             device = std::string(hand->hand.spec.name) == "sim-f" ? "sim-f" : "sim-t";
         // What the program itself told is not what the world answers.
         if (const auto* told = std::get_if<Told>(&input->input)) told_by_program.insert(told->text);
         if (std::holds_alternative<WorldEntered>(input->input)) {
-            if (world.empty()) {
-                world = input->world.source.file.string();
+            if (world.file.empty()) {
+                world = input->world.request;
+                if (const auto& own = std::get<WorldEntered>(input->input).settings) settings_then = *own;
                 writer.begun_s = input->now_s;
                 continue;
             }
             writer.leave_out("replay.one_world");
             over = true;
         }
-        if (world.empty()) continue;
+        if (world.file.empty()) continue;
         // It ends by itself.
         if (const auto* down = std::get_if<CommandDown>(&input->input)) {
             expects = down->command != Command::Leave;
@@ -182,14 +188,17 @@ Result<ScenarioText> scenario_of(const Recording& recording, const std::string& 
         last_s = input->now_s;
         writer.inputs.push_back(std::move(*input));
     }
-    if (world.empty()) return fail(phrase("replay.no_world"));
+    if (world.file.empty()) return fail(phrase("replay.no_world"));
     std::erase_if(expected, [&](const std::string& text) { return told_by_program.contains(text); });
     if (expected.empty()) return fail(phrase("replay.nothing_answered"));
 
-    std::string toml =
-        fmt::format("title = {}\nworld = {}\ndevice = {}\n", in_quotes(title), in_quotes(world), in_quotes(device));
+    std::string toml = fmt::format("title = {}\nworld = {}\ndevice = {}\n", in_quotes(title),
+                                   in_quotes(world.file.string()), in_quotes(device));
+    if (!world.building.empty()) toml += fmt::format("building = {}\n", in_quotes(world.building));
+    if (world.unit_m) toml += fmt::format("unit_m = {}\n", *world.unit_m);
+    if (world.map_scale_m_per_unit) toml += fmt::format("map_scale_m_per_unit = {}\n", *world.map_scale_m_per_unit);
     toml += fmt::format("acts_by = {}\ntail_s = {}\n", in_quotes(acts_by), kTail_s);
-    const Json settings = Json::parse(settings_text(recording.head.settings), nullptr, false);
+    const Json settings = Json::parse(settings_text(settings_then), nullptr, false);
     if (const auto set = settings.find("set"); set != settings.end()) {
         toml += "\n[settings]\n";
         for (const auto& [key, value] : set->items())

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/core/kept/world_request.h"
 #include "app/record/recording.h"
 #include "worlds/base/result.h"
 #include "worlds/scene/scene.h"
@@ -26,7 +27,7 @@ Result<ScenarioText> scenario_of(const Recording& recording, const std::string& 
 // come otherwise, because the program has changed since, or something was left out, or came later in the session than
 // in a scenario, where rooms and ways are known at once. How many these are is told in left_out. Fails with a sentence
 // where the world cannot be read or no answer comes as it was recorded. Takes about as long as the scenario does.
-using Scenes = std::function<Result<std::shared_ptr<const Scene>>(const std::filesystem::path& world)>;
+using Scenes = std::function<Result<std::shared_ptr<const Scene>>(const WorldRequest& world)>;
 Result<ScenarioText> as_it_runs(ScenarioText scenario, const Scenes& read);
 
 // The text of the file. Of many answers the first are expected.

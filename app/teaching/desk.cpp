@@ -1,5 +1,7 @@
 #include "app/teaching/desk.h"
 
+#include <fmt/format.h>
+
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/socket.h>

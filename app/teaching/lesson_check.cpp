@@ -64,7 +64,7 @@ Result<PupilOutcome> run_pupil(const std::shared_ptr<TaughtWorld>& world, const 
     Scenario scenario;
     scenario.title = pupil.name;
     scenario.file = lesson.file;
-    scenario.world = lesson.world;
+    scenario.world.file = lesson.world;
     scenario.has_start = true;
     scenario.start_feet_m = world->base().stand_m;
     scenario.start_heading_rad = world->base_heading_rad();

@@ -1,5 +1,7 @@
 #include "app/teaching/lesson_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 

@@ -1,5 +1,7 @@
 #include "app/teaching/taught_world.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "app/core/kept/ways.h"

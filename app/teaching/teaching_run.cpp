@@ -1,5 +1,7 @@
 #include "app/teaching/teaching_run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 

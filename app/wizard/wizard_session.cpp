@@ -1,5 +1,7 @@
 #include "app/wizard/wizard_session.h"
 
+#include <fmt/format.h>
+
 #include <array>
 
 #include "app/core/dialogue/command_words.h"

@@ -237,7 +237,7 @@ void Monkey::setting() {
     }
     if (chance(0.1)) value = word();
     note("setting", row.key + "=" + value);
-    (void)app().change_setting(row.key, value, session_->now_s());
+    (void)app().apply(SettingSet{std::string(row.key), value}, session_->now_s());
 }
 
 void Monkey::world() {
@@ -273,7 +273,7 @@ void Monkey::world() {
 
 void Monkey::owner() {
     if (const auto wanted = app().requests().take_world()) {
-        note("chosen", wanted->filename().string());
+        note("chosen", wanted->file.filename().string());
         app().apply(WorldEntered{make_ready(worlds_[below(static_cast<std::uint32_t>(worlds_.size()))])},
                     session_->now_s());
     }

@@ -64,9 +64,11 @@ std::string say(const Scene& scene, const WorldFault& fault, std::string_view ke
                         {"needed", fault.needed_m},
                         {"lack", std::string(word_of(fault.lack))},
                         {"known", fault.amount > 0.0 ? "yes" : "no"},
-                        {"doorway", fault.amount >= kWideDoorway_m ? "wide"
-                                    : fault.amount > 0.0           ? "narrow"
-                                                                   : "no"},
+                        {"why", fault.why},
+                        {"doorway", !fault.why.empty()               ? "told"
+                                    : fault.amount >= kWideDoorway_m ? "wide"
+                                    : fault.amount > 0.0             ? "narrow"
+                                                                     : "no"},
                         {"candidates", candidates},
                         {"any", candidates.empty() ? "no" : "yes"}});
 }

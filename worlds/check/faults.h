@@ -62,6 +62,7 @@ struct WorldFault {
     FeatureId feature = kNoFeature;          // the door or thing
     std::uint32_t room = kNothing;           // of the graph, where it concerns one or lies in one
     std::string name = {}, other = {};       // what it concerns, as it is spoken: the room, the thing; and a second
+    std::string why = {};                    // of an impassable door, where a body tried it; fit for a sentence
     double amount = 0.0;                     // metres: of a crack, a drop, a door's width, what a way has
     Lack lack = Lack::Nothing;               // of the way to a room out of reach, or over stairs
     double needed_m = 0.0;                   // what it would have to have

@@ -114,6 +114,7 @@ void from_the_report(const Scene& scene, std::vector<WorldFault>& faults) {
             fault.name = stated.portals[point.index].name;
             fault.feature = stated.portals[point.index].feature;
             fault.amount = stated.portals[point.index].width_m;
+            if (fault.kind == FaultKind::ImpassableDoor) fault.why = door_trial_words(stated.portals[point.index]);
         }
         faults.push_back(std::move(fault));
     }

@@ -9,7 +9,9 @@
 #include "worlds/check/examined.h"
 #include "worlds/check/gap_width.h"
 #include "worlds/check/missing_doors.h"
+#include "worlds/geometry/clip.h"
 #include "worlds/navigation/reach.h"
+#include "worlds/navigation/stated_stairs.h"
 #include "worlds/scene/honest_report.h"
 
 namespace handrail {
@@ -19,7 +21,6 @@ constexpr double kLeastNamed_m2 = 2.0;       // a smaller one is a niche, whatev
 constexpr double kLeastLandmarked_m2 = 4.0;  // in a smaller one everything is at hand
 constexpr double kOneRoom_m = 1.5;           // names nearer than that stand in one place
 constexpr std::size_t kMostCandidates = 3;
-constexpr int kMostStairsLookedAt = 4;
 
 // Which rooms one walks into from the base, past all that stands about, doors open. More than a doorway of it: a
 // strip before a blocked door may count to the room behind.
@@ -85,11 +86,10 @@ void tell_lacks(const Examined& world, std::span<WorldFault> faults, std::span<c
     for (std::size_t i = 0; i < lacks.size(); ++i) tell_lack(world, *untold[i], lacks[i]);
 }
 
-// Of each of those stairs what keeps a body from walking on them, where anything was built of them: of the first few,
-// since each takes four spaces of the scene.
+// Of each of those stairs what keeps a body from walking on them, where anything was built of them: in place, since
+// another way round says nothing of the flight.
 void in_one_go(const Examined& world, std::vector<WorldFault>& faults) {
     constexpr std::array kKinds{Lack::Headroom, Lack::Step, Lack::Width};
-    int looked_at = 0;
     for (const WalkLink& link : world.space->links) {
         if (link.kind != PassageKind::Climb) continue;
         const Vec3 foot_m = world.space->place_m(link.from);
@@ -98,9 +98,15 @@ void in_one_go(const Examined& world, std::vector<WorldFault>& faults) {
         fault.feature = link.feature;
         fault.room = world.graph->room_of_span[link.to];
         fault.name = stairs ? spoken_name(*stairs) : spoken_kind("stairs");
-        const std::array places_m{world.space->place_m(link.to)};
-        if (stairs && looked_at++ < kMostStairsLookedAt)
-            tell_lack(world, fault, way_lacks(world.scene, *world.space, foot_m, places_m, kKinds)[0]);
+        if (stairs && !stairs->bounds_m.empty()) {
+            const Vec3 head_m = world.space->place_m(link.to);
+            Aabb around = stairs->bounds_m;
+            around.include(foot_m);
+            around.include(head_m);
+            tell_lack(
+                world, fault,
+                way_lacks_within(world.scene, *world.space, foot_m, head_m, grown(around, kBesideStairs_m), kKinds));
+        }
         faults.push_back(std::move(fault));
     }
 }

@@ -10,8 +10,8 @@ namespace handrail {
 namespace {
 
 constexpr double kNarrowestCrack_m = 1e-3, kWidestCrack_m = 0.06;
-// Between an underside and what it rests on, as a beam or a slab on a wall, a joint is usual up to this.
-constexpr double kLevelCrack = 0.7, kWidestLevelJoint_m = 0.02;
+// Between an underside and what it rests on, as a slab on a wall, and all round a beam, a joint is usual up to this.
+constexpr double kLevelCrack = 0.7, kWidestJoint_m = 0.02;
 constexpr double kLeastCrack_m2 = 0.01;  // of the faces that look at each other
 constexpr double kLeastOpen_m2 = 0.05;
 constexpr double kMostDrop_m = 1.2;
@@ -21,6 +21,12 @@ constexpr double kRail_m = 1.1;
 bool is_shell(const Scene& scene, const Solid& solid) {
     const Feature* feature = scene.find(solid.feature);
     return solid.role == SolidRole::Solid && (!feature || feature->made_name);
+}
+
+// By what its file says that it is.
+bool is_beam(const Scene& scene, const Solid& solid) {
+    const Feature* feature = scene.find(solid.feature);
+    return feature && feature->made_name && feature->name == "beam";
 }
 
 // The part of a face that another one looks at, straight across.
@@ -39,13 +45,14 @@ std::vector<Vec3> looked_at(const Polygon& face, const Plane& plane, const Polyg
 
 // Where two solids nearly touch and nothing fills what is between them.
 std::optional<WorldFault> crack_between(const Examined& world, const Solid& one, const Solid& other) {
+    const bool beam = is_beam(world.scene, one) || is_beam(world.scene, other);
     for (std::size_t a = 0; a < one.shape.planes.size(); ++a)
         for (std::size_t b = 0; b < other.shape.planes.size(); ++b) {
             const Plane &plane = one.shape.planes[a], &facing = other.shape.planes[b];
             if (glm::dot(plane.normal, facing.normal) > -0.99999) continue;
             const double gap = -facing.offset_m - plane.offset_m;
             if (gap < kNarrowestCrack_m || gap > kWidestCrack_m) continue;
-            if (std::abs(plane.normal.z) > kLevelCrack && gap < kWidestLevelJoint_m) continue;
+            if (gap < kWidestJoint_m && (beam || std::abs(plane.normal.z) > kLevelCrack)) continue;
             const std::vector<Vec3> part = looked_at(one.shape.faces[a], plane, other.shape.faces[b]);
             if (part.empty() || area_m2(std::span(part)) < kLeastCrack_m2) continue;
             Vec3 middle(0.0);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <queue>
+#include <utility>
 
 #include "worlds/navigation/reach.h"
 
@@ -61,8 +63,14 @@ std::uint32_t place_in(const WalkSpace& space, const Vec3& at_m) { return space.
 class Search {
 public:
     Search(const Scene& scene, const WalkBody& body, const Vec3& from_m, std::span<const Vec3> places_m,
-           const std::stop_token& stop)
-        : scene_(scene), body_(body), from_m_(from_m), places_m_(places_m), stop_(stop), found_(places_m.size()) {}
+           std::optional<WalkTrial::Stretch> within, std::stop_token stop)
+        : scene_(scene),
+          body_(body),
+          from_m_(from_m),
+          places_m_(places_m),
+          within_(within),
+          stop_(std::move(stop)),
+          found_(places_m.size()) {}
 
     std::vector<WayLacks> find(std::span<const Lack> kinds) {
         WalkBody any = low();
@@ -93,7 +101,7 @@ private:
 
     // Places that such a body comes to.
     bool comes_to_any(const WalkBody& body) const {
-        const Result<WalkSpace> space = make_walk_space(scene_, body, stop_);
+        const Result<WalkSpace> space = make_trial_space(scene_, body, {false, within_}, stop_);
         const std::uint32_t first = space ? place_in(*space, from_m_) : kNothing;
         if (first == kNothing) return false;
         const std::vector<bool> reached = spans_reached(*space, first);
@@ -134,7 +142,7 @@ private:
     void look(Lack lack, const WalkBody& body, double least, const Worth& worth_in) {
         if (std::all_of(found_.begin(), found_.end(), [](const WayLacks& f) { return f.lack != Lack::Nothing; }))
             return;
-        const Result<WalkSpace> space = make_walk_space(scene_, body, stop_);
+        const Result<WalkSpace> space = make_trial_space(scene_, body, {lack == Lack::Width, within_}, stop_);
         const std::uint32_t first = space ? place_in(*space, from_m_) : kNothing;
         if (first == kNothing) return;
         const BestWays ways =
@@ -151,7 +159,8 @@ private:
     WalkBody body_;
     Vec3 from_m_;
     std::span<const Vec3> places_m_;
-    const std::stop_token& stop_;
+    std::optional<WalkTrial::Stretch> within_;
+    std::stop_token stop_;
     std::vector<WayLacks> found_;
 };
 
@@ -166,7 +175,13 @@ std::vector<WayLacks> way_lacks(const Scene& scene, const WalkSpace& space, cons
                                 std::span<const Vec3> places_m, std::span<const Lack> kinds,
                                 const std::stop_token& stop) {
     if (places_m.empty()) return {};
-    return Search(scene, space.body, from_m, places_m, stop).find(kinds);
+    return Search(scene, space.body, from_m, places_m, std::nullopt, stop).find(kinds);
+}
+
+WayLacks way_lacks_within(const Scene& scene, const WalkSpace& space, const Vec3& from_m, const Vec3& place_m,
+                          const Aabb& box_m, std::span<const Lack> kinds) {
+    const std::array places_m{place_m};
+    return Search(scene, space.body, from_m, places_m, WalkTrial::Stretch{from_m, box_m}, {}).find(kinds)[0];
 }
 
 }  // namespace handrail

@@ -28,11 +28,15 @@ struct WayLacks {
 
 // For each place that no way leads to from `from_m` in the space of this scene. The best way is that whose worst place
 // is best: with most headroom, the least step, the most width; a body at least half as tall, of a fifth of the radius
-// or more, or that climbs up to 0.6 m more must come through. Of several kinds the first of `kinds` is told. Makes one
-// more space of the scene for each kind, and another first where there are several; stopped, it tells what it has by
+// or more, or that climbs up to 0.6 m more must come through. Of several kinds the first of `kinds` is told. Makes a
+// trial space of the scene for each kind, and another first where there are several; stopped, it tells what it has by
 // then. Source: the widest-path problem, Pollack, 1960.
 std::vector<WayLacks> way_lacks(const Scene& scene, const WalkSpace& space, const Vec3& from_m,
                                 std::span<const Vec3> places_m, std::span<const Lack> kinds,
                                 const std::stop_token& stop = {});
+
+// The same for one place, of the ways that stay in a box, such as those on one flight of stairs. Costs what is in it.
+WayLacks way_lacks_within(const Scene& scene, const WalkSpace& space, const Vec3& from_m, const Vec3& place_m,
+                          const Aabb& box_m, std::span<const Lack> kinds);
 
 }  // namespace handrail

@@ -1,7 +1,9 @@
 #include "worlds/ifc/body.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <map>
 
 #include "worlds/geometry/clip.h"
 #include "worlds/geometry/mass_properties.h"
@@ -102,7 +104,7 @@ std::optional<ConvexSolid> prism(const Ring& outline, const Vec3& way_m, const F
             box.include(p);
         }
     // The middle of a box may lie outside a slanted form, so faces are turned outwards by the outline's direction.
-    const bool turned = (signed_area(outline) < 0.0) != (way_m.z < 0.0) != frame.mirrored();
+    const bool turned = ((signed_area(outline) < 0.0) != (way_m.z < 0.0)) != frame.mirrored();
     std::vector<Plane> planes;
     std::vector<std::vector<Vec3>> sides;
     const auto add = [&](std::vector<Vec3> face) {
@@ -164,7 +166,40 @@ std::uint64_t number_of(const Body& body) {
 double volume_m3(const Body& body) {
     double sum = 0.0;
     for (const ConvexSolid& solid : body.solids) sum += mass_properties(solid).volume_m3;
-    return sum;
+    double six_volumes = 0.0;
+    for (const Polygon& sheet : body.sheets)
+        six_volumes += 2.0 * glm::dot(area_vector_m2(sheet.points_m), sheet.points_m[0] - body.sheets[0].points_m[0]);
+    return sum + std::abs(six_volumes) / 6.0;
+}
+
+std::optional<double> enclosed_m3(const std::vector<FlatFace>& faces) {
+    using Corner = std::array<long long, 3>;
+    const auto corner = [](const Vec3& p) {
+        const Vec3 scaled = glm::clamp(p * 1e5, Vec3(-9e17), Vec3(9e17));
+        return Corner{std::llround(scaled.x), std::llround(scaled.y), std::llround(scaled.z)};
+    };
+    std::map<std::pair<Corner, Corner>, int> edges;  // how often more one way than the other
+    double six_volumes = 0.0;
+    const Vec3* origin = nullptr;
+    for (const FlatFace& face : faces) {
+        Vec3 outer{0.0};
+        for (std::size_t r = 0; r < face.rings.size(); ++r) {
+            std::vector<Vec3> ring = face.rings[r];
+            if (ring.size() < 3) continue;
+            if (!std::all_of(ring.begin(), ring.end(), [](const Vec3& p) { return is_finite(p); })) return {};
+            Vec3 area = area_vector_m2(ring);
+            if (r == 0) outer = area;
+            else if (glm::dot(area, outer) > 0.0) std::reverse(ring.begin(), ring.end()), area = -area;
+            if (!origin) origin = &face.rings[r][0];
+            six_volumes += 2.0 * glm::dot(area, ring[0] - *origin);
+            for (std::size_t i = 0; i < ring.size(); ++i) {
+                const Corner a = corner(ring[i]), b = corner(ring[(i + 1) % ring.size()]);
+                if (a != b) edges[std::minmax(a, b)] += a < b ? 1 : -1;
+            }
+        }
+    }
+    if (std::any_of(edges.begin(), edges.end(), [](const auto& edge) { return edge.second != 0; })) return {};
+    return std::abs(six_volumes) / 6.0;
 }
 
 Body transformed(const Body& body, const Frame& frame) {

@@ -47,8 +47,11 @@ void fill(Body& body);
 bool same_body(const Body& a, const Body& b);
 std::uint64_t number_of(const Body& body);
 
-// Of its solids.
+// Of its solids, and of what its sheets enclose, where those are turned outwards.
 double volume_m3(const Body& body);
+// What a closed skin of faces encloses, each turned outwards; nothing where an edge of it is open, or runs twice the
+// same way. Knows nothing of solids, so that what they hold can be compared with it.
+std::optional<double> enclosed_m3(const std::vector<FlatFace>& faces);
 
 // The same elsewhere. What becomes flat or not finite is left out.
 Body transformed(const Body& body, const Frame& frame);

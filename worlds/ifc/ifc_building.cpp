@@ -109,7 +109,7 @@ private:
         const IfcShapes::Account& account = shapes_.account();
         if (!account.formed || part.prefab || stop_.stop_requested()) return;
         MissingPart missing;
-        const double stated_m3 = std::max(account.stated_m3, account.made_m3);
+        const double stated_m3 = account.stated_m3;
         const double lost_m3 = stated_m3 - account.made_m3 + std::max(0.0, own_m3 - volume_m3(part.body));
         if (far > 0) missing.reason = "ifc.lost_far";
         else if (!account.unread.empty() && (part.body.empty() || lost_m3 <= kLostShare * stated_m3))
@@ -117,6 +117,9 @@ private:
         else if (part.body.empty()) missing.reason = "ifc.lost_empty";
         else if (stated_m3 > kLeastStated_m3 && lost_m3 > kLostShare * stated_m3)
             missing.reason = "ifc.lost_share", missing.share = std::min(1.0, lost_m3 / stated_m3);
+        else if (stated_m3 > kLeastStated_m3 && -lost_m3 > kLostShare * stated_m3)
+            missing.reason = "ifc.lost_surplus", missing.share = -lost_m3 / stated_m3;
+        else if (!account.uncut.empty()) missing.reason = "ifc.lost_uncut", missing.detail = account.uncut;
         else return;
         missing.name = part.name;
         missing.guid = part.guid;
@@ -323,9 +326,30 @@ private:
             bool cut = host.body.empty() && cut_pieces(host, opening, solids, passage);
             for (const ConvexSolid& solid : solids)
                 cut = cut_through(host.body, solid, frame_of(opening), passage, host.role) || cut;
+            cut = cut || is_open_already(host, solids, upright(frame_of(opening)));
             building_.openings_cut += cut && building ? 1 : 0;
             if (!cut && building) building_.openings_uncut.push_back(static_cast<std::size_t>(model_.line(opening)));
         }
+    }
+    // The opening lies between the ends of what it is to be cut into, and nothing stands in it: many a program writes
+    // its walls already cut, and their openings as well.
+    bool is_open_already(const IfcPart& host, const std::vector<ConvexSolid>& solids, const Frame& axes) const {
+        if (solids.empty()) return false;
+        std::vector<const Body*> of_host{&host.body};
+        if (const auto pieces = pieces_of_.find(host.id); pieces != pieces_of_.end())
+            for (const std::size_t piece : pieces->second) of_host.push_back(&building_.parts[piece].body);
+        for (const Vec3& way : {axes.x, axes.y, axes.z}) {
+            std::optional<Reach> whole, opening;
+            const auto include = [](std::optional<Reach>& all, const Reach& one) {
+                all = all ? Reach{std::min(all->least, one.least), std::max(all->most, one.most)} : one;
+            };
+            for (const Body* const body : of_host)
+                if (const std::optional<Reach> reach = reach_along(*body, way)) include(whole, *reach);
+            for (const ConvexSolid& solid : solids) include(opening, reach_along(solid, way));
+            const double middle = 0.5 * (opening->least + opening->most);
+            if (!whole || middle < whole->least || middle > whole->most) return false;
+        }
+        return true;
     }
     // The host has no body of its own, its parts have.
     bool cut_pieces(const IfcPart& host, std::uint64_t opening, const std::vector<ConvexSolid>& solids, bool passage) {
@@ -494,12 +518,15 @@ private:
 };
 
 // What of a gap a body takes that goes through: 0.5 m wide and up to 1.8 m tall, above a threshold.
-std::optional<ConvexSolid> way_through(const WallGap& gap, double beyond_m = 0.1) {
-    constexpr double kWide_m = 0.5, kTall_m = 1.8, kThreshold_m = 0.2;
+// `standing`: it may stand on the threshold.
+std::optional<ConvexSolid> way_through(const WallGap& gap, bool standing = false) {
+    constexpr double kWide_m = 0.5, kTall_m = 1.8, kThreshold_m = 0.2, kBeyond_m = 0.1;
     const double middle = 0.5 * (gap.least_m.x + gap.most_m.x),
                  half = 0.5 * std::min(kWide_m, gap.most_m.x - gap.least_m.x - 0.02);
-    const Vec3 least{middle - half, gap.least_m.y - beyond_m, gap.least_m.z + kThreshold_m};
-    const Vec3 most{middle + half, gap.most_m.y + beyond_m, std::min(gap.least_m.z + kTall_m, gap.most_m.z - 0.02)};
+    const Vec3 least{middle - half, gap.least_m.y - kBeyond_m, gap.least_m.z + kThreshold_m};
+    const Vec3 most{middle + half, gap.most_m.y + kBeyond_m,
+                    standing ? std::min(gap.least_m.z + kThreshold_m + kTall_m, gap.most_m.z)
+                             : std::min(gap.least_m.z + kTall_m, gap.most_m.z - 0.02)};
     return box_solid(least, most, gap.axes);
 }
 
@@ -544,17 +571,9 @@ double sky_side(const IfcBuilding& building, const WallGap& gap) {
     return before == behind ? 0.0 : before ? -1.0 : 1.0;
 }
 
-std::vector<std::string> in_the_way(const IfcBuilding& building, const WallGap& gap) {
-    constexpr double kPerson_m = 0.5;
-    std::vector<std::string> names;
-    if (const std::optional<ConvexSolid> body = way_through(gap, kPerson_m))
-        for (const std::uint32_t i : blocking(building, *body)) names.push_back(building.parts[i].name);
-    return names;
-}
-
 std::vector<std::string> free_the_way(IfcBuilding& building, const WallGap& gap) {
     std::vector<std::string> cut;
-    const std::optional<ConvexSolid> body = way_through(gap);
+    const std::optional<ConvexSolid> body = way_through(gap, true);
     if (!body) return cut;
     for (const std::uint32_t i : blocking(building, *body)) {
         IfcPart& part = building.parts[i];

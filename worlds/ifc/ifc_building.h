@@ -72,7 +72,5 @@ std::vector<std::string> free_the_way(IfcBuilding& building, const WallGap& gap)
 bool can_pass(const IfcBuilding& building, const WallGap& gap);
 // The side of a gap that lies under open sky: -1 or 1, along the y axis of the gap; 0: neither side, or both.
 double sky_side(const IfcBuilding& building, const WallGap& gap);
-// Names of what keeps a person of 0.5 m from standing before the gap, passing, and standing behind it.
-std::vector<std::string> in_the_way(const IfcBuilding& building, const WallGap& gap);
 
 }  // namespace handrail

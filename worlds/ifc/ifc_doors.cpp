@@ -3,9 +3,11 @@
 #include <array>
 
 #include "worlds/base/language.h"
+#include "worlds/base/text.h"
 #include "worlds/geometry/clip.h"
 #include "worlds/ifc/ifc_scene.h"
 #include "worlds/ifc/ifc_spaces.h"
+#include "worlds/scene/honest_report.h"
 #include "worlds/scene/outer_ground.h"
 #include "worlds/scene/surfaces.h"
 
@@ -157,10 +159,26 @@ void IfcScene::add_door(std::size_t i, const WallGap& gap) {
         add_leaf(gap, gap.least_m.x, gap.most_m.x, part.operation.find("RIGHT") == std::string::npos, i, group);
     }
     if (scene_.features.size() > before) portal.feature = {static_cast<std::uint32_t>(before)};
+    doors_.push_back({stated_->portals.size(), i});
     // In a file without rooms those lead out that have open sky on one side; if none has, any door may.
     if (portal.rooms.size() == 1 || (stated_->rooms.empty() && (sky_side_.empty() || sky_side_.contains(i))))
         outer_doors_.push_back({stated_->portals.size(), i});
     stated_->portals.push_back(std::move(portal));
+}
+
+// The file states a door and gives it neither a form, nor a size, nor an opening: nothing can be opened.
+void IfcScene::add_door_without_place(std::size_t i) {
+    const IfcPart& part = building_.parts[i];
+    StatedPortal portal;
+    portal.name = part.name;
+    portal.guid = part.guid;
+    portal.source = {part.line, 0};
+    const Vec3 at_m = part.body.empty() ? part.frame.origin_m : part.body.bounds_m().centre_m();
+    portal.place_m = is_finite(at_m) ? at_m : Vec3(0.0);
+    portal.passable = false;
+    portal.why = "no_size";
+    stated_->portals.push_back(std::move(portal));
+    note_impassable(stated_->portals.back());
 }
 
 void IfcScene::add_window(std::size_t i, const WallGap& gap) {
@@ -205,14 +223,36 @@ StatedPortal IfcScene::portal_of(std::size_t i, const WallGap& gap) {
         warn(part.line, phrase("ifc.door_blocked", {{"door", part.name}, {"names", joined(freed->second)}}),
              phrase("ifc.then_opened"));
     }
-    if (const auto shut = impassable_.find(i); shut != impassable_.end()) {
-        portal.passable = false;  // the parts have given their bodies away by now
-        warn(part.line,
-             shut->second.empty() ? phrase("ifc.door_small", {{"door", part.name}})
-                                  : phrase("ifc.door_shut", {{"door", part.name}, {"names", joined(shut->second)}}),
-             phrase("ifc.then_left_as_is"));
-    }
     return portal;
+}
+
+// Every door by a body, once all stands that it could meet.
+void IfcScene::try_doors() {
+    const DoorTrials trials(scene_);
+    std::map<int, const std::string*> names;  // by their lines
+    for (const IfcPart& part : building_.parts) names.emplace(part.line, &part.name);
+    for (const DoorPortal& door : doors_) {
+        if (options_.stop.stop_requested()) return;
+        const DoorTrial trial = trials.try_door(building_.gaps.at(door.part));
+        if (trial.end == DoorTrialEnd::Passed) continue;
+        StatedPortal& portal = stated_->portals[door.portal];
+        portal.passable = false;
+        portal.why = word_of(trial.end);
+        portal.step_m = trial.end == DoorTrialEnd::Step ? trial.step_m : 0.0;
+        constexpr std::size_t kMostNamed = 3;
+        std::vector<std::string> in_the_way;
+        for (const int line : trial.lines)
+            if (const auto name = names.find(line); name != names.end() && in_the_way.size() < kMostNamed)
+                in_the_way.push_back(one_line(*name->second));
+        portal.in_the_way = joined(in_the_way);
+        note_impassable(portal);
+    }
+}
+
+void IfcScene::note_impassable(const StatedPortal& portal) {
+    warn(portal.source.line,
+         phrase("ifc.door_shut", {{"door", one_line(portal.name)}, {"reason", door_trial_words(portal)}}),
+         phrase("ifc.then_left_as_is"));
 }
 
 // Which rooms a flight of stairs or a ramp joins: by what lies at its two ends.
@@ -309,7 +349,7 @@ void IfcScene::note_stairwell(const Aabb& stairs) {
 void IfcScene::add_ground() {
     double level_m = scene_.bounds_m.min_m.z;
     std::vector<double> heights;
-    for (const OuterDoor& door : outer_doors_) heights.push_back(stated_->portals[door.portal].place_m.z);
+    for (const DoorPortal& door : outer_doors_) heights.push_back(stated_->portals[door.portal].place_m.z);
     std::sort(heights.begin(), heights.end());
     std::ptrdiff_t most = 0;
     for (const double here_m : heights) {  // of equal counts the lowest
@@ -348,7 +388,7 @@ void IfcScene::add_ground() {
 // Before each outer door, looking at it; the first is where most storeys' doors are. Without one in the largest room of
 // the lowest storey that has any; without rooms on the ground to the south, looking at the building.
 void IfcScene::add_starts() {
-    for (const OuterDoor& door : outer_doors_) {
+    for (const DoorPortal& door : outer_doors_) {
         const StatedPortal& portal = stated_->portals[door.portal];
         const auto gap = building_.gaps.find(door.part);
         if (gap == building_.gaps.end()) continue;

@@ -115,7 +115,9 @@ Body IfcShapes::shells(const std::vector<std::uint64_t>& all) {
     for (const std::uint64_t shell : all) {
         std::vector<FlatFace> faces;
         add_faces(shell, faces);
-        body.add(body_of_faces(faces));
+        Body one = body_of_faces(faces);
+        weigh_faces(faces, one);
+        body.add(std::move(one));
     }
     return body;
 }
@@ -159,7 +161,18 @@ Body IfcShapes::tessellated(std::string_view kind, const Values& values) {
         }
     }
     faces_ += faces.size();
-    return spent() ? Body{} : body_of_faces(faces);
+    if (spent()) return {};
+    Body body = body_of_faces(faces);
+    weigh_faces(faces, body);
+    return body;
+}
+
+// Adds what a closed skin encloses by its faces alone.
+void IfcShapes::weigh_faces(const std::vector<FlatFace>& faces, const Body& body) {
+    const std::optional<double> enclosed = enclosed_m3(faces);
+    if (!enclosed) return;
+    account_.stated_m3 += *enclosed;
+    account_.made_m3 += volume_m3(body);
 }
 
 }  // namespace handrail

@@ -75,6 +75,7 @@ Result<Scene> IfcScene::build(const std::string& file_name) {
         return fail(phrase("ifc.too_large", {{"solids", scene_.solids.size()}, {"triangles", scene_.triangles.size()}}),
                     file_name);
     add_ground();
+    try_doors();
     if (options_.stop.stop_requested()) return fail(phrase("files.stopped"), file_name);
     derive_surfaces(scene_, looks_, kSurfaceUnit_m, options_.stop);
     if (options_.stop.stop_requested()) return fail(phrase("files.stopped"), file_name);
@@ -97,8 +98,6 @@ void IfcScene::prove_doors() {
             const std::vector<std::string> freed = free_the_way(building_, gap);
             freed_[i].insert(freed_[i].end(), freed.begin(), freed.end());
         }
-        if (std::vector<std::string> names = in_the_way(building_, gap); !names.empty() || !can_pass(building_, gap))
-            impassable_.emplace(i, std::move(names));
     }
 }
 
@@ -221,6 +220,7 @@ void IfcScene::add_parts() {
         if (part.role == PartRole::Door && gap != building_.gaps.end()) add_door(i, gap->second);
         else if (part.role == PartRole::Window && gap != building_.gaps.end()) add_window(i, gap->second);
         else add_part(i);
+        if (part.role == PartRole::Door && gap == building_.gaps.end()) add_door_without_place(i);
         if (part.role == PartRole::Window) stated_->windows.push_back(stated_thing(i, solids, triangles));
         if (part.role == PartRole::Furniture) stated_->furnishings.push_back(stated_thing(i, solids, triangles));
     }

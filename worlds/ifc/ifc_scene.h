@@ -2,6 +2,7 @@
 // reading thread.
 #pragma once
 
+#include "worlds/ifc/door_trial.h"
 #include "worlds/ifc/ifc_building.h"
 #include "worlds/ifc/ifc_spaces.h"
 #include "worlds/ifc/read_ifc.h"
@@ -20,6 +21,7 @@ private:
     StatedThing stated_thing(std::size_t part, std::size_t solids, std::size_t triangles) const;
     void add_door(std::size_t part, const WallGap& gap);
     void add_window(std::size_t part, const WallGap& gap);
+    void add_door_without_place(std::size_t part);
     void add_leaf(const WallGap& gap, double from, double to, bool hinge_at_least, std::size_t part,
                   std::uint32_t group);
     void add_solid(ConvexSolid shape, SolidRole role, FeatureId feature, const std::string& material, int line);
@@ -33,6 +35,8 @@ private:
     void join_open_rooms(std::vector<StatedPortal> borders);
     void note_stairwell(const Aabb& stairs);
     void add_ground();
+    void try_doors();
+    void note_impassable(const StatedPortal& portal);
     void add_starts();
     void write_report();
     void warn(int line, std::string message, std::string action);
@@ -48,13 +52,11 @@ private:
     std::map<std::string, std::set<std::string>> guessed_from_;
     std::map<std::string, int> prefabs_;                     // that stand for parts without a form
     std::map<std::size_t, std::vector<std::string>> freed_;  // what was cut to open a door, by its part
-    // Doors that nobody comes through even then, with the names of what stands in the way.
-    std::map<std::size_t, std::vector<std::string>> impassable_;
-    struct OuterDoor {
+    struct DoorPortal {
         std::size_t portal = 0;  // its place in stated_->portals
         std::size_t part = 0;    // in building_.parts
     };
-    std::vector<OuterDoor> outer_doors_;
+    std::vector<DoorPortal> doors_, outer_doors_;
     std::map<std::size_t, double> sky_side_;  // of doors in a file without rooms: which side of y lies under open sky
     RoomsByPlace rooms_;                      // of stated_
     int differing_ = 0, plain_ = 0;

@@ -90,19 +90,27 @@ Body IfcShapes::item(std::uint64_t id, int depth) {
 
 // Adds what a sweep holds by its outline, counted without the parts that it is cut into.
 void IfcShapes::weigh(std::string_view kind, const Values& values, const Body& body) {
-    if (kind != "IFCEXTRUDEDAREASOLID") return;
+    const bool tapered = kind == "IFCEXTRUDEDAREASOLIDTAPERED";
+    if (kind != "IFCEXTRUDEDAREASOLID" && !tapered) return;
     const double up = std::abs(model_.direction(reference_at(values, 2), {0, 0, 1}).z);
     const double depth_m = std::abs(number_at(values, 3)) * model_.metres_per_unit();
-    for (const std::vector<Ring>& rings : profile_rings(model_, reference_at(values, 0))) {
-        double area_m2 = 0.0, largest_m2 = 0.0;
-        for (const Ring& ring : rings) {
-            const double ring_m2 = std::abs(signed_area(ring));
-            area_m2 += ring_m2;
-            largest_m2 = std::max(largest_m2, ring_m2);
+    const auto area_of = [&](std::uint64_t profile) {
+        double sum_m2 = 0.0;
+        for (const std::vector<Ring>& rings : profile_rings(model_, profile)) {
+            double area_m2 = 0.0, largest_m2 = 0.0;
+            for (const Ring& ring : rings) {
+                const double ring_m2 = std::abs(signed_area(ring));
+                area_m2 += ring_m2;
+                largest_m2 = std::max(largest_m2, ring_m2);
+            }
+            // The largest is the outline, all others are holes in it.
+            sum_m2 += std::max(0.0, 2.0 * largest_m2 - area_m2);
         }
-        // The largest is the outline, all others are holes in it.
-        account_.stated_m3 += std::max(0.0, 2.0 * largest_m2 - area_m2) * depth_m * up;
-    }
+        return sum_m2;
+    };
+    const double from_m2 = area_of(reference_at(values, 0)),
+                 to_m2 = tapered ? area_of(reference_at(values, 4)) : from_m2;
+    account_.stated_m3 += (from_m2 + to_m2 + std::sqrt(from_m2 * to_m2)) / 3.0 * depth_m * up;
     account_.made_m3 += volume_m3(body);
 }
 
@@ -155,13 +163,19 @@ Body IfcShapes::mapped(const Values& values, int depth) {
         maps_[source] = std::make_shared<const Mapped>(std::move(made));
     }
     const Mapped& map = *maps_[source];
-    account_.stated_m3 += map.account.stated_m3;
-    account_.made_m3 += map.account.made_m3;
     if (!map.account.unread.empty()) account_.unread = map.account.unread;
+    if (!map.account.uncut.empty()) account_.uncut = map.account.uncut;
     faces_ += map.body.sheets.size() + map.body.solids.size();
     const Frame target = model_.transformation(reference_at(values, 1)),
                 origin = model_.axes(reference_at(of_source, 0));
-    return spent() ? Body{} : transformed(map.body, target.of(origin));
+    if (spent()) return {};
+    const Frame there = target.of(origin);
+    const double larger = std::abs(glm::dot(glm::cross(there.x, there.y), there.z));
+    Body body = transformed(map.body, there);
+    account_.stated_m3 += map.account.stated_m3 * larger;
+    // What the copy lost, its original may not have lost.
+    account_.made_m3 += map.account.made_m3 * larger - (volume_m3(map.body) * larger - volume_m3(body));
+    return body;
 }
 
 Body IfcShapes::extruded(std::string_view kind, const Values& values) {
@@ -272,7 +286,9 @@ IfcShapes::Cutter IfcShapes::cutter(std::uint64_t id, int depth) {
         return half_space(kind, model_.values(id));
     }
     Cutter cutter;
+    const Account before = account_;  // what is taken away is not held
     Body body = item(id, depth + 1);
+    account_ = before;
     fill(body);
     cutter.known = !body.solids.empty() && body.sheets.empty();
     for (const ConvexSolid& solid : body.solids) cutter.parts.push_back(solid.planes);
@@ -305,6 +321,7 @@ void IfcShapes::combine(Body& first, const Values& values, int depth) {
     const Cutter second = cutter(reference_at(values, 2), depth + 1);
     if (!second.known) {  // the uncut body stands
         ++approximated_;
+        account_.uncut = model_.name(reference_at(values, 2));
         return;
     }
     fill(first);

@@ -27,6 +27,7 @@ public:
     struct Account {
         double stated_m3 = 0.0, made_m3 = 0.0;
         std::string unread;   // a class that is not read
+        std::string uncut;    // a class that was to be taken away, and was not
         bool formed = false;  // it has a representation that is a body
     };
     const Account& account() const { return account_; }
@@ -42,6 +43,7 @@ private:
     Body item(std::uint64_t id, int depth);
     Body read_item(std::uint64_t id, int depth);
     void weigh(std::string_view kind, const Values& values, const Body& body);
+    void weigh_faces(const std::vector<FlatFace>& faces, const Body& body);
     void note_unread(std::string_view kind);
     Body representation(std::uint64_t id, int depth);
     Body mapped(const Values& values, int depth);

@@ -49,7 +49,12 @@ std::vector<std::vector<std::uint32_t>> spans_led_to(const WalkSpace& space) {
 }
 
 std::vector<bool> spans_reached(const WalkSpace& space, std::uint32_t first) {
-    const std::vector<std::vector<std::uint32_t>> leads_to = spans_led_to(space);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> links;
+    for (const WalkLink& link : space.links) {
+        links.emplace_back(link.from, link.to);
+        if (link.both_ways) links.emplace_back(link.to, link.from);
+    }
+    std::sort(links.begin(), links.end());
     std::vector<bool> seen(space.spans.size(), false);
     std::vector<std::uint32_t> open{first};
     seen[first] = true;
@@ -62,7 +67,9 @@ std::vector<bool> spans_reached(const WalkSpace& space, std::uint32_t first) {
         const std::uint32_t here = open.back();
         open.pop_back();
         for (const std::uint32_t next : space.spans[here].next) go(next);
-        for (const std::uint32_t next : leads_to[here]) go(next);
+        for (auto link = std::lower_bound(links.begin(), links.end(), std::pair(here, 0U));
+             link != links.end() && link->first == here; ++link)
+            go(link->second);
     }
     return seen;
 }

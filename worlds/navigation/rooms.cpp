@@ -15,6 +15,7 @@
 #include <unordered_set>
 
 #include "worlds/base/language.h"
+#include "worlds/navigation/reach.h"
 #include "worlds/navigation/stated_rooms.h"
 #include "worlds/scene/outer_ground.h"
 #include "worlds/scene/surfaces.h"
@@ -538,13 +539,27 @@ private:
         for (const std::uint32_t s : ring) {
             const std::uint32_t r = label_[s];
             const double wide = std::min(clearance(s), static_cast<double>(off_m[s]));
-            if (wide <= widest[r]) continue;
+            if (!goal_[s] || wide <= widest[r]) continue;
             widest[r] = wide;
             graph_.rooms[r].middle_m = space_.place_m(s);
         }
     }
 
+    // A room may be in pieces, and one goes to its middle: of those that are reached from the base only what is.
+    void find_goals() {
+        goal_.assign(space_.spans.size(), true);
+        const Start* const base = base_of(scene_);
+        const std::uint32_t first = base ? space_.at(base->feet_m) : kNothing;
+        if (first == kNothing) return;
+        const std::vector<bool> reached = spans_reached(space_, first);
+        std::vector<bool> comes_to(graph_.rooms.size(), false);
+        for (std::uint32_t s = 0; s < space_.spans.size(); ++s)
+            if (reached[s]) comes_to[label_[s]] = true;
+        for (std::uint32_t s = 0; s < space_.spans.size(); ++s) goal_[s] = reached[s] || !comes_to[label_[s]];
+    }
+
     void measure() {
+        find_goals();
         std::vector<std::size_t> cells(graph_.rooms.size(), 0), rim(graph_.rooms.size(), 0);
         std::vector<double> widest(graph_.rooms.size(), -1.0);
         for (std::uint32_t s = 0; s < space_.spans.size(); ++s) {
@@ -555,7 +570,7 @@ private:
             room.floor_m += place.z;
             room.bounds_m.include(place - Vec3(0.5 * space_.cell_m, 0.5 * space_.cell_m, 0.0));
             room.bounds_m.include(place + Vec3(0.5 * space_.cell_m, 0.5 * space_.cell_m, 0.0));
-            if (clearance(s) > widest[label_[s]]) {
+            if (goal_[s] && clearance(s) > widest[label_[s]]) {
                 widest[label_[s]] = clearance(s);
                 room.middle_m = place;
             }
@@ -747,6 +762,7 @@ private:
     const WalkSpace& space_;
     const SpanGrid<WallSpan>& walls_;
     std::stop_token stop_;
+    std::vector<bool> goal_;  // of each span: it may be the middle of its room
     std::vector<std::uint32_t> label_, parent_;
     std::vector<std::uint32_t> of_walls_;  // label of each span of walls_
     std::vector<RoomKind> kinds_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/vector_relational.hpp>
 #include <limits>
 #include <utility>
 
@@ -11,6 +12,10 @@ namespace {
 
 constexpr double kWading_m = 0.3;  // deeper counts as being in a liquid
 
+bool lies_in(const Aabb& box, const Vec3& at) {
+    return glm::all(glm::lessThanEqual(box.min_m, at)) && glm::all(glm::lessThanEqual(at, box.max_m));
+}
+
 bool wades(const std::vector<const Solid*>& liquids, const std::vector<std::uint32_t>& near, const Vec3& feet) {
     return std::any_of(near.begin(), near.end(),
                        [&](std::uint32_t k) { return contains(liquids[k]->shape, feet + Vec3(0.0, 0.0, kWading_m)); });
@@ -18,13 +23,14 @@ bool wades(const std::vector<const Solid*>& liquids, const std::vector<std::uint
 
 }  // namespace
 
-Flood::Flood(const Scene& scene, const WalkBody& body, const Obstacles& obstacles, const std::stop_token& stop)
-    : scene_(scene), body_(body), obstacles_(obstacles), stop_(stop), tiles_(scene, body, obstacles) {}
+Flood::Flood(const Scene& scene, const WalkBody& body, const Obstacles& obstacles, const std::stop_token& stop,
+             const WalkTrial* trial)
+    : scene_(scene), body_(body), obstacles_(obstacles), stop_(stop), trial_(trial), tiles_(scene, body, obstacles) {}
 
 Flood::End Flood::run() {
     seed();
     End end = spread_all();
-    if (end == End::Done) end = reach_closed_rooms();
+    if (end == End::Done && !trial_) end = reach_closed_rooms();
     if (end == End::Done) tiles_.drop_unreached();
     return end;
 }
@@ -60,11 +66,13 @@ Flood::End Flood::spread(std::uint32_t number) {
             const Cell to = WalkTiles::neighbour(cell, static_cast<int>(d));
             const std::uint32_t other = steps.tile[d] = tiles_.beside(number, spot.cell, static_cast<int>(d));
             const std::size_t at = WalkTiles::local(to);
-            const std::uint32_t k = steps.place[d] = tiles_.step(here, tiles_[other], at, spot.layer);
+            std::uint32_t k = tiles_.step(here, tiles_[other], at, spot.layer);
+            if (k != kNothing && !is_within(tiles_[other].places[k], to)) k = kNothing;
+            steps.place[d] = k;
             if (k != kNothing) {
                 tiles_[number].steps[spot.place] |= WalkTiles::step_bit(spot.layer, d);
                 visit(spot.layer, other, k, to);
-            } else if (const std::uint32_t down = tiles_.drop(here, tiles_[other], at, spot.layer); down != kNothing)
+            } else if (const std::uint32_t down = drop(here, other, to, spot.layer); down != kNothing)
                 visit(spot.layer, other, down, to);
         }
         // What a lift carries up and down.
@@ -76,9 +84,19 @@ Flood::End Flood::spread(std::uint32_t number) {
                     if (k != spot.place && tiles_.passing_mover(tile.places[k].ground) == static_cast<int>(floor.mover))
                         visit(spot.layer, number, k, cell);
         }
-        if (spot.layer == kFurnished) look_beside(number, spot, steps);
+        if (spot.layer == kFurnished && !trial_) look_beside(number, spot, steps);
     }
     return End::Done;
+}
+
+bool Flood::is_within(const Place& place, Cell cell) const {
+    return !trial_ || !trial_->within || lies_in(trial_->within->box_m, Vec3(tiles_.middle(cell), place.floor));
+}
+
+// Where one comes to by stepping over the edge into a cell of that tile.
+std::uint32_t Flood::drop(const Place& here, std::uint32_t tile, Cell to, Layer layer) const {
+    const std::uint32_t down = tiles_.drop(here, tiles_[tile], WalkTiles::local(to), layer);
+    return down != kNothing && is_within(tiles_[tile].places[down], to) ? down : kNothing;
 }
 
 // What stands in the way where one cannot walk on, the building itself before what stands in it.
@@ -128,7 +146,8 @@ void Flood::seed_at(const Vec3& at, double level_m, double up_m, double down_m, 
     if (!is_finite(at) || stop_.stop_requested()) return;
     const Cell middle_cell = tiles_.cell_at(at);
     const auto rings = static_cast<std::int64_t>(std::min(level_m / body_.cell_m, 100.0));
-    double best[2] = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    constexpr double kInfinite = std::numeric_limits<double>::infinity();
+    double best[2] = {kInfinite, trial_ ? -kInfinite : kInfinite};  // no walls for a trial
     Found found[2];
     const auto farthest = [&] { return std::max(best[kFurnished], best[kWalls]); };
     for (std::int64_t ring = 0; ring <= rings && static_cast<double>(ring) * body_.cell_m < farthest(); ++ring) {
@@ -163,6 +182,7 @@ void Flood::seed_at(const Vec3& at, double level_m, double up_m, double down_m, 
 }
 
 void Flood::seed() {
+    if (trial_ && trial_->within) return seed_at(trial_->within->from_m, 1.0, 0.6, 1.0, false);
     for (const Start& start : scene_.starts) seed_at(start.feet_m, 1.0, 0.6, 3.0, false);
     if (scene_.stated)
         for (const StatedRoom& room : scene_.stated->rooms)
@@ -316,8 +336,9 @@ bool Flood::write(WalkSpace& space) {
                      tile.y * WalkTiles::kTile + static_cast<std::int64_t>(cell / WalkTiles::kTile)},
                     static_cast<int>(d));
                 const std::size_t at = WalkTiles::local(to);
-                const Tile& other = tiles_[tiles_.beside(number, cell, static_cast<int>(d))];
-                const std::uint32_t down = tiles_.drop(p, other, at, kFurnished);
+                const std::uint32_t beside = tiles_.beside(number, cell, static_cast<int>(d));
+                const Tile& other = tiles_[beside];
+                const std::uint32_t down = drop(p, beside, to, kFurnished);
                 if (down == kNothing) continue;
                 const Range there = WalkTiles::column(other, at, kFurnished);
                 std::uint32_t before = 0;

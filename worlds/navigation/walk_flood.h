@@ -19,7 +19,9 @@ public:
     static constexpr double kMostCells = 40e6;              // of the dense grid
     static constexpr std::size_t kMostBytes = 400'000'000;  // of tiles
 
-    Flood(const Scene& scene, const WalkBody& body, const Obstacles& obstacles, const std::stop_token& stop);
+    // `trial`: see make_trial_space; null: everything is made. What is given outlives this object.
+    Flood(const Scene& scene, const WalkBody& body, const Obstacles& obstacles, const std::stop_token& stop,
+          const WalkTrial* trial = nullptr);
 
     // Wide: too many cells between its ends, not too much floor.
     enum class End : std::uint8_t { Done, TooLarge, Wide, Stopped };
@@ -69,12 +71,15 @@ private:
     bool number(Layer layer, SpanGrid<Span>& grid, double& lowest);
     template <class Span, class Each>
     bool write_spans(Layer layer, SpanGrid<Span>& grid, Each each);
+    bool is_within(const Place& place, Cell cell) const;
+    std::uint32_t drop(const Place& here, std::uint32_t tile, Cell to, Layer layer) const;
     bool stopped() { return (++asked_ & 0xfff) == 0 && stop_.stop_requested(); }
 
     const Scene& scene_;
     WalkBody body_;
     const Obstacles& obstacles_;
     std::stop_token stop_;
+    const WalkTrial* trial_;
     WalkTiles tiles_;
     std::deque<std::uint32_t> waiting_;
     std::size_t asked_ = 0;

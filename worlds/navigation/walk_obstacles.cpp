@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "worlds/geometry/clip.h"
+
 namespace handrail {
 namespace {
 
@@ -53,7 +55,7 @@ private:
 
 }  // namespace
 
-Obstacles::Obstacles(const Scene& scene, const WalkBody& body) : body_(body) {
+Obstacles::Obstacles(const Scene& scene, const WalkBody& body, const Aabb* within) : body_(body), within_(within) {
     std::vector<int> mover_of_feature(scene.features.size(), -1);
     for (std::size_t m = 0; m < scene.movers.size(); ++m)
         if (scene.movers[m].feature.value < mover_of_feature.size() && scene.movers[m].moves())
@@ -71,6 +73,7 @@ Obstacles::Obstacles(const Scene& scene, const WalkBody& body) : body_(body) {
         for (; marked < all.size(); ++marked) all[marked].furniture = furniture;
     };
     for (const Solid& solid : scene.solids) {
+        if (!is_looked_at(solid.shape.bounds_m)) continue;
         const int mover = solid.role == SolidRole::Mover && solid.feature.value < mover_of_feature.size()
                               ? mover_of_feature[solid.feature.value]
                               : -1;
@@ -92,6 +95,10 @@ Obstacles::Obstacles(const Scene& scene, const WalkBody& body) : body_(body) {
     }
     for (const Solid& solid : scene.solids)
         if (solid.role == SolidRole::Liquid) liquids.push_back(&solid);
+}
+
+bool Obstacles::is_looked_at(const Aabb& box) const {
+    return !within_ || overlap(grown(*within_, body_.radius_m + body_.height_m), box);
 }
 
 bool Obstacles::column(const WalkObstacle& o, double x, double y, double& low, double& high, bool& steep) const {
@@ -157,7 +164,8 @@ void Obstacles::add_solid(const Solid& solid, const PlacedFrame* frame, FeatureI
             plane.offset_m = own * frame->scale + glm::dot(plane.normal, frame->position_m);
         }
     }
-    if (!box.empty() && is_finite(box.min_m) && is_finite(box.max_m)) finish(bounds, box, feature, into);
+    if (!box.empty() && is_finite(box.min_m) && is_finite(box.max_m) && is_looked_at(box))
+        finish(bounds, box, feature, into);
 }
 
 void Obstacles::add_triangle(const MeshTriangle& t, const PlacedFrame* frame, FeatureId feature) {
@@ -174,7 +182,7 @@ void Obstacles::add_triangle(const MeshTriangle& t, const PlacedFrame* frame, Fe
         const Vec3 side = glm::cross(corners[(e + 1) % 3] - corners[e], n);
         if (const double l = glm::length(side); l > 0.0) bounds.push_back({side / l, glm::dot(side / l, corners[e])});
     }
-    finish(bounds, box, feature, all);
+    if (is_looked_at(box)) finish(bounds, box, feature, all);
 }
 
 // A door counts as open; what it bears at either end of its way counts as there. False: it stands in the way like a

@@ -26,7 +26,8 @@ struct PassingFloor {
 
 class Obstacles {
 public:
-    Obstacles(const Scene& scene, const WalkBody& body);
+    // Of what touches `within`, grown by the body; null: of everything.
+    Obstacles(const Scene& scene, const WalkBody& body, const Aabb* within = nullptr);
 
     // The heights over one place that an obstacle takes from the soles; false where it takes none. `steep`: its top
     // there cannot be stood on.
@@ -43,8 +44,10 @@ private:
     void add_solid(const Solid& solid, const PlacedFrame* frame, FeatureId feature, std::vector<WalkObstacle>& into);
     void add_triangle(const MeshTriangle& t, const PlacedFrame* frame, FeatureId feature);
     bool passes(const Scene& scene, std::uint32_t mover, const Solid& solid);
+    bool is_looked_at(const Aabb& box) const;
 
     WalkBody body_;
+    const Aabb* within_;
     std::vector<Plane> planes_;  // pushed out by the body
 };
 

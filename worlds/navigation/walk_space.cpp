@@ -296,6 +296,33 @@ std::vector<std::string> said_of(const WalkSpace& space, const WalkBody& asked) 
     return {phrase("navigation.coarse", {{"centimetres", std::lround(space.body.cell_m * 100.0)}})};
 }
 
+Result<WalkSpace> make_trial_space(const Scene& scene, const WalkBody& body, const WalkTrial& trial,
+                                   const std::stop_token& stop) {
+    WalkSpace space;
+    space.body = body;
+    const Obstacles obstacles(scene, body, trial.within ? &trial.within->box_m : nullptr);
+    Flood::End end = Flood::End::Wide;
+    while (true) {
+        Flood flood(scene, space.body, obstacles, stop, &trial);
+        end = flood.run();
+        if ((end == Flood::End::Wide || end == Flood::End::TooLarge) && space.body.cell_m * 2.0 <= kCoarsest_m) {
+            space.body.cell_m *= 2.0;
+            continue;
+        }
+        if (end == Flood::End::Stopped) return fail(phrase("navigation.given_up"), scene.source_file);
+        if (end != Flood::End::Done) return fail(phrase("navigation.too_large"), scene.source_file);
+        if (flood.reached() == 0) return fail(phrase("navigation.no_floor"), scene.source_file);
+        if (!flood.write(space)) return fail(phrase("navigation.given_up"), scene.source_file);
+        break;
+    }
+    if (trial.clearance) measure_clearance(space, stop);
+    thin_drops(space);
+    if (trial.within) return space;
+    link_lifts_and_teleporters(scene, space);
+    link_stated_stairs(scene, space);
+    return space;
+}
+
 Result<WalkSpace> make_walk_space(const Scene& scene, const WalkBody& body, const std::stop_token& stop) {
     const auto given_up = [&] { return fail(phrase("navigation.given_up"), scene.source_file); };
     const auto too_large = [&] { return fail(phrase("navigation.too_large"), scene.source_file); };

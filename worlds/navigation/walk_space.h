@@ -104,6 +104,22 @@ struct WalkSpace : SpanGrid<WalkSpan> {
 // What a listener should know of a space that was asked for with this body: that its columns are coarser.
 std::vector<std::string> said_of(const WalkSpace& space, const WalkBody& asked);
 
+// What is made of a space for a body that is only tried: where it comes to, its drops, lifts and stairs in one go. No
+// walls without furniture, no rooms that nothing leads to, no mark of stairs and nothing about what is nearest.
+struct WalkTrial {
+    bool clearance = false;  // WalkSpan::clearance_m is measured too
+    // Where given, the body starts at `from_m` and stays in the box; only what touches the box is looked at, and there
+    // are no lifts, teleporters or stairs in one go.
+    struct Stretch {
+        Vec3 from_m{0.0};
+        Aabb box_m;
+    };
+    std::optional<Stretch> within;
+};
+// Fails as make_walk_space does, and costs about a third of it, a stretch a small part.
+Result<WalkSpace> make_trial_space(const Scene& scene, const WalkBody& body, const WalkTrial& trial,
+                                   const std::stop_token& stop = {});
+
 // Fails with a sentence where there is nothing to walk on, where there is too much of it, and where `stop` ends it: it
 // is asked every few milliseconds. One flood gives both the space and its walls. At most 150 bytes for each span while
 // it is made.

@@ -122,11 +122,24 @@ std::string missing_words(const MissingPart& part) {
                                                    {"percent", std::round(part.share * 100.0)}})}});
 }
 
+std::string door_trial_words(const StatedPortal& portal) {
+    if (portal.why.empty()) return {};
+    return phrase("door_trial." + portal.why, {{"names", one_line(portal.in_the_way)},
+                                               {"named", portal.in_the_way.empty() ? "no" : "yes"},
+                                               {"width", portal.width_m},
+                                               {"height", portal.height_m},
+                                               {"metres", portal.step_m}});
+}
+
 std::string check_words(const Scene& scene, const CheckPoint& point) {
     const std::string key(key_of(point.what));
     if (point.what == ToCheck::MissingPart) return missing_words(scene.stated->missing[point.index]);
     if (is_of_a_room(point.what)) return phrase(key, {{"room", room_words(scene.stated->rooms[point.index])}});
-    return phrase(key, {{"door", one_line(scene.stated->portals[point.index].name)}});
+    const StatedPortal& portal = scene.stated->portals[point.index];
+    const std::string reason = door_trial_words(portal);
+    return phrase(key, {{"door", one_line(portal.name)},
+                        {"why", point.what == ToCheck::ImpassableDoor && !reason.empty() ? "yes" : "no"},
+                        {"reason", reason}});
 }
 
 std::string honest_sentence(const Scene& scene, const HonestReport& report) {

@@ -62,6 +62,8 @@ std::string honest_counts(const ReadReport& report);
 // "North wall, 2O2Fr$t4X7Zf8NOew3FLOH, on Level 1, is not there: Handrail does not read IFCSWEPTDISKSOLID"; no stop at
 // the end.
 std::string missing_words(const MissingPart& part);
+// Why nobody passes a door: "in its way stands Lining"; empty where that is not known.
+std::string door_trial_words(const StatedPortal& portal);
 // "Room B105 holds stairs, and its name does not say so"; no stop at the end.
 std::string check_words(const Scene& scene, const CheckPoint& point);
 

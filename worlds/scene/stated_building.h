@@ -48,7 +48,10 @@ struct StatedPortal {
     double width_m = 0.0, height_m = 0.0;
     bool by_boundaries = false;  // the file states which rooms; else found by what lies on its two sides
     bool opened_by_box = false;  // a body did not pass through what the file gives, so a box was cut free
-    bool passable = true;        // a body was swept through it
+    bool passable = true;        // a body went through it from both sides
+    std::string why;             // of one that is not, where known: a key of the language under [door_trial]
+    std::string in_the_way;      // for its text: names of parts
+    double step_m = 0.0;         // for its text
     SourcePlace source;
 };
 

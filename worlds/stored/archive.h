@@ -121,6 +121,12 @@ template <class T>
 inline constexpr bool kFlat = std::is_same_v<T, Vec2> || std::is_same_v<T, Vec3> ||
                               (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>);
 
+// As wide as the machine has it, so that another one would read something else: std::size_t, for which count() is, and
+// long where it is no std::int64_t.
+template <class T>
+inline constexpr bool kWidthVaries = std::is_same_v<T, unsigned long> ||
+                                     (std::is_same_v<T, long> && !std::is_same_v<T, std::int64_t>);
+
 template <class A, class T>
 void one(A& a, T& value);
 
@@ -133,6 +139,7 @@ std::uint64_t count(A& a, std::uint64_t size) {
 template <class A, class T>
 void list(A& a, T& values) {
     using Element = typename T::value_type;
+    static_assert(!kWidthVaries<Element>);
     const std::uint64_t size = count(a, values.size());
     if constexpr (A::kReads) {
         // Each takes at least a byte.
@@ -200,6 +207,7 @@ void shared(A& a, T& pointer) {
 template <class A, class T>
 void one(A& a, T& value) {
     using V = std::remove_const_t<T>;
+    static_assert(!kWidthVaries<V>);
     if constexpr (std::is_enum_v<V> || std::is_same_v<V, bool>) {
         constexpr int last = [] {
             if constexpr (std::is_enum_v<V>) return kLastOf<V>;

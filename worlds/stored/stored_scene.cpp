@@ -113,7 +113,10 @@ void fields(A& a, T& v) {
 template <class A, Is<SoftFace> T>
 void fields(A& a, T& v) {
     auto& [face, plastic, depth, stiffness, recovery, yields] = v;
-    a(face, plastic, depth, stiffness, recovery, yields);
+    auto packed_face = static_cast<std::uint32_t>(face);
+    a(packed_face);
+    if constexpr (A::kReads) face = packed_face;
+    a(plastic, depth, stiffness, recovery, yields);
 }
 template <class A, Is<Solid> T>
 void fields(A& a, T& v) {
@@ -211,8 +214,10 @@ void fields(A& a, T& v) {
 }
 template <class A, Is<StatedPortal> T>
 void fields(A& a, T& v) {
-    auto& [kind, name, guid, feature, rooms, place, width, height, by_boundaries, opened_by_box, passable, source] = v;
-    a(kind, name, guid, feature, rooms, place, width, height, by_boundaries, opened_by_box, passable, source);
+    auto& [kind, name, guid, feature, rooms, place, width, height, by_boundaries, opened_by_box, passable, why,
+           in_the_way, step, source] = v;
+    a(kind, name, guid, feature, rooms, place, width, height, by_boundaries, opened_by_box, passable, why, in_the_way,
+      step, source);
 }
 template <class A, Is<MissingPart> T>
 void fields(A& a, T& v) {

@@ -236,7 +236,8 @@ bool belong_to(const Scene& scene, const WalkBody& asked, const WalkSpace& space
 
 std::string ways_key(const Scene& scene, const WalkBody& body) {
     Packer pack;
-    pack(kWaysVersion, body);
+    archive::count(pack, kWaysVersion);
+    pack(body);
     Sha256 sum;
     sum.add_counted(pack.take());
     sum.add_counted(sum_of(scene));
@@ -249,14 +250,13 @@ std::string stored_ways(const WalkSpace& space, const RoomGraph& graph, const st
     const std::string packed = deflated(plain, stop);
     if (packed.empty()) return {};
     Packer head;
-    head(static_cast<std::uint64_t>(plain.size()));
+    archive::count(head, plain.size());
     return head.take() + packed;
 }
 
 std::string unpacked_ways(std::string_view packed) {
     Unpacker head(packed);
-    std::uint64_t size = 0;
-    head(size);
+    const std::uint64_t size = archive::count(head, 0);
     if (!head.good() || size > kMostKept_bytes) return {};
     std::string plain(size, '\0');
     if (!inflate_into(plain, head.rest())) return {};

@@ -2,12 +2,12 @@
 // state; app thread only.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <utility>
 
 #include "app/core/context/lesson_draft.h"
 #include "app/core/kept/last_place.h"
+#include "app/core/kept/world_request.h"
 
 namespace handrail {
 
@@ -21,7 +21,7 @@ struct OwnerRequests {
     // What is plugged in, to be answered by DevicesFound.
     bool take_devices() { return std::exchange(devices, false); }
     // To be read and entered.
-    std::optional<std::filesystem::path> take_world() { return std::exchange(world, std::nullopt); }
+    std::optional<WorldRequest> take_world() { return std::exchange(world, std::nullopt); }
     // The world one is in, which a person has mended: to be read again and gone on in at the same place, or begun anew
     // where no place in it is where it was.
     bool take_read_again() { return std::exchange(read_again, false); }
@@ -37,7 +37,7 @@ struct OwnerRequests {
 
     bool read_again = false, begin_anew = false;
     bool set_up = false, first_set_up = false, offered_hand = false, devices = false;
-    std::optional<std::filesystem::path> world;
+    std::optional<WorldRequest> world;
     std::optional<LastPlace> last_place;
     std::optional<LessonDraft> lesson_draft;  // to be written
     std::optional<std::size_t> lesson;        // to be begun: of those that were offered, by number

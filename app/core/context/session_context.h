@@ -7,7 +7,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "app/core/context/cues.h"
 #include "app/core/context/hands_state.h"
@@ -18,7 +17,9 @@
 #include "app/core/kept/side_file.h"
 #include "app/core/world/body_state.h"
 #include "app/core/world/world_state.h"
+#include "worlds/base/contract.h"
 #include "worlds/base/language.h"
+#include "worlds/base/result.h"
 
 namespace handrail {
 
@@ -31,12 +32,9 @@ struct SessionAsks {
     std::function<void(const Vec3& feet_m, double heading_rad, double now_s)> place;
     // As if its key had been pressed and let go of.
     std::function<void(Command command, double now_s)> perform;
-    // One setting, in force at once and saved; what it is then, or why it cannot be. The key must be one there is.
-    std::function<std::string(std::string_view key, const std::string& value)> change_setting;
-    // The keys of commands as the settings have them: "Up W", "none".
-    std::function<void(const std::vector<std::pair<Command, std::string>>& changes)> change_keys;
-    // Has a setting saved that nothing follows which goes on already; key and value must fit.
-    std::function<void(std::string_view key, const std::string& value)> keep_setting;
+    // One setting of any key ("workspace.scale", "keys.forward"), in force at once and saved. Fails with a sentence and
+    // changes nothing.
+    std::function<Result<void>(std::string_view key, const std::string& value, double now_s)> set;
 };
 
 struct SessionContext {
@@ -61,6 +59,11 @@ struct SessionContext {
     // Saves what the person has just added, and answers with the words, which say so if it is not on the disk.
     void keep_and_answer(const std::string& words, double now_s) const {
         answer(asks.save_additions(now_s) ? words : phrase("guide.not_saved", {{"words", words}}), now_s);
+    }
+    // A setting that can be set so.
+    void set(std::string_view key, const std::string& value, double now_s) const {
+        const bool fits = asks.set(key, value, now_s).has_value();
+        contract_pre(fits);
     }
     void play(SoundKind kind, double now_s) const { cues.play(kind, now_s); }
     void play_at(SoundKind kind, const Vec3& place_m, double now_s) const { cues.play_at(kind, place_m, now_s); }

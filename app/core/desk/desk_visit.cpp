@@ -1,5 +1,7 @@
 #include "app/core/desk/desk_visit.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -56,7 +58,7 @@ void DeskVisit::furnish() {
             row, [this, &row] { return value_of(row.key); },
             [this, &row](const std::string& value) {
                 // The desk says what the setting is afterwards, so a refused value needs no other answer.
-                static_cast<void>(change_setting(row.key, value, context_.tick_s));
+                static_cast<void>(context_.asks.set(row.key, value, context_.tick_s));
             }));
     };
     const auto indicator = [&](std::string name, std::function<std::string()> value) {
@@ -154,7 +156,7 @@ const Mark* DeskVisit::mark() const {
 std::string DeskVisit::go_to_world() {
     const std::filesystem::path* file = world();
     if (!file) return phrase("desk.no_world_to_go_to");
-    context_.requests.world = *file;
+    context_.requests.world = WorldRequest{*file};
     return phrase("desk.going_to", {{"world", name_of_file(*file)}});
 }
 
@@ -174,9 +176,7 @@ std::string DeskVisit::switch_beacon() {
 
 std::string DeskVisit::switch_units() {
     const bool in_steps = !context_.settings.speech.distances_in_steps;
-    const bool changed =
-        change_setting("speech.distances_in_steps", in_steps ? "true" : "false", context_.tick_s).has_value();
-    contract_pre(changed);
+    context_.set("speech.distances_in_steps", in_steps ? "true" : "false", context_.tick_s);
     return phrase(in_steps ? "desk.in_steps" : "desk.in_metres");
 }
 

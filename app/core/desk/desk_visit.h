@@ -51,8 +51,7 @@ public:
     }
     std::string press(std::size_t control) { return after_change(desk_.press(control)); }
 
-    // Set by the session. A live change of one setting:
-    std::function<Result<void>(std::string_view key, const std::string& value, double now_s)> change_setting;
+    // Set by the session.
     std::function<std::string()> where_am_i;
     std::function<std::string(double now_s)> progress;   // what is learnt of the place
     std::function<std::optional<std::string>()> beacon;  // what it is on; none: off

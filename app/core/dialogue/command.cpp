@@ -148,6 +148,18 @@ const CommandInfo& info(Command command) {
     return kCommands[static_cast<std::size_t>(command)];
 }
 
+InList in_list(Command command) {
+    if (is_one_of(command, {Command::StopEverything, Command::StopSpeech, Command::ToggleForces}))
+        return InList::Always;
+    return is_one_of(command,
+                     {Command::WhereAmI, Command::Heading, Command::AroundMe, Command::AheadOfMe, Command::LookNext,
+                      Command::LookBefore, Command::ScaleBar, Command::Coordinates, Command::WhatIsThis, Command::Exits,
+                      Command::UnvisitedExits, Command::RepeatLeg, Command::RestOfWay, Command::Repeat,
+                      Command::HistoryBack, Command::HistoryForward, Command::Leave})
+               ? InList::Answered
+               : InList::Waits;
+}
+
 bool steps_or_turns(Command command) {
     return is_one_of(command, {Command::Forward, Command::Back, Command::TurnLeft, Command::TurnRight,
                                Command::SideLeft, Command::SideRight});

@@ -154,4 +154,12 @@ constexpr bool is_one_of(Command command, std::initializer_list<Command> command
 // One step or one notch of a turn.
 bool steps_or_turns(Command command);
 
+// What becomes of a command while a list is open.
+enum class InList : std::uint8_t {
+    Waits,     // the list is to be closed first
+    Answered,  // what only asks; the list stays open
+    Always,    // no list keeps it from acting
+};
+InList in_list(Command command);
+
 }  // namespace handrail

@@ -54,7 +54,7 @@ bool TouchView::adapt(double now_s) {
                         const std::stop_token& stop) { return make_felt(order, before, stop); });
         return false;
     }
-    if (rounding_m() == rounded_m_ && planned_ == compiled_) return false;
+    if (!stale()) return false;
     world_.scene = std::make_shared<const Scene>(world_now(world_));
     feel_scene(now_s);
     return true;
@@ -158,7 +158,7 @@ FeltOrder TouchView::order() {
 }
 
 bool TouchView::stale() {
-    if (!beside_) return !(planned_ == compiled_);
+    if (!beside_) return rounding_m() != rounded_m_ || !(planned_ == compiled_);
     return !ordered_ || !ordered_->same_as(order());
 }
 

@@ -151,11 +151,8 @@ void Workspace::take_settings(double now_s) {
 }
 
 void Workspace::switch_frame(double now_s) {
-    FrameChoice& frame = person_.settings.workspace.frame;
-    const bool to_walk = frame == FrameChoice::Map;
-    frame = to_walk ? FrameChoice::Walk : FrameChoice::Map;
-    person_.changes.emplace_back("workspace.frame", to_walk ? "walk" : "map");
-    publish(now_s, PoseChange::Moved);
+    const bool to_walk = context_.settings.workspace.frame == FrameChoice::Map;
+    context_.set("workspace.frame", to_walk ? "walk" : "map", now_s);
     context_.play(SoundKind::FrameSwitch, now_s);
     context_.answer(phrase(to_walk ? "session.frame_walk" : "session.frame_map"), now_s);
 }
@@ -189,36 +186,10 @@ void Workspace::zoom(NamedScale scale_name, double now_s) {
     context_.answer(news.empty() ? words : words + ". " + news, now_s);
 }
 
-void Workspace::rescale(const Settings& changed, double now_s) {
-    const auto change = [&] {
-        person_.settings = changed;
-        hands_.named_scale.reset();
-        return true;
-    };
-    if (context_.world.scene) change_under_hand(change, now_s);
-    else change();
-}
-
-void Workspace::feel_otherwise(const Settings& changed, double now_s) {
-    change_under_hand(
-        [&] {
-            person_.settings = changed;
-            return true;
-        },
-        now_s);
-    if (std::string news = touch_.news(); !news.empty()) context_.say(std::move(news), SpeechClass::Ambient, now_s);
-}
-
 void Workspace::turn(double by_deg, double now_s) {
-    double& turned_deg = person_.settings.workspace.turn_deg;
-    change_under_hand(
-        [&] {
-            const double turned_rad = radians_from_degrees(turned_deg + by_deg);
-            turned_deg = std::round(degrees_from_radians(wrap_angle(turned_rad)) * 1e6) / 1e6;
-            return true;
-        },
-        now_s);
-    person_.changes.emplace_back("workspace.turn_deg", fmt::format("{}", turned_deg));
+    const double turned_rad = wrap_angle(radians_from_degrees(context_.settings.workspace.turn_deg + by_deg));
+    const double turned_deg = std::round(degrees_from_radians(turned_rad) * 1e6) / 1e6;
+    context_.set("workspace.turn_deg", fmt::format("{}", turned_deg), now_s);
     context_.play(SoundKind::TurnTick, now_s);
     context_.answer(turned_deg == 0.0
                         ? phrase("session.workspace_straight")

@@ -18,8 +18,8 @@ enum class PoseChange { Walked, Moved, Placed };
 class Workspace : SessionPart {
 public:
     // It lays the pose of `hands`, and changes the person's settings by which it lies.
-    Workspace(const SessionContext& context, Person& person, HandsState& hands, const HeldKeys& keys, TouchView& touch)
-        : SessionPart(context), person_(person), hands_(hands), keys_(keys), touch_(touch) {}
+    Workspace(const SessionContext& context, HandsState& hands, const HeldKeys& keys, TouchView& touch)
+        : SessionPart(context), hands_(hands), keys_(keys), touch_(touch) {}
 
     // Of the only or right hand, and of the left one: each servo lays its own hand's shift on its pose; the other
     // hand's comes with it.
@@ -37,10 +37,9 @@ public:
     void take_hand();
     // The person's settings are others.
     void take_settings(double now_s);
-    // Settings with another scale; the place under the hand stays there.
-    void rescale(const Settings& changed, double now_s);
-    // Settings by which the hand feels the same place otherwise.
-    void feel_otherwise(const Settings& changed, double now_s);
+    // Changes scale, heading or what is felt so that the place under the hand stays there, where `change` says that it
+    // shall; out of whatever the hand would be inside.
+    void change_under_hand(const std::function<bool()>& change, double now_s);
 
     // Keys push it now.
     bool pushed(double now_s) const { return push_way(now_s) != Vec3(0.0); }
@@ -86,9 +85,6 @@ private:
     Vec3 hand_in_m(const Vec3& origin_m) const;
     Vec3 way_to_body_m() const;
     std::string bring_to_body(double now_s);
-    // Changes scale or heading so that the place under the hand stays there, where `change` says that it shall; out of
-    // whatever the hand would be inside.
-    void change_under_hand(const std::function<bool()>& change, double now_s);
     void switch_frame(double now_s);
     void zoom(NamedScale scale, double now_s);
     void turn(double by_deg, double now_s);
@@ -97,7 +93,6 @@ private:
     Vec3 hands_out_of_solids_m(const Vec3& origin_m) const;
     std::string words() const;
 
-    Person& person_;
     HandsState& hands_;
     const HeldKeys& keys_;
     TouchView& touch_;

@@ -47,9 +47,12 @@ fs::path with(fs::path base, std::string_view ending) {
 }  // namespace
 
 std::string text_of(const LastPlace& place) {
-    toml::table table{{"world", place.world.string()},
+    toml::table table{{"world", place.world.file.string()},
                       {"feet_m", toml::array{place.feet_m.x, place.feet_m.y, place.feet_m.z}},
                       {"heading_rad", place.heading_rad}};
+    if (!place.world.building.empty()) table.insert("building", place.world.building);
+    if (place.world.map_scale_m_per_unit) table.insert("map_scale_m_per_unit", *place.world.map_scale_m_per_unit);
+    if (place.world.unit_m) table.insert("unit_m", *place.world.unit_m);
     std::ostringstream out;
     out.exceptions(std::ios::badbit);
     out << toml::toml_formatter{table, toml::format_flags::none} << "\n";
@@ -64,10 +67,15 @@ Result<LastPlace> read_last_place(const std::string& text) {
         return fail(phrase("last_place.damaged"));
     }
     LastPlace place;
-    place.world = table["world"].value_or(std::string());
+    place.world.file = table["world"].value_or(std::string());
+    place.world.building = table["building"].value_or(std::string());
+    place.world.map_scale_m_per_unit = table["map_scale_m_per_unit"].value<double>();
+    place.world.unit_m = table["unit_m"].value<double>();
     place.heading_rad = table["heading_rad"].value_or(std::numeric_limits<double>::quiet_NaN());
     const toml::array* feet = table["feet_m"].as_array();
-    bool good = place.world.is_absolute() && std::isfinite(place.heading_rad) && feet && feet->size() == 3;
+    const auto is_unit = [](const std::optional<double>& m) { return !m || (std::isfinite(*m) && *m > 0.0); };
+    bool good = place.world.file.is_absolute() && is_unit(place.world.map_scale_m_per_unit) &&
+                is_unit(place.world.unit_m) && std::isfinite(place.heading_rad) && feet && feet->size() == 3;
     for (glm::length_t i = 0; good && i < 3; ++i) {
         place.feet_m[i] = (*feet)[static_cast<std::size_t>(i)].value_or(std::numeric_limits<double>::quiet_NaN());
         good = std::isfinite(place.feet_m[i]);
@@ -203,7 +211,7 @@ void SessionTrace::note(const LastPlace& now, double now_s) {
     if (s.own.empty() || now_s < s.next_s || s.writer.busy()) return;
     const bool same = s.kept && s.kept->world == now.world && glm::length(s.kept->feet_m - now.feet_m) < kMoved_m &&
                       std::abs(s.kept->heading_rad - now.heading_rad) < kTurned_rad;
-    if (same || !is_utf8(now.world.string())) return;
+    if (same || !is_utf8(now.world.file.string())) return;
     s.next_s = now_s + kEvery_s;
     s.kept = now;
     s.writer.write(with(s.own, kPlace), text_of(now));

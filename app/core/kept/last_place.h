@@ -10,13 +10,14 @@
 #include <optional>
 #include <string>
 
+#include "app/core/kept/world_request.h"
 #include "worlds/base/result.h"
 #include "worlds/base/vec.h"
 
 namespace handrail {
 
 struct LastPlace {
-    std::filesystem::path world;  // absolute
+    WorldRequest world;  // its file is absolute; what a lesson sets is not kept
     Vec3 feet_m{0.0};
     double heading_rad = 0.0;
 };

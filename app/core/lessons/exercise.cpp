@@ -1,5 +1,7 @@
 #include "app/core/lessons/exercise.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -1,5 +1,7 @@
 #include "app/core/lessons/lesson_session.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -170,8 +172,8 @@ void LessonSession::leave(double now_s) {
 }
 
 void LessonSession::keep_welcome(int step, bool done) {
-    context_.asks.keep_setting("welcome.step", fmt::format("{}", step));
-    if (done) context_.asks.keep_setting("welcome.done", "true");
+    context_.set("welcome.step", fmt::format("{}", step), context_.tick_s);
+    if (done) context_.set("welcome.done", "true", context_.tick_s);
 }
 
 void LessonSession::choose_what_next(double now_s) {

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "app/core/dialogue/command_words.h"
+#include "app/core/menu/setting_lists.h"
 #include "settings/adjust.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
@@ -35,6 +36,8 @@ std::vector<Command> commands_of(std::size_t topic) {
 std::string short_help(const CommandInfo& row) {
     return std::string(row.help().substr(0, row.help().find_last_not_of('.') + 1));
 }
+
+std::string setting_of_keys(Command command) { return "keys." + std::string(info(command).word); }
 
 std::string counted(std::size_t commands) { return phrase("menu.commands", {{"count", commands}}); }
 
@@ -68,9 +71,7 @@ void CommandLists::open(bool to_rebind, double now_s) {
     if (to_rebind) {
         list.items.push_back({phrase("menu.one_hand"), setting_line("keyboard.hand", context_.settings).value, true});
         const std::size_t last = list.items.size() - 1;
-        list.adjusted = [this](std::size_t, int by) {
-            return context_.asks.change_setting("keyboard.hand", stepped("keyboard.hand", context_.settings, by));
-        };
+        list.adjusted = [this](std::size_t, int by) { return step_setting(context_, "keyboard.hand", by); };
         list.chosen = [this, last, open = list.chosen](std::size_t i) {
             if (i == last) context_.answer(phrase("menu.one_hand_how"), context_.tick_s);
             else open(i);
@@ -125,7 +126,7 @@ void CommandLists::open_rebinding(Command command, double now_s) {
         context_.lists.dialogue.key("Escape", context_.tick_s);  // back to the commands
         if (i == 2) {
             const std::string built_in(context_.keys.default_keys(command));
-            context_.asks.change_keys({{command, built_in.empty() ? "none" : built_in}});
+            context_.set(setting_of_keys(command), built_in.empty() ? "none" : built_in, context_.tick_s);
             return context_.answer(phrase("menu.command_has_again", {{"command", short_help(info(command))},
                                                                      {"keys", context_.keys.keys_of(command)}}),
                                    context_.tick_s);
@@ -146,7 +147,9 @@ void CommandLists::take_new_key(const std::string& key, double now_s) {
     const auto give = [this, key, wanted](std::vector<std::pair<Command, std::string>> changes, double at_s) {
         const std::string before = wanted.one_more ? context_.keys.words_of_keys(wanted.command) : std::string{};
         changes.emplace_back(wanted.command, before.empty() ? key : before + " " + key);
-        context_.asks.change_keys(changes);
+        for (const auto& [command, keys] : changes)
+            if (const auto set = context_.asks.set(setting_of_keys(command), keys, at_s); !set)
+                return context_.answer(set.error().message, at_s);
         context_.answer(phrase("menu.command_has", {{"command", short_help(info(wanted.command))},
                                                     {"keys", context_.keys.keys_of(wanted.command)}}),
                         at_s);

@@ -14,7 +14,7 @@ void LanguageList::open(double now_s) {
         list.items.push_back({language.name, {}, false});
     }
     list.chosen = [this, languages](std::size_t i) {
-        context_.asks.change_setting("speech.language", languages[i].code);
+        context_.set("speech.language", languages[i].code, context_.tick_s);
         if (spoken_language() == languages[i].code)
             context_.answer(phrase("language.changed", {{"name", languages[i].name}}), context_.tick_s);
     };

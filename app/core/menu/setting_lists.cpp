@@ -8,6 +8,12 @@ namespace handrail {
 
 namespace {
 
+// What it is then, or why it cannot be.
+std::string change_setting(const SessionContext& context, std::string_view key, const std::string& value) {
+    const auto set = context.asks.set(key, value, context.tick_s);
+    return set ? setting_line(key, context.settings).value : set.error().message;
+}
+
 void open_settings(const SessionContext& context, std::string_view topic, double now_s) {
     ListSpec list;
     list.title = phrase("menu.settings_of", {{"topic", sentence_case(topic_name(topic))}});
@@ -17,16 +23,14 @@ void open_settings(const SessionContext& context, std::string_view topic, double
         list.items.push_back({sentence_case(line.name), line.value, line.steps});
         keys.push_back(line.key);
     }
-    list.adjusted = [&context, keys](std::size_t i, int by) {
-        return context.asks.change_setting(keys[i], stepped(keys[i], context.settings, by));
-    };
+    list.adjusted = [&context, keys](std::size_t i, int by) { return step_setting(context, keys[i], by); };
     list.chosen = [&context, keys, topic](std::size_t i) {
         const SettingLine line = setting_line(keys[i], context.settings);
         TextSpec question;
         question.question =
             phrase("menu.setting_question", {{"meaning", line.meaning}, {"value", line.value}, {"range", line.range}});
         question.done = [&context, topic, key = keys[i]](const std::string& typed) {
-            const std::string value = context.asks.change_setting(key, typed);
+            const std::string value = change_setting(context, key, typed);
             std::vector<ListItem> items;
             for (const SettingLine& now : setting_lines(topic, context.settings))
                 items.push_back({sentence_case(now.name), now.value, now.steps});
@@ -39,6 +43,10 @@ void open_settings(const SessionContext& context, std::string_view topic, double
 }
 
 }  // namespace
+
+std::string step_setting(const SessionContext& context, std::string_view key, int by) {
+    return change_setting(context, key, stepped(key, context.settings, by));
+}
 
 void open_setting_topics(const SessionContext& context, double now_s) {
     ListSpec list;

@@ -6,6 +6,8 @@
 
 namespace handrail {
 
+// One step up or down; what it is then.
+std::string step_setting(const SessionContext& context, std::string_view key, int by);
 void open_setting_topics(const SessionContext& context, double now_s);
 
 }  // namespace handrail

@@ -8,7 +8,7 @@
 namespace handrail {
 
 void WorldLists::go_to(const std::filesystem::path& file) {
-    context_.requests.world = file;
+    context_.requests.world = WorldRequest{file};
     context_.answer(phrase("menu.going_to", {{"world", name_of_file(file)}}), context_.tick_s);
 }
 

@@ -42,6 +42,7 @@ Command command_named(TomlFields& fields, const char* key) {
 }
 
 constexpr double kLongest_s = 3600.0;
+constexpr double kLeastUnit_m = 1e-6, kMostUnit_m = 1e6;
 constexpr std::array<std::string_view, 3> kActsBy{"window-keys", "terminal-keys", "lines"};  // as in ActsBy
 
 fs::path find_world(const std::string& name, const ScenarioFolders& folders, int line) {
@@ -328,7 +329,11 @@ Scenario read_table(const TomlValue& table, const fs::path& file, const std::vec
     Scenario scenario;
     scenario.file = file;
     scenario.title = fields.text("title");
-    scenario.world = find_world(fields.text("world"), folders, fields.node("world").line);
+    scenario.world.file = find_world(fields.text("world"), folders, fields.node("world").line);
+    if (fields.has("building")) scenario.world.building = fields.text("building");
+    if (fields.has("unit_m")) scenario.world.unit_m = fields.number("unit_m", kLeastUnit_m, kMostUnit_m);
+    if (fields.has("map_scale_m_per_unit"))
+        scenario.world.map_scale_m_per_unit = fields.number("map_scale_m_per_unit", kLeastUnit_m, kMostUnit_m);
     if (fields.has("device")) scenario.device = fields.text("device");
     if (fields.has("left_device")) scenario.left_device = fields.text("left_device");
     if (fields.has("start")) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/core/dialogue/command.h"
+#include "app/core/kept/world_request.h"
 #include "worlds/base/result.h"
 #include "worlds/base/typist.h"
 #include "worlds/base/vec.h"
@@ -167,7 +168,7 @@ struct Expectation {
 struct Scenario {
     std::string title;
     std::filesystem::path file;
-    std::filesystem::path world;  // as found
+    WorldRequest world;  // world: the file, as found; building, unit_m, map_scale_m_per_unit: how it is read
     std::string device = "none", left_device = "none";
     ActsBy acts_by = ActsBy::WindowKeys;  // acts_by: what sentences call keys
     bool has_start = false;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/core/scenario/read_request.h"
 #include "app/core/session/headless_session.h"
 #include "haptic/servo/workspace_map.h"
 #include "worlds/base/language.h"
@@ -306,11 +307,11 @@ Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<
     SessionLog log;
     Player player(scenario, session, settings, undone);
     double last_action_s = 0.0;
-    session.app().apply(WorldsKnown{{scenario.world.parent_path(), {}}}, 0.0);
+    session.app().apply(WorldsKnown{{scenario.world.file.parent_path(), {}}}, 0.0);
     while (session.now_s() < kLongestRun_s) {
         // In virtual time a world is read in no time; one that cannot be read is said and the old one stays.
         if (const auto wanted = session.app().requests().take_world()) {
-            if (auto other = read_world(*wanted))
+            if (auto other = read_world(wanted->file, read_options(*wanted)))
                 session.app().apply(WorldEntered{make_ready(std::make_shared<const Scene>(std::move(*other)))},
                                     session.now_s());
             else session.app().apply(Told{other.error().sentence(), SpeechClass::Answer}, session.now_s());

@@ -1,7 +1,5 @@
 #include "app/core/session/session.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -9,7 +7,6 @@
 
 #include "app/core/context/device_settings.h"
 #include "app/core/dialogue/brief_words.h"
-#include "app/core/menu/understood_list.h"
 #include "app/core/world/world_now.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
@@ -184,101 +181,6 @@ void Session::answer_what_was_too_early(double now_s) {
     if (!too_early_ || where_.rooms.awaited()) return;
     const Command asked = std::exchange(too_early_, std::nullopt)->command;
     if (!state_.lists.dialogue.is_open()) act(asked, now_s);
-}
-
-void Session::carry_out(Command command, double now_s, int times) {
-    if (command == Command::Lost) walk_.walking.halt();
-    // A game comes first: its keys are those of others elsewhere.
-    if (labyrinth_.act(command, now_s) || bodies_.act(command, now_s, times) ||
-        walk_.walking.act(command, now_s, times) || hand_.workspace.act(command, now_s) ||
-        hand_.forces.act(command, now_s) || learn_.place.act(command, now_s) || learn_.hunt.act(command, now_s) ||
-        where_.asking.act(command, now_s) || where_.far.act(command, now_s) || where_.rooms.act(command, now_s) ||
-        where_.climbs.act(command, now_s) || movers_.doors.act(command, now_s) || places_.marks.act(command, now_s) ||
-        places_.ways.act(command, now_s) || guide_.act(command, now_s) || menu_.act(command, now_s) ||
-        lesson_session_.act(command, now_s) || learn_.teaching.exercise.act(command, now_s))
-        return;
-    act_itself(command, now_s);
-}
-
-// What is no single feature's.
-void Session::act_itself(Command command, double now_s) {
-    switch (command) {
-        case Command::Simplified:
-            simplified_list_.open(hand_.touch_view.plan(), hand_.touch_view.portals(), now_s);
-            break;
-        case Command::Understood:
-            open_understood(
-                state_.context, [this](const Goal& goal, double then_s) { guide_.open_tools(goal, then_s); }, now_s);
-            break;
-        case Command::Faults:
-            places_.faults.open(now_s);
-            break;
-        case Command::Repeat:
-        case Command::HistoryBack:
-        case Command::HistoryForward:
-        case Command::StopSpeech: {
-            CueRequest request;
-            request.kind = command == Command::Repeat           ? CueRequestKind::Repeat
-                           : command == Command::HistoryBack    ? CueRequestKind::HistoryBack
-                           : command == Command::HistoryForward ? CueRequestKind::HistoryForward
-                                                                : CueRequestKind::StopSpeech;
-            request.time_s = now_s;
-            cue(std::move(request));
-            break;
-        }
-        case Command::StopEverything:
-            if (hand_.forces.stop(now_s)) walk_.walking.fall_silent();
-            break;
-        case Command::BringOut:
-            bring_out(now_s);
-            break;
-        case Command::LastPlace:
-            ask_for_last_place(now_s);
-            break;
-        case Command::PlanView:
-            plan_view_ = !plan_view_;
-            where_.rooms.show_plan(plan_view_);
-            answer(phrase(plan_view_ ? "session.plan" : "session.first_person"), now_s);
-            break;
-        case Command::NextSound:
-            cue(dictionary_.step(1, listener(), now_s));
-            break;
-        case Command::LastSound:
-            cue(dictionary_.step(-1, listener(), now_s));
-            break;
-        case Command::Callouts:
-            state_.person.settings.walk.callouts = !state_.person.settings.walk.callouts;
-            state_.person.changes.emplace_back("walk.callouts",
-                                               state_.person.settings.walk.callouts ? "true" : "false");
-            answer(phrase(state_.person.settings.walk.callouts ? "walking.callouts_on" : "walking.callouts_off"),
-                   now_s);
-            break;
-        case Command::VerbosityCycle:
-            state_.person.settings.speech.verbosity = (state_.person.settings.speech.verbosity + 1) % 5;
-            state_.person.changes.emplace_back("speech.verbosity",
-                                               fmt::format("{}", state_.person.settings.speech.verbosity));
-            answer(phrase("session.verbosity", {{"level", state_.person.settings.speech.verbosity}}), now_s);
-            break;
-        case Command::Calibrate:
-            state_.requests.set_up = true;
-            break;
-        case Command::Desk:
-            desk_visit_.open_list(now_s);
-            break;
-        case Command::Leave:
-            if (at_desk()) {
-                publish_pose(now_s, PoseChange::Moved);  // a jump of the workspace ends the visit
-            } else if (asked_to_leave_.lately(now_s)) {
-                state_.requests.leave = true;
-                answer(phrase("session.goodbye"), now_s);
-            } else {
-                asked_to_leave_.at_s = now_s;
-                answer(phrase("session.leave_again"), now_s);
-            }
-            break;
-        default:  // done above
-            break;
-    }
 }
 
 void Session::place(const Vec3& feet_m, double heading_rad, double now_s) {

@@ -96,13 +96,10 @@ public:
     const DeskVisit& desk_visit() const { return desk_visit_; }
     DeskVisit& desk_visit() { return desk_visit_; }
     bool at_desk() const { return state_.hands.at_desk(); }
-    // A live change of one setting: in force at once, and told by take_setting_changes. Fails as SettingsStore::set
-    // does.
-    Result<void> change_setting(std::string_view key, const std::string& value, double now_s);
     std::vector<CueRequest> take_cues() { return state_.cues.take(); }
     // What has happened since they were last taken, beside what is said and played (session_event.h).
     std::vector<SessionEvent> take_events() { return state_.events.take(); }
-    // Settings the person changed by a command, to be stored and saved: key and value.
+    // Settings that were changed in the session, to be stored and saved: key and value.
     std::vector<std::pair<std::string, std::string>> take_setting_changes() {
         return std::exchange(state_.person.changes, {});
     }
@@ -134,6 +131,10 @@ private:
     void set_left_hand(const HandFacts& hand, double now_s);
     void offer_hand(const std::string& spoken_name, double now_s) { hand_.forces.offer(spoken_name, now_s); }
     void change_settings(const Settings& settings, double now_s);
+    void take_settings(Settings settings, double now_s);
+    Result<void> set(std::string_view key, const std::string& value, double now_s);
+    void follow(std::string_view key, Settings changed, double now_s);
+    void speak_language_of(const Settings::Speech& speech, double now_s);
     void press(Command command, double now_s, int times = 1);
     void release(Command command);
     bool take_key(std::string_view key, double now_s);
@@ -150,7 +151,8 @@ private:
     }
     void act(Command command, double now_s, int times = 1);
     void carry_out(Command command, double now_s, int times);
-    void act_itself(Command command, double now_s);
+    bool act_itself(Command command, double now_s);
+    struct Carriers;  // session_commands.cpp
     void answer_what_was_too_early(double now_s);
     void publish_pose(double now_s, PoseChange change) { hand_.workspace.publish(now_s, change); }
     void play(SoundKind kind, double now_s) { state_.cues.play(kind, now_s); }
@@ -158,11 +160,8 @@ private:
     void cue(CueRequest request) { state_.cues.cue(std::move(request)); }
     void answer(std::string text, double now_s) { state_.cues.answer(std::move(text), now_s); }
     void quiet(double now_s) { state_.cues.quiet(now_s); }
-    void rescale(const Settings& changed, double now_s) { hand_.workspace.rescale(changed, now_s); }
-    void feel_otherwise(const Settings& changed, double now_s) { hand_.workspace.feel_otherwise(changed, now_s); }
     // Lists: session_dialogue.cpp.
     bool reply(const DialogueReply& reply, double now_s);
-    std::string change_setting(std::string_view key, const std::string& value);
     void bring_out(double now_s);
     // The world as it changes.
     void change_world(Scene scene, double now_s);

@@ -1,6 +1,4 @@
 // Session's part on lists and typed answers: which keys go to them, and what is said. App thread only.
-#include <algorithm>
-
 #include "app/core/dialogue/command_words.h"
 #include "app/core/dialogue/typed_sentences.h"
 #include "app/core/session/session.h"
@@ -8,23 +6,6 @@
 
 namespace handrail {
 namespace {
-
-// What must work whatever is open. A letter may be wanted as a letter.
-bool works_always(const KeyMap& keys, std::string_view key) {
-    const auto command = keys.find(key);
-    if (!command) return false;
-    return *command == Command::StopEverything || *command == Command::StopSpeech ||
-           (*command == Command::ToggleForces && key.size() > 1);
-}
-
-// Answered while a list stays open.
-bool only_asks(Command command) {
-    return is_one_of(command,
-                     {Command::WhereAmI, Command::Heading, Command::AroundMe, Command::AheadOfMe, Command::LookNext,
-                      Command::LookBefore, Command::ScaleBar, Command::Coordinates, Command::WhatIsThis, Command::Exits,
-                      Command::UnvisitedExits, Command::RepeatLeg, Command::RestOfWay, Command::Repeat,
-                      Command::HistoryBack, Command::HistoryForward, Command::StopSpeech});
-}
 
 std::string_view without_blanks(std::string_view text) {
     while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
@@ -43,7 +24,10 @@ bool Session::reply(const DialogueReply& reply, double now_s) {
 }
 
 bool Session::take_key(std::string_view key, double now_s) {
-    if (works_always(state_.person.keys, key)) return false;
+    // A letter may be wanted as a letter.
+    if (const auto command = state_.person.keys.find(key);
+        command && in_list(*command) == InList::Always && (*command != Command::ToggleForces || key.size() > 1))
+        return false;
     if (menu_.commands().take_key(std::string(key), now_s)) return true;
     if (!state_.lists.dialogue.is_open()) return false;
     quiet(now_s);
@@ -66,9 +50,7 @@ bool Session::take_line(std::string_view line, double now_s) {
     const std::string_view bare = without_blanks(line);
     if (lesson_session_.take_line(bare, now_s) || menu_.commands().take_line(bare, now_s)) return true;
     if (!state_.lists.dialogue.is_open()) return false;
-    if (const CommandInfo* row = find_command(line);
-        row && (row->command == Command::StopEverything || row->command == Command::ToggleForces))
-        return false;
+    if (const CommandInfo* row = find_command(line); row && in_list(row->command) == InList::Always) return false;
     quiet(now_s);
     DialogueReply said = state_.lists.dialogue.line(line, now_s);
     const auto asked = [&]() -> std::optional<Command> {
@@ -78,7 +60,7 @@ bool Session::take_line(std::string_view line, double now_s) {
         return sentence && sentence->choice.empty() ? std::optional(sentence->command) : std::nullopt;
     };
     if (const auto command = said.denied ? asked() : std::nullopt; command && !state_.lists.dialogue.typing()) {
-        if (only_asks(*command) || *command == Command::Leave) {
+        if (in_list(*command) != InList::Waits) {
             act(*command, now_s);
             return true;
         }

@@ -70,7 +70,7 @@ struct WalkingFeatures {
 struct HandFeatures {
     HandFeatures(SessionState& state, const HeldKeys& keys_held)
         : touch_view(state.context, state.world, state.body, state.hands),
-          workspace(state.context, state.person, state.hands, keys_held, touch_view),
+          workspace(state.context, state.hands, keys_held, touch_view),
           forces(state.context, state.hands) {}
     TouchView touch_view;
     Workspace workspace;

@@ -21,6 +21,7 @@ bool Session::apply(SessionInput input, double now_s) {
                    [&](const FocusChanged& in) { set_focus(in.focused); },
                    [&](const Stopped& in) { know_stops(in.count, now_s); },
                    [&](const HandMoved& in) { move_hand(in.by_m); },
+                   [&](const SettingSet& in) { taken = set(in.key, in.value, now_s).has_value(); },
                    [&](const SettingsChanged& in) { change_settings(in.settings, now_s); },
                    [&](const HandChanged& in) {
                        state_.hands.keys_alone = in.for_want_of_one;
@@ -30,6 +31,7 @@ bool Session::apply(SessionInput input, double now_s) {
                    [&](const HandOffered& in) { offer_hand(in.spoken_name, now_s); },
                    [&](WorldEntered& in) {
                        given_.side_file = std::move(in.additions);
+                       if (in.settings) take_settings(std::move(*in.settings), now_s);
                        enter_world(std::move(in.world), now_s);
                    },
                    [&](const Placed& in) { place(in.feet_m, in.heading_rad, now_s); },

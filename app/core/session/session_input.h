@@ -16,6 +16,7 @@
 #include "app/core/dialogue/dialogue.h"
 #include "app/core/kept/last_place.h"
 #include "app/core/kept/side_file.h"
+#include "app/core/kept/world_request.h"
 #include "app/core/kept/world_shelf.h"
 #include "app/core/walking/steering.h"
 #include "app/core/world/entering.h"
@@ -63,6 +64,11 @@ struct Stopped {
 struct HandMoved {
     Vec3 by_m;
 };
+// One setting of any key, as a list, the desk or a command changes it: in force at once, and told by
+// Session::take_setting_changes. Not taken where it cannot be.
+struct SettingSet {
+    std::string key, value;
+};
 // New settings from outside; the world stays. Force ramps in again where the workspace changes.
 struct SettingsChanged {
     Settings settings;
@@ -84,16 +90,13 @@ struct HandOffered {
 };
 // The body is put where the world says and one is told where one is. The additions are what the person added to that
 // world and where it is kept; without them they are forgotten with the world.
-// source: the file it was read from, and how, for whoever reads it again.
-struct WorldSource {
-    std::filesystem::path file;  // absolute; empty: it comes from no file
-    double map_metres_per_unit = 0.0, obj_metres_per_unit = 0.0;
-    bool unit_is_known = false;
-};
+// request: the file it was read from, and how, for whoever reads it again. settings: those of the person from now on,
+// with what this world brings and without what the one before brought; none: they stay.
 struct WorldEntered {
     EnteringWorld world;
     std::optional<SideFile> additions = {};
-    WorldSource source = {};
+    WorldRequest request = {};
+    std::optional<Settings> settings = {};
 };
 // Puts the body somewhere else in this world; the workspace jumps with it.
 struct Placed {
@@ -145,8 +148,8 @@ struct WorldsKnown {
 
 using SessionInput =
     std::variant<CommandDown, CommandUp, KeyTapped, TextTyped, LineTyped, ItemActed, Steered, FocusChanged, Stopped,
-                 HandMoved, SettingsChanged, HandChanged, LeftHandChanged, HandOffered, WorldEntered, Placed, Told,
-                 FirstMinutesBegun, LessonLeft, SetUpOver, LastPlaceKnown, WentOnAt, CrashReportKnown,
+                 HandMoved, SettingSet, SettingsChanged, HandChanged, LeftHandChanged, HandOffered, WorldEntered,
+                 Placed, Told, FirstMinutesBegun, LessonLeft, SetUpOver, LastPlaceKnown, WentOnAt, CrashReportKnown,
                  SettingsFaultsKnown, DevicesFound, WorldsKnown, TeacherActed>;
 
 }  // namespace handrail

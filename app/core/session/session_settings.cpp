@@ -1,53 +1,118 @@
-// Session's part on settings that change while it goes on: all of them from outside, one of them by a command. App
-// thread only.
+// Session's part on settings that change while it goes on: all of them from outside, or one of them, by whatever it is
+// changed. App thread only.
+#include <algorithm>
+#include <array>
+
 #include "app/core/context/device_settings.h"
 #include "app/core/kept/spoken_language.h"
 #include "app/core/session/session.h"
-#include "settings/adjust.h"
 
 namespace handrail {
+namespace {
+
+// What follows when a setting changes, beside that everybody finds the new value from then on.
+enum class Follows : std::uint8_t {
+    Nothing,
+    Pose,       // the workspace lies elsewhere
+    Tuning,     // the servo is tuned otherwise, and force ramps in again
+    UnderHand,  // the workspace turns about the place under the hand
+    Scale,      // it grows about that place, and no named scale is in force any more
+    Felt,       // what the hand feels is made anew, and what is simplified is said
+    Keys,       // keys stand for other commands
+    Language,   // the names of things are others
+};
+struct Consequence {
+    std::string_view key;  // without the rest where it ends with a point
+    Follows follows;
+};
+constexpr std::array kConsequences{
+    Consequence{"workspace.scale", Follows::Scale},
+    Consequence{"workspace.offset_ahead_m", Follows::Pose},
+    Consequence{"workspace.offset_up_m", Follows::Pose},
+    Consequence{"workspace.hand_height_m", Follows::Pose},
+    Consequence{"workspace.frame", Follows::Pose},
+    Consequence{"workspace.follows_walk", Follows::Pose},
+    Consequence{"workspace.turn_deg", Follows::UnderHand},
+    Consequence{"workspace.rim", Follows::Tuning},
+    Consequence{"workspace.grab_button", Follows::Tuning},
+    Consequence{"haptic.stiffness_fraction", Follows::Tuning},
+    Consequence{"haptic.friction_mu", Follows::Tuning},
+    Consequence{"haptic.damping_ns_per_m", Follows::Tuning},
+    Consequence{"haptic.ceiling", Follows::Tuning},
+    Consequence{"haptic.button_to_feel", Follows::Tuning},
+    Consequence{"desk.use", Follows::Tuning},
+    Consequence{"dynamics.strength_n", Follows::Tuning},
+    Consequence{"haptic.ball_diameter_mm", Follows::Felt},
+    Consequence{"haptic.edge_rounding_mm", Follows::Felt},
+    Consequence{"haptic.simplify", Follows::Felt},
+    Consequence{"walk.body_radius_m", Follows::Felt},
+    Consequence{"keyboard.hand", Follows::Keys},
+    Consequence{"keys.", Follows::Keys},
+    Consequence{"speech.language", Follows::Language},
+};
+
+Follows what_follows(std::string_view key) {
+    const auto row = std::find_if(kConsequences.begin(), kConsequences.end(), [&](const Consequence& one) {
+        return one.key.ends_with('.') ? key.starts_with(one.key) : key == one.key;
+    });
+    return row == kConsequences.end() ? Follows::Nothing : row->follows;
+}
+
+}  // namespace
 
 void Session::change_settings(const Settings& settings, double now_s) {
-    if (settings.speech.language != state_.person.settings.speech.language) {
-        for (const Diagnostic& fault : speak_as_set(settings.speech, menu_.languages().folder()))
-            say(fault.sentence(), SpeechClass::Answer, now_s);
-        desk_visit_.furnish();  // its controls' names
-    }
-    state_.person.settings = settings;
-    lay_device_overrides(state_.person.settings, state_.hands.right);
-    state_.person.keys = KeyMap(state_.person.settings.keys, state_.person.settings.keyboard.hand);
+    take_settings(settings, now_s);
     if (state_.world.scene) hand_.workspace.take_settings(now_s);
 }
 
-// A live change, wherever it comes from: at once in force, stored and saved by whoever owns the settings.
-Result<void> Session::change_setting(std::string_view key, const std::string& value, double now_s) {
+// Without what follows for the hand and the world it is in.
+void Session::take_settings(Settings settings, double now_s) {
+    speak_language_of(settings.speech, now_s);
+    state_.person.settings = std::move(settings);
+    lay_device_overrides(state_.person.settings, state_.hands.right);
+    state_.person.keys = KeyMap(state_.person.settings.keys, state_.person.settings.keyboard.hand);
+}
+
+void Session::speak_language_of(const Settings::Speech& speech, double now_s) {
+    if (speech.language == state_.person.settings.speech.language) return;
+    for (const Diagnostic& fault : speak_as_set(speech, menu_.languages().folder()))
+        say(fault.sentence(), SpeechClass::Answer, now_s);
+    desk_visit_.furnish();  // its controls' names
+}
+
+// The one way to change a setting; stored and saved by whoever owns the settings.
+Result<void> Session::set(std::string_view key, const std::string& value, double now_s) {
     Settings changed = state_.person.settings;
-    if (auto done = handrail::change_setting(changed, key, value); !done) return done;
-    state_.person.changes.emplace_back(std::string(key), setting_text(changed, key).value_or(value));
-    if (key == "workspace.scale" && at_desk()) {
-        desk_visit_.keep_scale(value);
-        return {};
-    }
-    if (key == "haptic.simplify" && state_.world.scene && !at_desk()) {
-        feel_otherwise(changed, now_s);
-        return {};
-    }
-    if (key != "workspace.scale") {
-        state_.person.settings = std::move(changed);
-        if (state_.world.scene) hand_.touch_view.retune();
-        return {};
-    }
-    rescale(changed, now_s);
+    if (auto done = change_setting(changed, key, value); !done) return done;
+    const std::string written = setting_text(changed, key).value_or(value);
+    state_.person.changes.emplace_back(key, written);
+    if (what_follows(key) == Follows::Scale && at_desk()) desk_visit_.keep_scale(written);
+    else follow(key, std::move(changed), now_s);
     return {};
 }
 
-// The same as a list has it; what it is then, or why it cannot be.
-std::string Session::change_setting(std::string_view key, const std::string& value) {
-    Settings changed = state_.person.settings;
-    if (const auto set = set_in(changed, key, value); !set) return set.error().message;
-    state_.person.changes.emplace_back(std::string(key), value);
-    change_settings(changed, state_.context.tick_s);
-    return setting_line(key, state_.person.settings).value;
+// The settings are those from now on, of which that one is another.
+void Session::follow(std::string_view key, Settings changed, double now_s) {
+    const Follows follows = what_follows(key);
+    if (follows == Follows::Language) speak_language_of(changed.speech, now_s);
+    const auto take = [&] {
+        if (follows == Follows::Scale) state_.hands.named_scale.reset();
+        state_.person.settings = std::move(changed);
+        return true;
+    };
+    const bool moves = state_.world.scene && !at_desk();  // a workspace that jumps would end a visit at the desk
+    const bool under_hand = follows == Follows::UnderHand || follows == Follows::Scale || follows == Follows::Felt;
+    if (under_hand && moves) {
+        hand_.workspace.change_under_hand(take, now_s);
+        if (std::string news = follows == Follows::Felt ? hand_.touch_view.news() : std::string(); !news.empty())
+            say(std::move(news), SpeechClass::Ambient, now_s);
+        return;
+    }
+    take();
+    if (follows == Follows::Keys)
+        state_.person.keys = KeyMap(state_.person.settings.keys, state_.person.settings.keyboard.hand);
+    if (state_.world.scene && (under_hand || follows == Follows::Tuning)) hand_.touch_view.retune();
+    if (moves && (follows == Follows::Pose || follows == Follows::Tuning)) publish_pose(now_s, PoseChange::Moved);
 }
 
 }  // namespace handrail

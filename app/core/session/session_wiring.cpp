@@ -1,14 +1,11 @@
 // All that goes upward in the session, on one page: what its features may ask of it, and whom their news concerns. App
 // thread only.
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "app/core/menu/setting_lists.h"
 #include "app/core/session/session.h"
 #include "app/core/whereabouts/room_things.h"
 #include "app/core/world/questions.h"
-#include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
@@ -22,20 +19,8 @@ void Session::wire() {
         press(command, now_s);
         release(command);
     };
-    state_.context.asks.change_setting = [this](std::string_view key, const std::string& value) {
-        return change_setting(key, value);
-    };
-    state_.context.asks.change_keys = [this](const std::vector<std::pair<Command, std::string>>& changes) {
-        for (const auto& [command, keys] : changes) {
-            state_.person.settings.keys[std::string(info(command).word)] = keys;
-            state_.person.changes.emplace_back(fmt::format("keys.{}", info(command).word), keys);
-        }
-        state_.person.keys = KeyMap(state_.person.settings.keys, state_.person.settings.keyboard.hand);
-    };
-    state_.context.asks.keep_setting = [this](std::string_view key, const std::string& value) {
-        const bool fits = handrail::change_setting(state_.person.settings, key, value).has_value();
-        contract_pre(fits);
-        if (fits) state_.person.changes.emplace_back(key, value);
+    state_.context.asks.set = [this](std::string_view key, const std::string& value, double now_s) {
+        return set(key, value, now_s);
     };
     where_.rooms.on_known = [this](double now_s) {
         places_.ways.tell_unfit(now_s);
@@ -129,9 +114,6 @@ void Session::wire() {
         walk_.keys_held.release_all();
         walk_.walking.halt();
     };
-    desk_visit_.change_setting = [this](std::string_view key, const std::string& value, double now_s) {
-        return change_setting(key, value, now_s);
-    };
     desk_visit_.where_am_i = [this] { return where_am_i(); };
     desk_visit_.progress = [this](double now_s) { return learn_.place.progress_words(now_s); };
     desk_visit_.beacon = [this] { return guide_.beacon().on() ? std::optional(guide_.beacon().name()) : std::nullopt; };
@@ -145,11 +127,9 @@ void Session::wire() {
         state_.body.heading_goal_rad = state_.body.heading_rad;
     };
     desk_visit_.on_back = [this](const std::optional<std::string>& scale, double now_s) {
-        if (scale) {
-            Settings changed = state_.person.settings;
-            if (handrail::change_setting(changed, "workspace.scale", *scale)) rescale(changed, now_s);
-        }
-        if (hand_.touch_view.stale()) feel_otherwise(Settings(state_.person.settings), now_s);
+        Settings changed = state_.person.settings;
+        if (scale && change_setting(changed, "workspace.scale", *scale)) follow("workspace.scale", changed, now_s);
+        if (hand_.touch_view.stale()) follow("haptic.simplify", state_.person.settings, now_s);
     };
     lesson_session_.beacon_calls = [this] { return guide_.beacon().on(); };
     lesson_session_.at_beacon = [this] {

@@ -96,9 +96,13 @@ double Walking::passage_width_m() const {
                : 0.0;
 }
 
-bool Walking::act(Command command, double now_s, int times) {
+void Walking::notice(Command command, double now_s) {
     by_ear_.notice(command);
     footing_.notice(command, now_s);
+}
+
+bool Walking::act(Command command, double now_s, int times) {
+    notice(command, now_s);
     if (by_ear_.act(command, now_s, times)) return true;
     const double notch_rad = radians_from_degrees(context_.settings.walk.turn_deg);
     switch (command) {

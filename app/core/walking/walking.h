@@ -25,9 +25,10 @@ public:
     void enter_world();
     // Puts the body somewhere else in this world, as near above it as there is room; what it was about to do ends.
     void set_down(const Vec3& feet_m, double heading_rad);
-    // Steps, turns, trails, leaps and Home; of steps and turns so many. False: it is another's, and still ends trailing
-    // where it is of that kind.
+    // Steps, turns, trails, leaps and Home; of steps and turns so many. False: it is another's.
     bool act(Command command, double now_s, int times = 1);
+    // Another's command, which may end trailing.
+    void notice(Command command, double now_s);
     // Turns, tilts and walks for dt_s, up to 0.1 s.
     void tick(double now_s, double dt_s);
     // The tone of the nearest wall ahead, where the person wants one.

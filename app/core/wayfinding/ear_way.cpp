@@ -34,6 +34,7 @@ void EarWay::stop() {
     follower_.stop();
     word_.stop();
     room_.reset();
+    told_.reset();
     wish_ = RouteWish::Safest;
     faces_ = rest_asked_ = false;
 }
@@ -95,6 +96,7 @@ void EarWay::follow_again(const std::string& first, double now_s) {
 // Where it leads is known to whoever looks at the way, and nothing is said of it.
 void EarWay::follow_silently(Route route, const std::string& goal) {
     name_ = goal;
+    told_.reset();
     plans_.know(route.points_m);
     planned_in_ = context_.world.scene;
     // A route to the very place where the person stands has one point. It is followed too, so that it arrives.
@@ -144,11 +146,12 @@ void EarWay::renew() {
     follow_silently(std::move(route), std::string(name_));
 }
 
-void EarWay::tell_on(double now_s) const {
+void EarWay::tell_on(double now_s) {
     if (!follower_.following()) return context_.answer(phrase("way.none"), now_s);
     const Vec3& feet_m = context_.body.feet_m();
     const auto leg = next_leg(planned(), feet_m, 0.5 * context_.settings.walk.step_length_m);
     if (!leg) return context_.answer(phrase("way.no_floor"), now_s);
+    told_ = leg->route;
     const Vec3 off = leg->to_m - feet_m;
     const Route& route = leg->route;
     const std::string where = where_words(context_, std::hypot(off.x, off.y), std::atan2(off.x, off.y)),
@@ -197,14 +200,15 @@ bool EarWay::stands_in(const RoutePassage& passage) const {
     return passage.kind == PassageKind::Lift && passage.feature && context_.body.ground == passage.feature;
 }
 
-// The rest of it from here: planned anew, unless that leads back against the way that is followed and is not much
-// shorter, for of two ways of one length now this one is planned and now that.
+// The rest of it from here: planned anew, unless that leads back against the way that was told last, or else is
+// followed, and is not much shorter. Of two ways of one length now this one is planned and now that, and who did as
+// told would go to and fro between them.
 Route EarWay::planned() const {
     const Vec3& feet_m = context_.body.feet_m();
     if (plans_.runs_to(name_)) return plans_.looked_at(feet_m);
     Route anew = rooms_.navigation().plan(feet_m, follower_.goal_m(), wish_);
-    const Route& followed = follower_.route();
-    const WayPlace here = near_on_way(followed.points_m, feet_m, follower_.along_m());
+    const Route& followed = told_ ? *told_ : follower_.route();
+    const WayPlace here = near_on_way(followed.points_m, feet_m, told_ ? 0.0 : follower_.along_m());
     const double ahead_m = here.along_m + kTakenUpAhead_m;
     if (here.distance_m > kLeftWay_m || ahead_m >= followed.length_m || anew.points_m.size() < 2) return anew;
     const Vec3 on_m = place_along(followed.points_m, ahead_m);

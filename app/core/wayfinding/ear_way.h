@@ -36,7 +36,7 @@ public:
     const Vec3& goal_m() const { return follower_.goal_m(); }
     double along_m() const { return follower_.along_m(); }
     // How far it goes on straight, which way, and to what.
-    void tell_on(double now_s) const;
+    void tell_on(double now_s);
     // The leg one is on, the next one, or the rest of the way.
     void tell_leg(double now_s);
     void tell_next_leg(double now_s);
@@ -79,6 +79,7 @@ private:
     bool rest_asked_ = false;             // the rest of the way was asked for before it was planned
     std::string name_;
     bool to_nearest_ = false;
+    std::optional<Route> told_;                // how it goes on, as tell_on told it last
     std::shared_ptr<const Scene> planned_in_;  // the world as it was when the way was planned
 };
 

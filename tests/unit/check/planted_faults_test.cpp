@@ -332,6 +332,29 @@ TEST(NoFault, is_a_start_before_the_door_of_a_balcony_and_a_joint_under_a_beam) 
     EXPECT_EQ(count_of(FaultKind::Crack, 0.03, true), 1U);
 }
 
+// Beside a wall, a part that the program itself calls by that word.
+std::size_t cracks_beside(const char* what, double joint_m) {
+    test::SceneBuilder b;
+    b.box({0, 0, -0.2}, {8, 6, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
+    b.box({0, 2.8, 0}, {4, 3.2, 2.5}, "wall", SolidRole::Solid, {}, FeatureKind::Wall);
+    b.box({4 + joint_m, 2.8, 2.2}, {8, 3.2, 2.5}, what);
+    for (Feature& feature : b.scene().features) feature.made_name = true;
+    b.start({2, 1, 0}, 0.0);
+    const auto scene = b.share();
+    const auto ways = Navigation::make(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
+    EXPECT_TRUE(ways);
+    const RoomGraph graph = make_rooms(*scene, (*ways)->space());
+    const std::vector<WorldFault> faults = find_faults(*scene, &(*ways)->space(), &graph);
+    return static_cast<std::size_t>(std::count_if(
+        faults.begin(), faults.end(), [](const WorldFault& fault) { return fault.kind == FaultKind::Crack; }));
+}
+
+TEST(NoFault, is_a_joint_beside_a_beam) {
+    EXPECT_EQ(cracks_beside("beam", 0.015), 0U);
+    EXPECT_EQ(cracks_beside("beam", 0.03), 1U);
+    EXPECT_EQ(cracks_beside("stairs", 0.015), 1U);
+}
+
 std::vector<Planted> planted_here() {
     std::vector<Planted> some;
     for (std::size_t i = 0; i < kPlanted.size(); ++i)

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <random>
 
 #include "tests/support/box_scene.h"
@@ -16,6 +17,7 @@
 #include "worlds/navigation/navigation.h"
 #include "worlds/navigation/reach.h"
 #include "worlds/readers/reader.h"
+#include "worlds/scene/stated_building.h"
 
 namespace handrail {
 namespace way_lacks_test {
@@ -190,6 +192,97 @@ TEST(RoomOutOfReach, says_that_stairs_to_it_lead_under_a_floor) {
     EXPECT_THAT(said, HasSubstr("metres of headroom under")) << said;
     EXPECT_THAT(said, HasSubstr("eiling"));
     EXPECT_THAT(advice, HasSubstr("at least 1.8 metres of headroom"));
+}
+
+// A row of houses, each with a flight to its gallery and a beam over that, each beam at another height. What is told is
+// what is on the flight itself, of each of them, and nothing of the other flights.
+TEST(StairsInOneGo, say_of_each_flight_what_is_in_the_way_on_it) {
+    constexpr int kHouses = 7, kSteps = 14;
+    constexpr double kUp_m = 2.8, kEach_m = 6.0;
+    test::SceneBuilder b;
+    StatedBuilding stated;
+    const auto room = [&](const Vec3& low, const Vec3& high) {
+        StatedRoom made;
+        made.name = "Room";
+        made.rings = {{{low.x, low.y}, {high.x, low.y}, {high.x, high.y}, {low.x, high.y}}};
+        made.floor_m = low.z;
+        made.height_m = 2.5;
+        made.at_m = {0.5 * (low.x + high.x), 0.5 * (low.y + high.y), low.z};
+        stated.rooms.push_back(made);
+        return static_cast<std::uint32_t>(stated.rooms.size() - 1);
+    };
+    b.box({0, 0, -0.2}, {10, kHouses * kEach_m, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
+    b.start({1, 2, 0}, 0.0);
+    std::vector<double> headroom_m;
+    for (int house = 0; house < kHouses; ++house) {
+        const Vec3 at(0.0, house * kEach_m, 0.0);
+        b.box(at + Vec3(7, 0, kUp_m - 0.2), at + Vec3(10, 4, kUp_m), "floor", SolidRole::Solid, {}, FeatureKind::Floor);
+        StatedPortal portal;
+        portal.kind = StatedPortalKind::Stairs;
+        portal.rooms = {room(at, at + Vec3(7, 4, 0)), room(at + Vec3(7, 0, kUp_m), at + Vec3(10, 4, kUp_m))};
+        for (int k = 0; k < kSteps; ++k) {
+            const double top = kUp_m * (k + 1) / (kSteps + 1), x = 7.0 - (kSteps - k) * 0.28;
+            const FeatureId own = b.box(at + Vec3(x, 1, 0), at + Vec3(x + 0.28, 3, top), "stairs");
+            if (!portal.feature) portal.feature = own;
+            b.scene().solids.back().feature = portal.feature;
+            b.scene().features[portal.feature.value].bounds_m.include(b.scene().features[own.value].bounds_m);
+        }
+        stated.portals.push_back(portal);
+        headroom_m.push_back(1.35 + 0.05 * house);
+        // Over the eighth step, as wide as the flight.
+        const double step_x = 7.0 - 7 * 0.28, step_top = kUp_m * 8 / (kSteps + 1);
+        b.box(at + Vec3(step_x, 0, step_top + headroom_m.back()), at + Vec3(step_x + 0.28, 4, 6), "beam",
+              SolidRole::Solid, {}, FeatureKind::Wall);
+    }
+    b.scene().stated = std::make_shared<const StatedBuilding>(stated);
+    const auto scene = b.share();
+    const Result<WalkSpace> space = make_walk_space(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
+    ASSERT_TRUE(space.has_value());
+    const RoomGraph graph = make_rooms(*scene, *space);
+    std::map<std::uint32_t, const WorldFault> told;
+    for (const WorldFault& fault : find_faults(*scene, &*space, &graph))
+        if (fault.kind == FaultKind::StairsInOneGo) told.emplace(fault.feature.value, fault);
+    ASSERT_EQ(told.size(), kHouses);
+    for (int house = 0; house < kHouses; ++house) {
+        const FeatureId stairs = stated.portals[static_cast<std::size_t>(house)].feature;
+        ASSERT_TRUE(told.contains(stairs.value)) << house;
+        const WorldFault& fault = told.at(stairs.value);
+        EXPECT_EQ(fault.lack, Lack::Headroom) << house;
+        // A body is half on the step before or behind.
+        EXPECT_NEAR(fault.amount, headroom_m[static_cast<std::size_t>(house)], 0.45) << house;
+        EXPECT_GT(fault.at_m.y, house * kEach_m) << house;
+        EXPECT_LT(fault.at_m.y, house * kEach_m + 4.0) << house;
+    }
+}
+
+// What a trial says of where a body comes to is what a whole space of that body says.
+TEST(TrialSpaces, are_reached_where_whole_spaces_are) {
+    std::mt19937_64 random(test::seed_of_run());
+    const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+    for (int run = 0; run < test::scaled(10); ++run) {
+        test::SceneBuilder b = two_rooms(Vec3(0.0), between(0.0, 0.5));
+        for (int i = 0; i < 14; ++i) {
+            const Vec3 from(between(1.5, 8.0), between(0.0, 3.5), between(0.0, 1.6));
+            b.box(from, from + Vec3(between(0.1, 0.6), between(0.2, 1.2), between(0.2, 1.5)), "block");
+        }
+        const auto scene = b.share();
+        const WalkBody body = walk_body(*scene, 0.25, 1.8, 0.25);
+        const auto whole = make_walk_space(*scene, body);
+        const auto trial = make_trial_space(*scene, body, {true, std::nullopt});
+        const Vec3 start_m = scene->starts[0].feet_m;
+        const auto stretch =
+            make_trial_space(*scene, body, {true, WalkTrial::Stretch{start_m, Aabb{Vec3(-1.0), Vec3(10.0, 5.0, 5.0)}}});
+        ASSERT_EQ(whole.has_value(), trial.has_value());
+        if (!whole || !stretch) continue;
+        for (const auto* tried : {&*trial, &*stretch}) {
+            const std::uint32_t first = whole->at(start_m), same = tried->at(start_m);
+            ASSERT_EQ(first == kNothing, same == kNothing) << "run " << run;
+            if (first == kNothing) continue;
+            const std::vector<bool> reached = spans_reached(*whole, first), again = spans_reached(*tried, same);
+            EXPECT_EQ(std::count(reached.begin(), reached.end(), true), std::count(again.begin(), again.end(), true))
+                << "run " << run;
+        }
+    }
 }
 
 // A spiral stair whose upper turns lie under the edge of the floor that they lead to.

@@ -35,7 +35,8 @@ struct Typed {
     std::string said;
     SessionVoice say{clock, [this](std::string text, double) { said += text + "\n"; }};
     Session app{Settings{}, {}};
-    WorldVisits worlds{arguments, app, say};
+    SettingsStore settings;
+    WorldVisits worlds{arguments, settings, app, say};
     CarriedLines lines;
     double now = 0.0;
 };
@@ -86,7 +87,7 @@ TEST(CarriedLines, of_a_person_are_done_while_another_world_is_read) {
         typed.run(0.5);
         const Vec3 begun_m = typed.app.feet_m();
         // Read until somebody looks whether it is.
-        typed.app.requests().world = test::bundled_world("school.map");
+        typed.app.requests().world = WorldRequest{test::bundled_world("school.map")};
         typed.worlds.change(typed.now);
         ASSERT_TRUE(typed.worlds.reading());
         typed.lines.add("forward 3");

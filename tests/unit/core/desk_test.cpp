@@ -310,8 +310,8 @@ TEST(Desk, a_world_is_chosen_from_its_list_and_gone_to_by_the_button_beside_it) 
     EXPECT_EQ(app.desk_visit().press(go), "Going to " + second + ".");
     const auto wanted = app.requests().take_world();
     ASSERT_TRUE(wanted);
-    EXPECT_EQ(name_of_file(*wanted), second);
-    EXPECT_TRUE(std::filesystem::exists(*wanted));
+    EXPECT_EQ(name_of_file(wanted->file), second);
+    EXPECT_TRUE(std::filesystem::exists(wanted->file));
     app.apply(WorldsKnown{{}}, s.now_s());
     EXPECT_EQ(app.desk_visit().desk().value(world), "none");
     EXPECT_EQ(app.desk_visit().step(world, 1), "none");

@@ -23,7 +23,8 @@ std::size_t files_in(const fs::path& folder) {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
 
-const LastPlace kKitchen{"/worlds/\"odd\" \\ house ü.map", {1.0 / 3.0, -2e-17, 1234567.125}, -3.0};
+const LastPlace kKitchen{
+    {"/worlds/\"odd\" \\ house ü.map", 0.1 + 0.2, 0.3048, "The \"Annex\""}, {1.0 / 3.0, -2e-17, 1234567.125}, -3.0};
 
 TEST(LastPlace, is_read_back_to_the_last_bit) {
     const auto again = read_last_place(text_of(kKitchen));
@@ -66,7 +67,7 @@ TEST(SessionTrace, that_was_killed_is_told_once_with_its_last_place) {
     ASSERT_GE(child, 0);
     if (child == 0) {
         SessionTrace trace(folder.path());
-        trace.note({"/worlds/before.map", {9.0, 9.0, 9.0}, 0.0}, 1.0);
+        trace.note({{"/worlds/before.map"}, {9.0, 9.0, 9.0}, 0.0}, 1.0);
         while (files_in(folder.path()) < 2) ::usleep(1000);
         for (double now_s = 1.0 + SessionTrace::kEvery_s;; ::usleep(1000)) trace.note(kKitchen, now_s);
     }
@@ -117,7 +118,7 @@ TEST(SessionTrace, that_still_runs_beside_is_no_crash) {
 TEST(SessionTrace, writes_at_most_every_3_s_and_only_where_one_has_moved) {
     const TemporaryFolder folder;
     SessionTrace trace(folder.path());
-    const auto place = [&](double x) { return LastPlace{"/a.map", {x, 0.0, 0.0}, 0.0}; };
+    const auto place = [&](double x) { return LastPlace{{"/a.map"}, {x, 0.0, 0.0}, 0.0}; };
     const auto kept = [&]() -> double {
         for (const auto& file : fs::directory_iterator(folder.path()))
             if (const auto read = read_last_place(test::content_of(file.path()))) return read->feet_m.x;
@@ -166,7 +167,7 @@ TEST(GoOnAtLastPlace, puts_the_body_there_and_home_stays_home) {
     EXPECT_THAT(session.ask(Command::LastPlace), HasSubstr("No session broke off"));
     session.hold(Command::Forward, 2.0);
     session.run(1.0);
-    const LastPlace last{"/house.map", session.app.feet_m(), 1.0};
+    const LastPlace last{{"/house.map"}, session.app.feet_m(), 1.0};
     ASSERT_GT(glm::length(last.feet_m - home), 0.5);
     session.ask(Command::Home);
     session.app.apply(LastPlaceKnown{last}, 0.0);
@@ -187,7 +188,7 @@ TEST(GoOnAtLastPlace, moves_nobody_out_of_the_world_or_into_a_wall) {
     session.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
     session.run(0.1);
     const Vec3 home = session.app.feet_m();
-    session.app.apply(WentOnAt{{"/house.map", {1e6, 0.0, 0.0}, 0.0}}, session.now);
+    session.app.apply(WentOnAt{{{"/house.map"}, {1e6, 0.0, 0.0}, 0.0}}, session.now);
     EXPECT_THAT(session.news(), HasSubstr("no longer there"));
     EXPECT_LT(glm::length(session.app.feet_m() - home), 1e-9);
     const std::string inside_nothing = session.ask(Command::BringOut);
@@ -195,7 +196,7 @@ TEST(GoOnAtLastPlace, moves_nobody_out_of_the_world_or_into_a_wall) {
     const Aabb bounds = session.app.scene()->bounds_m;
     for (int i = 0; i < 40; ++i) {
         const Vec3 share(0.5 + 0.5 * std::sin(1.7 * i), 0.5 + 0.5 * std::sin(2.9 * i + 1.0), 0.05);
-        session.app.apply(WentOnAt{{"/house.map", bounds.min_m + share * bounds.size_m(), 0.0}}, session.now);
+        session.app.apply(WentOnAt{{{"/house.map"}, bounds.min_m + share * bounds.size_m(), 0.0}}, session.now);
         session.run(1.0);
         EXPECT_THAT(session.ask(Command::BringOut), HasSubstr(inside_nothing)) << i;
     }

@@ -256,7 +256,7 @@ TEST(AdjustSettings, every_setting_steps_up_and_down_within_its_range_and_comes_
             for (const int by : {1, -1})
                 for (int i = 0; i < 60; ++i) {
                     const std::string value = stepped(line.key, settings, by);
-                    ASSERT_TRUE(set_in(settings, line.key, value)) << line.key << " " << value;
+                    ASSERT_TRUE(change_setting(settings, line.key, value)) << line.key << " " << value;
                     seen.insert(value);
                 }
             EXPECT_GE(seen.size(), 2U) << line.key;
@@ -265,7 +265,7 @@ TEST(AdjustSettings, every_setting_steps_up_and_down_within_its_range_and_comes_
     Settings settings;
     EXPECT_EQ(stepped("walk.step_length_m", settings, 1), "0.75");
     EXPECT_EQ(stepped("speech.rate_wpm", settings, -1), "165");
-    EXPECT_FALSE(set_in(settings, "walk.step_length_m", "9"));
+    EXPECT_FALSE(change_setting(settings, "walk.step_length_m", "9"));
     EXPECT_EQ(settings.walk.step_length_m, 0.7);
 }
 
@@ -282,7 +282,7 @@ TEST(WorldsMenu, offers_what_comes_along_what_was_visited_and_any_folder) {
     EXPECT_THAT(p.line("worlds"), HasSubstr("Museum, visited before, 1 of 4"));
     EXPECT_THAT(p.line("list"), HasSubstr("My house, comes with Handrail. 3: Old school"));
     p.line("old");
-    EXPECT_EQ(p.app.requests().take_world(), folder.path() / "old-school.map");
+    EXPECT_EQ(p.app.requests().take_world(), WorldRequest{folder.path() / "old-school.map"});
     EXPECT_EQ(p.app.requests().take_world(), std::nullopt);
     EXPECT_FALSE(p.app.dialogue().is_open());
     p.key("Tab");
@@ -292,12 +292,12 @@ TEST(WorldsMenu, offers_what_comes_along_what_was_visited_and_any_folder) {
     p.line("another");
     p.line(other.path().string());
     p.line("museum");
-    EXPECT_EQ(p.app.requests().take_world(), other.path() / "museum.obj");
+    EXPECT_EQ(p.app.requests().take_world(), WorldRequest{other.path() / "museum.obj"});
     p.key("Tab");
     p.line("worlds");
     p.line("another");
     p.line((folder.path() / "my_house.map").string());
-    EXPECT_EQ(p.app.requests().take_world(), folder.path() / "my_house.map");
+    EXPECT_EQ(p.app.requests().take_world(), WorldRequest{folder.path() / "my_house.map"});
 }
 
 TEST(RecentWorlds, are_kept_between_sessions_and_a_damaged_file_is_set_aside_and_said) {

@@ -250,7 +250,7 @@ constexpr Building kInstitute{"institute.ifczip", 1, 2}, kDuplex{"duplex-apartme
     kFamilyHouse{"fzk-haus.ifc", 2, 1},
     // From the steps that come third two ways of nearly one length lead out, and the way turns from one to the other at
     // each of two landings.
-    kStation{"delft-station.osm", 1, 2, true, false, false}, kOffice{"office.ifc", 1, 2, false, true};
+    kStation{"delft-station.osm", 1, 2, true}, kOffice{"office.ifc", 1, 2, false, true};
 
 TEST(ANewcomer, walks_in_an_office_of_ours_to_three_rooms_on_two_storeys_and_out_again) {
     walks_to_three_rooms_and_out_again(kOffice, nullptr);

@@ -9,9 +9,12 @@
 
 #include "app/core/world/walker.h"
 #include "tests/support/known_buildings.h"
+#include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
 #include "tests/support/way_through.h"
+#include "tests/unit/ifc/ifc_hut.h"
 #include "worlds/readers/reader.h"
+#include "worlds/scene/honest_report.h"
 #include "worlds/scene/stated_building.h"
 
 namespace handrail {
@@ -56,6 +59,70 @@ TEST(RealDoors, are_walked_through_both_ways_by_the_body_of_a_session) {
         EXPECT_EQ(doors.size(), known_doors) << file;
         EXPECT_EQ(held, 0) << file << ":" << names;
     }
+}
+
+// Through a door with its leaves open, as it is reported, and by a body that then stands on a floor.
+struct DoorsWalked {
+    int doors = 0, reported = 0;
+    std::string held;  // that no report names
+};
+DoorsWalked walk_all(const Scene& scene) {
+    auto open = std::make_shared<Scene>(scene);
+    std::erase_if(open->solids, [](const Solid& solid) { return solid.role == SolidRole::Mover; });
+    open->movers.clear();
+    const BodyWorld world(open);
+    const BodySize size = body_size(*open, 0.25);
+    DoorsWalked walked;
+    for (const StatedPortal& portal : scene.stated->portals) {
+        if (portal.kind != StatedPortalKind::Door) continue;
+        ++walked.doors;
+        walked.reported += portal.passable ? 0 : 1;
+        if (!portal.passable) continue;
+        const std::optional<Vec3> way = test::way_through(scene, portal.feature);
+        if (!way || !walks(world, size, portal.place_m, *way) || !walks(world, size, portal.place_m, -*way))
+            walked.held += " " + portal.name + "/" + std::to_string(portal.source.line);
+    }
+    return walked;
+}
+
+TEST(RealDoors, of_each_model_are_passed_or_reported_with_a_reason) {
+    if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "real buildings";
+    const std::vector<std::pair<std::string, int>> models{
+        {"duplex-apartment.ifc", 0}, {"fzk-haus.ifc", 0},     {"institute.ifczip", 0},
+        {"large-building.ifc", 0},   {"smiley-west.ifc", 20}, {"wall-door-column-ifc4x3.ifc", 0}};
+    for (const auto& [name, impassable] : models)
+        for (const std::filesystem::path& file : test::with_real_worlds({}, {name})) {
+            SCOPED_TRACE(name);
+            const Result<Scene> scene = read_world(file);
+            ASSERT_TRUE(scene) << scene.error().sentence();
+            const DoorsWalked walked = walk_all(*scene);
+            const HonestReport report = honest_report(*scene);
+            std::cout << name << ": " << walked.doors << " doors, " << walked.reported << " reported\n";
+            EXPECT_EQ(walked.held, "");
+            EXPECT_EQ(walked.reported, impassable);
+            EXPECT_EQ(report.doors_impassable, walked.reported);
+            EXPECT_GE(walked.doors, scene->report.doors);
+        }
+}
+
+// As in a model whose doors have no openings.
+test::Hut hut_without_openings() {
+    test::Hut hut;
+    hut.part("IFCSLAB", "Floor", hut.block({0.0, 0.0, -0.2}, {6.0, 5.0, 0.0}), ",$");
+    hut.part("IFCWALL", "South", hut.block({0.0, 0.0, 0.0}, {6.0, 0.3, 2.8}), ",$");
+    hut.part("IFCWALL", "North", hut.block({0.0, 4.7, 0.0}, {6.0, 5.0, 2.8}), ",$");
+    hut.part("IFCWALL", "West", hut.block({0.0, 0.3, 0.0}, {0.3, 4.7, 2.8}), ",$");
+    hut.part("IFCWALL", "East", hut.block({5.7, 0.3, 0.0}, {6.0, 4.7, 2.8}), ",$");
+    hut.part("IFCDOOR", "Entrance", hut.block({2.5, 0.1, 0.0}, {3.5, 0.2, 2.1}), ",2.1,1.,.DOOR.,$,$");
+    return hut;
+}
+
+TEST(RealDoors, without_an_opening_are_walked_through) {
+    const Scene scene = hut_without_openings().scene();
+    const DoorsWalked walked = walk_all(scene);
+    EXPECT_EQ(walked.doors, 1);
+    EXPECT_EQ(walked.reported, 0);
+    EXPECT_EQ(walked.held, "");
 }
 
 }  // namespace real_doors_test

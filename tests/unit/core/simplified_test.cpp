@@ -103,7 +103,7 @@ TEST(Simplified, is_off_by_a_setting_at_once_and_says_so) {
     p.tap(Command::ScaleBuilding, 0.2);
     const FeatureId coats = feature_named(*p.app().scene(), "Coat stand");
     std::size_t from = p.lines();
-    ASSERT_TRUE(p.app().change_setting("haptic.simplify", "false", p.now_s()));
+    ASSERT_TRUE(p.app().apply(SettingSet{"haptic.simplify", "false"}, p.now_s()));
     p.run(0.3);
     EXPECT_TRUE(p.heard("Nothing is simplified.", from)) << p.all_heard(from);
     EXPECT_TRUE(is_felt(*p.app().haptic_scene(), coats));

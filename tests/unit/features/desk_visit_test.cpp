@@ -25,9 +25,6 @@ class DeskAlone : public ::testing::Test {
 protected:
     DeskAlone() {
         plain.hands.right = {true, true, *find_device_spec("sim-t")};
-        visit.change_setting = [this](std::string_view key, const std::string& value, double) {
-            return change_setting(plain.person.settings, key, value);
-        };
         visit.where_am_i = [] { return "At the oak."; };
         visit.progress = [](double) { return "Half of it. The rest is told elsewhere."; };
         visit.beacon = [this] { return beacon; };
@@ -129,7 +126,7 @@ TEST_F(DeskAlone, puts_the_beacon_on_a_mark_and_goes_to_a_world) {
     visit.offer_worlds({{}, {"/far/castle.map", "/far/mill.map"}});
     visit.step(world, 1);
     EXPECT_THAT(visit.press(go), HasSubstr("Mill"));
-    EXPECT_EQ(plain.requests.world, "/far/mill.map");
+    EXPECT_EQ(plain.requests.world, WorldRequest{"/far/mill.map"});
 }
 
 }  // namespace desk_visit_test

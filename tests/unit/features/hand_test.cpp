@@ -53,7 +53,7 @@ struct WithHand {
     test::PlainSession plain;
     HeldKeys keys;
     TouchView touch{plain.context, plain.world, plain.body, plain.hands};
-    Workspace workspace{plain.context, plain.person, plain.hands, keys, touch};
+    Workspace workspace{plain.context, plain.hands, keys, touch};
     Forces forces{plain.context, plain.hands};
 };
 

@@ -30,8 +30,9 @@ class LessonsAlone : public ::testing::Test {
 protected:
     LessonsAlone() {
         plain.context.asks.perform = [this](Command command, double) { performed.push_back(command); };
-        plain.context.asks.keep_setting = [this](std::string_view key, const std::string& value) {
+        plain.context.asks.set = [this](std::string_view key, const std::string& value, double) -> Result<void> {
             kept[std::string(key)] = value;
+            return {};
         };
         lessons.beacon_calls = [this] { return beacon; };
         lessons.at_beacon = [this] { return there; };

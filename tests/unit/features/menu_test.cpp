@@ -32,15 +32,6 @@ protected:
     MenuAlone() {
         plain.context.tick_s = 1.0;
         plain.context.asks.perform = [this](Command command, double) { performed.push_back(command); };
-        plain.context.asks.change_setting = [this](std::string_view key, const std::string& value) {
-            if (const auto set = set_in(plain.person.settings, key, value); !set) return set.error().message;
-            return setting_line(key, plain.person.settings).value;
-        };
-        plain.context.asks.change_keys = [this](const std::vector<std::pair<Command, std::string>>& changes) {
-            for (const auto& [command, keys] : changes)
-                plain.person.settings.keys[std::string(info(command).word)] = keys;
-            plain.person.keys = KeyMap(plain.person.settings.keys, plain.person.settings.keyboard.hand);
-        };
     }
     // What the list says to a key, as a session would say it.
     std::string key(std::string_view name) { return plain.lists.dialogue.key(name, 1.0).words; }
@@ -118,12 +109,12 @@ TEST_F(MenuAlone, goes_to_worlds_that_are_offered_or_typed) {
     menu.worlds().open(1.0);
     line("castle");
     EXPECT_THAT(plain.said().back(), HasSubstr("Castle"));
-    EXPECT_EQ(plain.requests.take_world(), "/far/castle.map");
+    EXPECT_EQ(plain.requests.take_world(), WorldRequest{"/far/castle.map"});
     menu.worlds().open(1.0);
     line("another");
     line(folder.path().string());
     line("old mill");
-    EXPECT_EQ(plain.requests.take_world(), folder.path() / "old-mill.map");
+    EXPECT_EQ(plain.requests.take_world(), WorldRequest{folder.path() / "old-mill.map"});
 }
 
 TEST_F(MenuAlone, asks_for_a_language_by_its_own_name) {

@@ -30,6 +30,11 @@ struct PlainSession : SessionState {
         body.walker->place(entering.feet_m);
         body.heading_rad = body.heading_goal_rad = entering.heading_rad;
         world.home_feet_m = body.feet_m();
+        context.asks.set = [this](std::string_view key, const std::string& value, double) {
+            const auto set = change_setting(person.settings, key, value);
+            person.keys = KeyMap(person.settings.keys, person.settings.keyboard.hand);
+            return set;
+        };
     }
     // All that was said since this was last asked.
     std::vector<std::string> said() {

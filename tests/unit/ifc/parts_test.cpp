@@ -1,8 +1,15 @@
 // Each kind of part that once vanished, stayed shut or was put in the wrong place.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "tests/unit/ifc/ifc_hut.h"
+#include "worlds/base/language.h"
+#include "worlds/check/faults.h"
+#include "worlds/ifc/body.h"
 #include "worlds/ifc/step_file.h"
+#include "worlds/navigation/reach.h"
+#include "worlds/navigation/rooms.h"
 #include "worlds/scene/honest_report.h"
 
 namespace handrail {
@@ -98,6 +105,26 @@ TEST(PartsOfIfc, are_cut_through_by_windows_that_end_at_their_faces) {
     EXPECT_FALSE(in_a_solid(hut.scene(), {1.5, 0.002, 1.5}));
 }
 
+// A wall that comes already cut, with an opening that says so as well; and one whose opening lies beside it.
+TEST(PartsOfIfc, that_come_already_cut_need_no_cut) {
+    for (const bool beside : {false, true}) {
+        Hut hut;
+        const int wall =
+            hut.part("IFCWALL", "Wall",
+                     hut.less(hut.block({0, 0, 0}, {5, 0.3, 2.5}), hut.block({2, -0.1, -0.1}, {3, 0.4, 2.1})));
+        const double x = beside ? 7.0 : 2.0;
+        hut.opening(wall, hut.block({x, 0, 0}, {x + 1.0, 0.3, 2.1}));
+        const Scene scene = hut.scene();
+        ASSERT_TRUE(scene.stated);
+        EXPECT_EQ(scene.stated->openings, 1);
+        EXPECT_EQ(scene.stated->openings_cut, beside ? 0 : 1);
+        const auto uncut =
+            std::count_if(scene.report.warnings.begin(), scene.report.warnings.end(),
+                          [](const Diagnostic& warning) { return warning.message == phrase("ifc.opening_uncut"); });
+        EXPECT_EQ(uncut, beside ? 1 : 0);
+    }
+}
+
 TEST(DoorsOfIfc, without_an_opening_are_cut_as_the_whole_leaf) {
     for (const double off : {0.0, 0.1, 0.25}) {  // in the wall, and hung before it
         SCOPED_TRACE(off);
@@ -134,6 +161,63 @@ TEST(DoorsOfIfc, that_lead_against_a_wall_are_reported_with_it) {
         EXPECT_EQ(report.doors_impassable, behind < 0.5 ? 1 : 0);
         const auto named = [](const Diagnostic& d) { return d.message.find("Lining") != std::string::npos; };
         EXPECT_EQ(std::any_of(scene.report.warnings.begin(), scene.report.warnings.end(), named), behind < 0.5);
+    }
+}
+
+// Each is said in the report, in what is to be checked, and among the warnings.
+TEST(DoorsOfIfc, that_no_body_passes_are_named_with_the_reason) {
+    struct Row {
+        Vec3 least, most;  // of the door
+        std::string reason;
+        std::string kind = {}, name = {};  // of what else stands there
+        Vec3 from = Vec3(0.0), to = Vec3(0.0);
+    };
+    const Row rows[] = {
+        {{2.5, 0.1, 0.0}, {3.5, 0.2, 2.1}, ""},
+        {{2.5, 0.1, 0.0}, {2.9, 0.2, 2.1}, "its opening is 0.4 metres wide and 2.1 metres high"},
+        {{2.5, 0.1, 0.0}, {3.5, 0.2, 1.2}, "its opening is 1.0 metres wide and 1.2 metres high"},
+        {{2.5, 0.1, 0.0},
+         {3.5, 0.2, 2.1},
+         "in the way stands Rack",
+         "IFCFURNISHINGELEMENT",
+         "Rack",
+         {2, 0.6, 0},
+         {4, 0.9, 2}},
+        {{2.5, 0.1, 0.0},
+         {3.5, 0.2, 2.1},
+         "there is a step of 0.4 metres",
+         "IFCSLAB",
+         "Landing",
+         {2, 0.3, 0},
+         {4, 2, 0.6}},
+        {{2.5, 0.1, 2.0}, {3.5, 0.2, 4.1}, "there is no floor on one side of it"},
+        {{2.5, 0.1, 0.0}, {2.51, 0.2, 2.1}, "the file gives it neither a form nor a size"},
+    };
+    for (const Row& row : rows) {
+        SCOPED_TRACE(row.reason);
+        Hut hut;
+        hut.part("IFCSLAB", "Floor", hut.block({-3.0, -3.0, -0.2}, {9.0, 5.0, 0.0}), ",$");
+        const int wall = hut.part("IFCWALL", "South", hut.block({0.0, 0.0, 0.0}, {6.0, 0.3, 5.0}), ",$");
+        const int door = hut.part("IFCDOOR", "Entrance", hut.block(row.least, row.most), ",2.1,1.,.DOOR.,$,$");
+        hut.opening(wall, hut.block({row.least.x, 0.0, row.least.z}, {row.most.x, 0.3, row.most.z}), door);
+        const int back =
+            hut.part("IFCDOOR", "Back door", hut.block({4.5, 0.1, 0.0}, {5.5, 0.2, 2.1}), ",2.1,1.,.DOOR.,$,$");
+        hut.opening(wall, hut.block({4.5, 0.0, 0.0}, {5.5, 0.3, 2.1}), back);
+        if (!row.kind.empty()) hut.part(row.kind, row.name, hut.block(row.from, row.to), ",$");
+        const Scene scene = hut.scene();
+        const HonestReport report = honest_report(scene);
+        EXPECT_EQ(report.doors, 2);
+        EXPECT_EQ(report.doors_impassable, row.reason.empty() ? 0 : 1);
+        const auto told = [&](const std::string& text) { return text.find(row.reason) != std::string::npos; };
+        if (row.reason.empty()) continue;
+        ASSERT_FALSE(report.check.empty());
+        EXPECT_EQ(check_words(scene, report.check[0]), "nobody can pass the door Entrance: " + row.reason);
+        EXPECT_TRUE(std::any_of(scene.report.warnings.begin(), scene.report.warnings.end(),
+                                [&](const Diagnostic& d) { return told(d.message); }));
+        const std::vector<WorldFault> faults = find_faults(scene, nullptr, nullptr);
+        EXPECT_TRUE(std::any_of(faults.begin(), faults.end(), [&](const WorldFault& fault) {
+            return fault.kind == FaultKind::ImpassableDoor && told(fault_words(scene, fault));
+        }));
     }
 }
 
@@ -266,6 +350,70 @@ TEST(MissingParts, are_named_with_their_guid_storey_and_reason) {
     EXPECT_THAT(said, testing::Not(testing::HasSubstr("Floor")));
 }
 
+// Sweeps that grow or shrink are made straight, so they show a part that lacks volume, and one that has too much.
+TEST(MissingParts, are_named_when_they_hold_another_volume) {
+    struct Row {
+        double from, to;  // side of the square
+        std::string said;
+        bool mapped = false;
+    };
+    const Row rows[] = {{1.0, 1.0, ""},
+                        {1.0, 2.0, "lacks 57 percent of its volume"},
+                        {2.0, 1.0, "has 71 percent more volume than in the file"},
+                        {1.0, 2.0, "lacks 57 percent of its volume", true}};
+    for (const Row& row : rows) {
+        SCOPED_TRACE(row.said);
+        Hut hut;
+        hut.part("IFCSLAB", "Floor", hut.block({0.0, 0.0, -0.2}, {6.0, 6.0, 0.0}), ",$");
+        const auto square = [&](double side) {
+            return hut.add("IFCRECTANGLEPROFILEDEF(.AREA.,$,$," + std::to_string(side) + "," + std::to_string(side) +
+                           ")");
+        };
+        const int up = hut.add("IFCDIRECTION((0.,0.,1.))"), from = square(row.from), to = square(row.to);
+        int item = hut.add("IFCEXTRUDEDAREASOLIDTAPERED(" + Hut::ref(from) + ",#2," + Hut::ref(up) + ",3.," +
+                           Hut::ref(to) + ")");
+        if (row.mapped) {  // also by a copy of another size
+            const int shape = hut.add("IFCSHAPEREPRESENTATION(#5,'Body','SweptSolid',(" + Hut::ref(item) + "))");
+            const int map = hut.add("IFCREPRESENTATIONMAP(#2," + Hut::ref(shape) + ")");
+            item = hut.add("IFCMAPPEDITEM(" + Hut::ref(map) + "," +
+                           Hut::ref(hut.add("IFCCARTESIANTRANSFORMATIONOPERATOR3D($,$,#1,0.5,$)")) + ")");
+        }
+        hut.part("IFCCOLUMN", "Post", item, ",$");
+        const Scene scene = hut.scene();
+        std::string said;
+        for (const CheckPoint& point : honest_report(scene).check) said += check_words(scene, point) + "\n";
+        EXPECT_EQ(honest_report(scene).parts_missing, row.said.empty() ? 0 : 1) << said;
+        EXPECT_THAT(said, testing::HasSubstr(row.said));
+        const std::vector<WorldFault> faults = find_faults(scene, nullptr, nullptr);
+        EXPECT_EQ(std::count_if(faults.begin(), faults.end(),
+                                [&](const WorldFault& fault) {
+                                    return fault.kind == FaultKind::MissingPart &&
+                                           fault_words(scene, fault).find(row.said) != std::string::npos;
+                                }),
+                  row.said.empty() ? 0 : 1);
+    }
+}
+
+TEST(MissingParts, know_what_a_closed_skin_encloses) {
+    const auto cube = [](bool holed) {
+        std::vector<FlatFace> faces;
+        const auto corner = [](int i) {
+            return Vec3(i & 1 ? 2.0 : 0.0, i & 2 ? 3.0 : 0.0, i & 4 ? 4.0 : 0.0) + Vec3(1e4);
+        };
+        for (const std::array<int, 4>& f : {std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
+                                            std::array{2, 6, 7, 3}, std::array{0, 4, 6, 2}, std::array{1, 3, 7, 5}})
+            if (!holed || f[0] != 4) faces.push_back({{{corner(f[0]), corner(f[1]), corner(f[2]), corner(f[3])}}});
+        return faces;
+    };
+    ASSERT_TRUE(enclosed_m3(cube(false)).has_value());
+    EXPECT_NEAR(*enclosed_m3(cube(false)), 24.0, 1e-9);
+    EXPECT_FALSE(enclosed_m3(cube(true)).has_value());
+    std::vector<FlatFace> turned = cube(false);
+    std::reverse(turned[2].rings[0].begin(), turned[2].rings[0].end());
+    EXPECT_FALSE(enclosed_m3(turned).has_value());
+    EXPECT_NEAR(volume_m3(body_of_faces(cube(false))), 24.0, 1e-6);
+}
+
 TEST(RoomsOfIfc, without_a_slab_get_a_floor_that_is_reported) {
     for (const double high : {3.0, 0.5}) {  // and none what is too low to be a room
         SCOPED_TRACE(high);
@@ -344,6 +492,29 @@ TEST(RoomsOfIfc, as_high_as_their_storey_do_not_hold_the_floor_over_them) {
     EXPECT_FALSE(holds(room, {2.0, 2.0, 3.0}));
     EXPECT_FALSE(holds(room, {2.0, 2.0, 2.8}));
     EXPECT_FALSE(holds(room, {5.0, 2.0, 1.0}));
+}
+
+// A gallery that nothing leads to is the widest place of the room.
+TEST(RoomsOfIfc, have_their_goal_where_one_comes_to_from_the_base) {
+    Hut hut;
+    hut.part("IFCSLAB", "Floor", hut.block({-6.0, -2.0, -0.2}, {8.0, 6.0, 0.0}), ",$");
+    hut.part("IFCSLAB", "Gallery", hut.block({0.0, 0.0, 2.4}, {8.0, 6.0, 2.6}), ",$");
+    hut.part("IFCSLAB", "Ceiling", hut.block({0.0, 0.0, 6.0}, {8.0, 6.0, 6.2}), ",$");
+    for (const Aabb& wall : {Aabb{{0.0, -0.2, 0.0}, {8.0, 0.0, 6.0}}, Aabb{{0.0, 6.0, 0.0}, {8.0, 6.2, 6.0}},
+                             Aabb{{8.0, -0.2, 0.0}, {8.2, 6.2, 6.0}}, Aabb{{-0.2, 1.2, 0.0}, {0.0, 6.2, 6.0}},
+                             Aabb{{0.0, 1.2, 0.0}, {8.0, 1.4, 2.4}}})
+        hut.part("IFCWALL", "Wall", hut.block(wall.min_m, wall.max_m), ",$");
+    hut.space("Hall", hut.block({0.0, 0.0, 0.0}, {8.0, 6.0, 6.0}));
+    Scene placed = hut.scene();
+    placed.starts = {Start{{-2.0, 0.6, 0.0}, 0.0, true, "", {}}};
+    const Result<WalkSpace> space = make_walk_space(placed, WalkBody{});
+    ASSERT_TRUE(space.has_value());
+    const RoomGraph graph = make_rooms(placed, *space);
+    const auto hall =
+        std::find_if(graph.rooms.begin(), graph.rooms.end(), [](const Room& room) { return room.name == "Hall"; });
+    ASSERT_NE(hall, graph.rooms.end());
+    const std::vector<bool> reached = spans_reached(*space, space->at(placed.starts[0].feet_m));
+    EXPECT_TRUE(reached[space->at(hall->middle_m)]);
 }
 
 TEST(PartsOfIfc, stand_with_slanted_outlines) {

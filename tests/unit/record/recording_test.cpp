@@ -286,9 +286,10 @@ TEST(RecordedInput, of_every_kind_is_read_as_it_was) {
     inputs.emplace_back(FirstMinutesBegun{"the speech server", true});
     inputs.emplace_back(LessonLeft{});
     inputs.emplace_back(SetUpOver{});
-    inputs.emplace_back(LastPlaceKnown{{"/a/b.map", {1.0, 2.0, 3.0}, 0.25}});
-    inputs.emplace_back(WentOnAt{{"/a/b.map", {1.0, 2.0, 3.0}, 0.25}});
+    inputs.emplace_back(LastPlaceKnown{{{"/a/b.map", 0.03125, 0.3048, "Annex"}, {1.0, 2.0, 3.0}, 0.25}});
+    inputs.emplace_back(WentOnAt{{{"/a/b.map"}, {1.0, 2.0, 3.0}, 0.25}});
     inputs.emplace_back(CrashReportKnown{"/a/crash.txt", {"It broke off.", "\"quoted\""}});
+    inputs.emplace_back(SettingSet{"workspace.scale", "40.0"});
     inputs.emplace_back(SettingsFaultsKnown{{"settings.toml, line 2: \"F99\" is no key."}});
     inputs.emplace_back(DevicesFound{{"Novint Falcon, called falcon."}});
     inputs.emplace_back(WorldsKnown{{"/worlds", {"/a/b.map", "/c.obj"}}});
@@ -300,7 +301,8 @@ TEST(RecordedInput, of_every_kind_is_read_as_it_was) {
     taught.number = 0.6;
     inputs.emplace_back(std::move(taught));
     WorldEntered world;
-    world.source = {"/a/b.map", 1.0 / 32.0, 0.001, true};
+    world.request = {"/a/b.map", 1.0 / 64.0, {}, "Annex"};
+    world.settings.emplace().workspace.scale = 8.0;
     inputs.emplace_back(std::move(world));
     for (const SessionInput& input : inputs) {
         const std::string line = input_line(input, 1234.5678901234, 77, 1000.0);

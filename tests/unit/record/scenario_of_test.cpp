@@ -84,7 +84,7 @@ TEST(ScenarioOfRecording, is_written_as_it_runs) {
         "title = \"t\"\nworld = \"house.map\"\n\n[[do]]\nat_s = 0.5\nline = \"nobody asked\"\n\n[[do]]\nat_s = "
         "1.0\npress = \"where\"\n";
     const auto scene = std::make_shared<const Scene>(*read_world(test::bundled_world("house.map")));
-    const auto read = [&](const std::filesystem::path&) -> Result<std::shared_ptr<const Scene>> { return scene; };
+    const auto read = [&](const WorldRequest&) -> Result<std::shared_ptr<const Scene>> { return scene; };
     text.toml.replace(text.toml.find("house.map"), 9, test::bundled_world("house.map"));
     text.expected = {"Something that it never says."};
     EXPECT_FALSE(as_it_runs(text, read));

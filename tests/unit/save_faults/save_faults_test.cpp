@@ -80,7 +80,8 @@ std::vector<Kept> all_kept() {
         {"the last place", "place.toml",
          [](const fs::path& folder) {
              return [folder] {
-                 return write_file_atomically(folder / "place.toml", text_of(LastPlace{"/a.map", {1.0, 2.0, 3.0}, 0.5}))
+                 return write_file_atomically(folder / "place.toml",
+                                              text_of(LastPlace{{"/a.map"}, {1.0, 2.0, 3.0}, 0.5}))
                      .has_value();
              };
          },
@@ -96,7 +97,7 @@ struct Home {
         folder.write("a.map.handrail.toml",
                      "[[mark]]\nname = \"old\"\nplace_m = [1.0, 2.0, 3.0]\n[[stranger]]\nkept = true\n");
         folder.write("recent-worlds.txt", "/worlds/old.map\n");
-        folder.write("place.toml", text_of(LastPlace{"/old.map", {}, 0.0}));
+        folder.write("place.toml", text_of(LastPlace{{"/old.map"}, {}, 0.0}));
     }
     std::map<std::string, std::string> all() const {
         std::map<std::string, std::string> files;
@@ -424,7 +425,7 @@ TEST(LoadFaults, memory_that_ends_at_any_allocation_changes_no_file_and_reading_
     fs::copy_file(test::project_root() / "worlds/maps/first_room.map", folder / "room.map");
     home.folder.write("odd.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 9\nf 1 3 4\n");
     home.folder.write("odd.map", "{\n\"classname\" \"worldspawn\"\n{\n( 0 0 0 ) ( 1 0 0 )");
-    home.folder.write("session-old.toml", text_of(LastPlace{"/old.map", {1.0, 2.0, 3.0}, 0.0}));
+    home.folder.write("session-old.toml", text_of(LastPlace{{"/old.map"}, {1.0, 2.0, 3.0}, 0.0}));
     const std::vector<Read> all{
         {"settings",
          [](const fs::path& at) {
@@ -444,7 +445,7 @@ TEST(LoadFaults, memory_that_ends_at_any_allocation_changes_no_file_and_reading_
         {"the last place",
          [](const fs::path& at) {
              const auto place = read_whole_file(at / "session-old.toml").and_then(read_last_place);
-             return place ? place->world.string() : place.error().sentence();
+             return place ? place->world.file.string() : place.error().sentence();
          }},
         {"a map", [](const fs::path& at) { return told(read_world(at / "room.map", {})); }},
         {"a damaged map", [](const fs::path& at) { return told(read_world(at / "odd.map", {})); }},

@@ -56,13 +56,13 @@ TEST(SettingTexts, are_said_in_german_while_what_is_typed_stays) {
     EXPECT_EQ(ceiling.name, "größte Kraft");
     EXPECT_EQ(ceiling.range, "light, normal oder full");
     EXPECT_THAT(ceiling.meaning, HasSubstr("1,2 Newton"));
-    ASSERT_TRUE(set_in(settings, "haptic.ceiling", "light"));
+    ASSERT_TRUE(change_setting(settings, "haptic.ceiling", "light"));
     EXPECT_EQ(setting_line("haptic.ceiling", settings).value, "leicht");
-    ASSERT_TRUE(set_in(settings, "walk.step_length_m", "0.8"));
+    ASSERT_TRUE(change_setting(settings, "walk.step_length_m", "0.8"));
     EXPECT_EQ(setting_line("walk.step_length_m", settings).value, "0,8 Meter");
     EXPECT_EQ(stepped("walk.step_length_m", settings, 1), "0.85")
         << "a value to be stored has a point in every language";
-    EXPECT_EQ(set_in(settings, "walk.step_length_m", "9").error().message,
+    EXPECT_EQ(change_setting(settings, "walk.step_length_m", "9").error().message,
               "Die Einstellung walk.step_length_m ist 9, muss aber sein: 0.2 bis 1.5 Meter.");
 }
 

@@ -79,9 +79,8 @@ protected:
         call.arguments.learner = kPupil;
         call.explore.arguments.program_version = "1.0";
         if (const auto begun = begin_as_learner(call); !begun) ADD_FAILURE() << begun.error().sentence();
-        SettingsStore settings;
         std::ostringstream out, err;
-        EXPECT_FALSE(run_lesson(call.arguments, call.explore.arguments, settings, out, err)) << err.str();
+        EXPECT_FALSE(run_lesson(call.arguments, call.explore.arguments, out, err)) << err.str();
         return call.explore.arguments;
     }
 

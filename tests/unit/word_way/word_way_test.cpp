@@ -120,7 +120,7 @@ private:
         person_.run(3.0);
     }
     void set_step(double step_m) {
-        EXPECT_TRUE(person_.app.change_setting("walk.step_length_m", fmt::format("{:.4f}", step_m), person_.now));
+        EXPECT_TRUE(person_.app.apply(SettingSet{"walk.step_length_m", fmt::format("{:.4f}", step_m)}, person_.now));
     }
     void walk(int steps) {
         person_.app.apply(CommandDown{Command::Forward, steps}, person_.now);

@@ -1,0 +1,254 @@
+// Session's part on commands: which feature carries out which of them, as a table. App thread only.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/core/menu/understood_list.h"
+#include "app/core/session/session.h"
+#include "worlds/base/contract.h"
+#include "worlds/base/language.h"
+
+namespace handrail {
+
+struct Session::Carriers {
+    // False: not in the state that things are in.
+    using Carrier = bool (*)(Session& session, Command command, double now_s, int times);
+    struct Row {
+        Command command;
+        std::array<Carrier, 2> games;  // come first while they are played or something is held
+        std::array<Carrier, 2> carriers;
+    };
+
+    static bool labyrinth(Session& s, Command c, double now_s, int) { return s.labyrinth_.act(c, now_s); }
+    static bool bodies(Session& s, Command c, double now_s, int times) { return s.bodies_.act(c, now_s, times); }
+    static bool walking(Session& s, Command c, double now_s, int times) { return s.walk_.walking.act(c, now_s, times); }
+    static bool workspace(Session& s, Command c, double now_s, int) { return s.hand_.workspace.act(c, now_s); }
+    static bool forces(Session& s, Command c, double now_s, int) { return s.hand_.forces.act(c, now_s); }
+    static bool place(Session& s, Command c, double now_s, int) { return s.learn_.place.act(c, now_s); }
+    static bool hunt(Session& s, Command c, double now_s, int) { return s.learn_.hunt.act(c, now_s); }
+    static bool asking(Session& s, Command c, double now_s, int) { return s.where_.asking.act(c, now_s); }
+    static bool far(Session& s, Command c, double now_s, int) { return s.where_.far.act(c, now_s); }
+    static bool rooms(Session& s, Command c, double now_s, int) { return s.where_.rooms.act(c, now_s); }
+    static bool climbs(Session& s, Command c, double now_s, int) { return s.where_.climbs.act(c, now_s); }
+    static bool doors(Session& s, Command c, double now_s, int) { return s.movers_.doors.act(c, now_s); }
+    static bool marks(Session& s, Command c, double now_s, int) { return s.places_.marks.act(c, now_s); }
+    static bool ways(Session& s, Command c, double now_s, int) { return s.places_.ways.act(c, now_s); }
+    static bool guide(Session& s, Command c, double now_s, int) { return s.guide_.act(c, now_s); }
+    static bool menu(Session& s, Command c, double now_s, int) { return s.menu_.act(c, now_s); }
+    static bool lessons(Session& s, Command c, double now_s, int) { return s.lesson_session_.act(c, now_s); }
+    static bool exercise(Session& s, Command c, double now_s, int) { return s.learn_.teaching.exercise.act(c, now_s); }
+    static bool itself(Session& s, Command c, double now_s, int) { return s.act_itself(c, now_s); }
+
+    // In the order of Command.
+    static constexpr std::array kRows{
+        Row{Command::Forward, {bodies}, {walking}},
+        Row{Command::Back, {bodies}, {walking}},
+        Row{Command::TurnLeft, {bodies}, {walking}},
+        Row{Command::TurnRight, {bodies}, {walking}},
+        Row{Command::SideLeft, {}, {walking}},
+        Row{Command::SideRight, {}, {walking}},
+        Row{Command::TiltUp, {bodies}, {walking}},
+        Row{Command::TiltDown, {bodies}, {walking}},
+        Row{Command::ToggleForces, {}, {forces}},
+        Row{Command::SwitchFrame, {}, {workspace}},
+        Row{Command::ScaleBuilding, {}, {workspace}},
+        Row{Command::ScaleFloor, {}, {workspace}},
+        Row{Command::ScaleRoom, {}, {workspace}},
+        Row{Command::ScaleDetail, {}, {workspace}},
+        Row{Command::WorkspaceForward, {}, {workspace}},
+        Row{Command::WorkspaceBack, {}, {workspace}},
+        Row{Command::WorkspaceLeft, {}, {workspace}},
+        Row{Command::WorkspaceRight, {}, {workspace}},
+        Row{Command::WorkspaceUp, {}, {workspace}},
+        Row{Command::WorkspaceDown, {}, {workspace}},
+        Row{Command::WorkspaceTurnLeft, {bodies}, {workspace}},
+        Row{Command::WorkspaceTurnRight, {bodies}, {workspace}},
+        Row{Command::WorkspaceCentre, {}, {workspace}},
+        Row{Command::Grab, {}, {workspace}},
+        Row{Command::WhereAmI, {}, {asking}},
+        Row{Command::Heading, {}, {asking}},
+        Row{Command::AroundMe, {}, {asking}},
+        Row{Command::AheadOfMe, {}, {asking}},
+        Row{Command::Lost, {}, {far}},
+        Row{Command::Describe, {}, {far}},
+        Row{Command::Overview, {labyrinth}, {far}},
+        Row{Command::Storeys, {}, {guide}},
+        Row{Command::LookNext, {}, {asking}},
+        Row{Command::LookBefore, {}, {asking}},
+        Row{Command::ScaleBar, {}, {asking}},
+        Row{Command::Simplified, {}, {itself}},
+        Row{Command::Understood, {}, {itself}},
+        Row{Command::Faults, {}, {itself}},
+        Row{Command::Coordinates, {}, {asking}},
+        Row{Command::WhatIsThis, {}, {asking}},
+        Row{Command::Repeat, {}, {itself}},
+        Row{Command::HistoryBack, {}, {itself}},
+        Row{Command::HistoryForward, {}, {itself}},
+        Row{Command::StopSpeech, {}, {itself}},
+        Row{Command::StopEverything, {}, {itself}},
+        Row{Command::Home, {}, {walking}},
+        Row{Command::BringOut, {}, {itself}},
+        Row{Command::LastPlace, {}, {itself}},
+        Row{Command::Use, {bodies}, {climbs, doors}},
+        Row{Command::PutBack, {labyrinth, bodies}, {}},
+        Row{Command::DropMark, {}, {marks}},
+        Row{Command::DeleteMark, {}, {marks}},
+        Row{Command::Marks, {}, {marks}},
+        Row{Command::SetBeacon, {}, {guide}},
+        Row{Command::MuteBeacon, {}, {guide}},
+        Row{Command::TakeMe, {}, {guide}},
+        Row{Command::Find, {}, {guide}},
+        Row{Command::CrossLines, {}, {guide}},
+        Row{Command::Exits, {}, {rooms}},
+        Row{Command::UnvisitedExits, {}, {rooms}},
+        Row{Command::Routes, {}, {guide}},
+        Row{Command::RepeatLeg, {}, {guide}},
+        Row{Command::NextLeg, {}, {guide}},
+        Row{Command::RestOfWay, {}, {guide}},
+        Row{Command::FaceWay, {}, {guide}},
+        Row{Command::NameRoom, {}, {rooms}},
+        Row{Command::Ways, {}, {ways}},
+        Row{Command::KeepWay, {}, {ways}},
+        Row{Command::PlanView, {}, {itself}},
+        Row{Command::Menu, {}, {menu}},
+        Row{Command::Help, {}, {menu}},
+        Row{Command::InputHelp, {}, {menu}},
+        Row{Command::Lessons, {}, {lessons}},
+        Row{Command::FirstMinutes, {}, {lessons}},
+        Row{Command::Task, {}, {exercise}},
+        Row{Command::TaskDone, {}, {exercise}},
+        Row{Command::Learners, {}, {exercise}},
+        Row{Command::Language, {}, {menu}},
+        Row{Command::Devices, {}, {menu}},
+        Row{Command::NextSound, {}, {itself}},
+        Row{Command::LastSound, {}, {itself}},
+        Row{Command::VerbosityCycle, {}, {itself}},
+        Row{Command::TrailLeft, {}, {walking}},
+        Row{Command::TrailRight, {}, {walking}},
+        Row{Command::TrailOn, {}, {walking}},
+        Row{Command::TrailBack, {}, {walking}},
+        Row{Command::SquareUp, {}, {walking}},
+        Row{Command::LeapNext, {}, {walking}},
+        Row{Command::LeapLast, {}, {walking}},
+        Row{Command::UndoLeap, {}, {walking}},
+        Row{Command::Retrace, {}, {walking}},
+        Row{Command::FreeLeft, {}, {walking}},
+        Row{Command::FreeRight, {}, {walking}},
+        Row{Command::Callouts, {}, {itself}},
+        Row{Command::Unexplored, {}, {place}},
+        Row{Command::ProgressReport, {}, {place}},
+        Row{Command::LearnPlace, {}, {place}},
+        Row{Command::LearntRooms, {}, {place}},
+        Row{Command::Hunt, {}, {hunt}},
+        Row{Command::Labyrinth, {labyrinth}, {}},
+        Row{Command::Calibrate, {}, {itself}},
+        Row{Command::Leave, {}, {itself}},
+        Row{Command::HandForward, {}, {workspace}},
+        Row{Command::HandBack, {}, {workspace}},
+        Row{Command::HandLeft, {}, {workspace}},
+        Row{Command::HandRight, {}, {workspace}},
+        Row{Command::HandUp, {}, {workspace}},
+        Row{Command::HandDown, {}, {workspace}},
+        Row{Command::HandCentre, {}, {workspace}},
+        Row{Command::Desk, {}, {itself}},
+    };
+    static constexpr const Row& row_of(Command command) { return kRows.at(static_cast<std::size_t>(command)); }
+    static constexpr bool in_order() {
+        for (std::size_t i = 0; i < kRows.size(); ++i)
+            if (kRows[i].command != static_cast<Command>(i)) return false;
+        return true;
+    }
+};
+
+void Session::carry_out(Command command, double now_s, int times) {
+    static_assert(Carriers::in_order());
+    if (command == Command::Lost) walk_.walking.halt();
+    const Carriers::Row& row = Carriers::row_of(command);
+    const auto carried = [&](Carriers::Carrier carrier) { return carrier && carrier(*this, command, now_s, times); };
+    if (std::any_of(row.games.begin(), row.games.end(), carried)) return;
+    if (row.carriers.front() != Carriers::walking) walk_.walking.notice(command, now_s);
+    const bool by_somebody = std::any_of(row.carriers.begin(), row.carriers.end(), carried);
+    contract_pre(by_somebody);
+}
+
+// What is no single feature's. False: it is one's.
+bool Session::act_itself(Command command, double now_s) {
+    switch (command) {
+        case Command::Simplified:
+            simplified_list_.open(hand_.touch_view.plan(), hand_.touch_view.portals(), now_s);
+            break;
+        case Command::Understood:
+            open_understood(
+                state_.context, [this](const Goal& goal, double then_s) { guide_.open_tools(goal, then_s); }, now_s);
+            break;
+        case Command::Faults:
+            places_.faults.open(now_s);
+            break;
+        case Command::Repeat:
+        case Command::HistoryBack:
+        case Command::HistoryForward:
+        case Command::StopSpeech: {
+            CueRequest request;
+            request.kind = command == Command::Repeat           ? CueRequestKind::Repeat
+                           : command == Command::HistoryBack    ? CueRequestKind::HistoryBack
+                           : command == Command::HistoryForward ? CueRequestKind::HistoryForward
+                                                                : CueRequestKind::StopSpeech;
+            request.time_s = now_s;
+            cue(std::move(request));
+            break;
+        }
+        case Command::StopEverything:
+            if (hand_.forces.stop(now_s)) walk_.walking.fall_silent();
+            break;
+        case Command::BringOut:
+            bring_out(now_s);
+            break;
+        case Command::LastPlace:
+            ask_for_last_place(now_s);
+            break;
+        case Command::PlanView:
+            plan_view_ = !plan_view_;
+            where_.rooms.show_plan(plan_view_);
+            answer(phrase(plan_view_ ? "session.plan" : "session.first_person"), now_s);
+            break;
+        case Command::NextSound:
+            cue(dictionary_.step(1, listener(), now_s));
+            break;
+        case Command::LastSound:
+            cue(dictionary_.step(-1, listener(), now_s));
+            break;
+        case Command::Callouts:
+            state_.context.set("walk.callouts", state_.person.settings.walk.callouts ? "false" : "true", now_s);
+            answer(phrase(state_.person.settings.walk.callouts ? "walking.callouts_on" : "walking.callouts_off"),
+                   now_s);
+            break;
+        case Command::VerbosityCycle:
+            state_.context.set("speech.verbosity", fmt::format("{}", (state_.person.settings.speech.verbosity + 1) % 5),
+                               now_s);
+            answer(phrase("session.verbosity", {{"level", state_.person.settings.speech.verbosity}}), now_s);
+            break;
+        case Command::Calibrate:
+            state_.requests.set_up = true;
+            break;
+        case Command::Desk:
+            desk_visit_.open_list(now_s);
+            break;
+        case Command::Leave:
+            if (at_desk()) {
+                publish_pose(now_s, PoseChange::Moved);  // a jump of the workspace ends the visit
+            } else if (asked_to_leave_.lately(now_s)) {
+                state_.requests.leave = true;
+                answer(phrase("session.goodbye"), now_s);
+            } else {
+                asked_to_leave_.at_s = now_s;
+                answer(phrase("session.leave_again"), now_s);
+            }
+            break;
+        default:
+            return false;
+    }
+    return true;
+}
+
+}  // namespace handrail

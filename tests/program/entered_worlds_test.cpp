@@ -1,0 +1,112 @@
+// However a world is entered, from the command line, the menu, where a session broke off or in a recording: its
+// settings come and go with it, and it is read as it was asked for.
+#include <gmock/gmock.h>
+
+#include <csignal>
+#include <filesystem>
+
+#include "tests/support/project_root.h"
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace handrail::test {
+namespace entered_worlds_test {
+namespace fs = std::filesystem;
+
+using testing::HasSubstr;
+using testing::Not;
+
+ProgramRun run_with(std::vector<std::string> arguments, const std::string& lines = {}, ProgramCall call = {}) {
+    call.program = test::built_program("handrail");
+    call.arguments = std::move(arguments);
+    call.input = lines;
+    return run_program(call);
+}
+
+// What five steps are under the hand, each time that was asked.
+std::vector<std::string> bars_of(const std::string& out) {
+    std::vector<std::string> bars;
+    for (std::size_t at = 0; (at = out.find("metres, are ", at)) != std::string::npos; ++at)
+        bars.push_back(out.substr(at + 12, out.find(' ', at + 12) - at - 12));
+    return bars;
+}
+
+std::string to_world(const std::string& name) { return "menu\nWorlds\n" + name + "\nscale-bar\n"; }
+
+TEST(EnteredWorlds, bring_their_own_settings_whichever_way_they_are_entered_and_take_them_away) {
+    const ProgramRun named = run_with({"labyrinth1", "--no-window"},
+                                      "scale-bar\n" + to_world("house") + to_world("labyrinth1") + "quit\n"),
+                     chosen = run_with({"house", "--no-window"},
+                                       "scale-bar\n" + to_world("labyrinth1") + to_world("house") + "quit\n");
+    EXPECT_THAT(bars_of(named.out), testing::ElementsAre("43.8", "5.8", "43.8")) << named.out;
+    EXPECT_THAT(bars_of(chosen.out), testing::ElementsAre("5.8", "43.8", "5.8")) << chosen.out;
+}
+
+TEST(EnteredWorlds, tell_what_is_wrong_with_their_settings_when_they_are_entered_and_the_menu_lists_it) {
+    const TemporaryFolder folder;
+    const fs::path world = folder.path() / "room.map";
+    fs::copy_file(test::bundled_world("first_room.map"), world);
+    folder.write("room.settings.toml", "[workspace]\nscale = 20\n[haptic]\nceiling = \"full\"\n");
+    const ProgramRun run = run_with({world.string(), "--no-window"},
+                                    "scale-bar\nmenu\nfaults in your settings\nlist\nescape\nescape\nquit\n");
+    EXPECT_THAT(run.out, HasSubstr("room.settings.toml, line 4: ")) << run.out;
+    EXPECT_THAT(bars_of(run.out), testing::ElementsAre("17.5")) << run.out;
+}
+
+// A scale by its name, and then one that is typed into the list of settings.
+TEST(EnteredWorlds, are_felt_at_the_scale_that_was_chosen_last) {
+    const ProgramRun run = run_with({"house", "--no-window"},
+                                    "detail\nscale-bar\nmenu\nsettings\nworkspace\nscale\n8\nescape\nescape\nescape\n"
+                                    "scale-bar\nquit\n");
+    EXPECT_THAT(bars_of(run.out), testing::ElementsAre("23.3", "43.8")) << run.out;
+}
+
+class BuildingOfSeveral : public testing::Test {
+protected:
+    ProgramRun explore(std::vector<std::string> more, const std::string& lines, ProgramCall call = {}) const {
+        more.insert(more.begin(), {world_.string(), "--no-window", "--device", "none"});
+        call.environment["XDG_STATE_HOME"] = folder_.path().string();
+        return run_with(std::move(more), lines, std::move(call));
+    }
+
+    const TemporaryFolder folder_;
+    const fs::path world_ =
+        folder_.write("house.osm", content_of(test::project_root() / "tests/unit/osm/worlds/test_house.osm"));
+};
+
+TEST_F(BuildingOfSeveral, is_the_one_that_a_recording_is_computed_again_in_and_reported_of) {
+    const fs::path recordings = folder_.path() / "recordings";
+    const ProgramRun run = explore({"--building", "Annex", "--record-in", recordings.string()},
+                                   "forward 2\nheading\nexits\nescape\nwhere\n");
+    EXPECT_EQ(run.exit_status, 0) << run.err;
+    const std::string recording = fs::directory_iterator(recordings)->path().string();
+    const ProgramRun again = run_with({"replay", recording, "--check"});
+    EXPECT_EQ(again.exit_status, 0) << again.err;
+    const fs::path page = folder_.path() / "page.html";
+    const ProgramRun report = run_with({"report", recording, "--html", page.string()});
+    EXPECT_EQ(report.exit_status, 0) << report.err;
+    EXPECT_THAT(content_of(page), HasSubstr("Annex"));
+    EXPECT_THAT(content_of(page), Not(HasSubstr("Test House")));
+    const ProgramRun made = run_with({"replay", recording, "--scenario", (folder_.path() / "made.toml").string()});
+    EXPECT_EQ(made.exit_status, 0) << made.err << made.out;
+    EXPECT_EQ(run_with({"scenario", (folder_.path() / "made.toml").string()}).exit_status, 0);
+}
+
+TEST_F(BuildingOfSeveral, is_the_one_that_is_gone_on_in_after_a_crash) {
+    ProgramCall killed;
+    killed.close_input = false;
+    killed.signal_when_said = SIGKILL;
+    killed.signal_after = "acing south";
+    // The place is kept every 3 seconds.
+    const ProgramRun first =
+        explore({"--building", "Annex"},
+                "forward\nback\nforward\nback\nforward\nback\nforward\nback\nright 8\nheading\n", killed);
+    EXPECT_EQ(first.exit_status, 128 + SIGKILL) << first.out;
+    const ProgramRun second = explore({}, "last-place\nwhere\nquit\n");
+    EXPECT_THAT(second.out, HasSubstr("Test House, ")) << second.out;
+    EXPECT_THAT(second.out, HasSubstr("Annex, 8 by 6 metres.")) << second.out;
+    EXPECT_THAT(second.out, HasSubstr("Where you were.")) << second.out;
+}
+
+}  // namespace entered_worlds_test
+}  // namespace handrail::test
