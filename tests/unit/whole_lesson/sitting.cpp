@@ -51,11 +51,14 @@ Sitting::Sitting(ExploreArguments arguments)
         std::make_unique<AudioThread>(std::move(outputs.audio), std::move(outputs.speech), clock_, nullptr, settings_);
     recording_->listen_to(*sound_);
     recording_->listen_to(app_);
-    worlds_ = std::make_unique<WorldVisits>(arguments_, app_, say_);
+    worlds_ = std::make_unique<WorldVisits>(arguments_, store_, app_, say_);
     lesson_ = std::make_unique<LessonHere>(arguments_, app_, say_);
     begun_s_ = clock_.now_s();
     for (std::string& words : news_) say_(std::move(words), begun_s_);
-    worlds_->enter(world_of(*arguments_.world), *arguments_.world, begun_s_);
+    LoadedWorld loaded;
+    loaded.entering = world_of(*arguments_.world);
+    loaded.asked = loaded.request = worlds_->first();
+    worlds_->enter(std::move(loaded), begun_s_);
 }
 
 Sitting::~Sitting() { end(); }

@@ -80,6 +80,7 @@ private:
 
     ExploreArguments arguments_;
     Settings settings_;
+    SettingsStore store_;
     VirtualClock clock_;
     std::vector<std::string> news_;
     std::unique_ptr<SessionRecording> recording_;
