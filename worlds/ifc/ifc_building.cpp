@@ -119,6 +119,9 @@ private:
             missing.reason = "ifc.lost_share", missing.share = std::min(1.0, lost_m3 / stated_m3);
         else if (stated_m3 > kLeastStated_m3 && -lost_m3 > kLostShare * stated_m3)
             missing.reason = "ifc.lost_surplus", missing.share = -lost_m3 / stated_m3;
+        else if (std::abs(account.result_share) > kLostShare)
+            missing.reason = account.result_share > 0.0 ? "ifc.lost_share" : "ifc.lost_surplus",
+            missing.share = std::abs(account.result_share);
         else if (!account.uncut.empty()) missing.reason = "ifc.lost_uncut", missing.detail = account.uncut;
         else return;
         missing.name = part.name;

@@ -165,6 +165,7 @@ Body IfcShapes::mapped(const Values& values, int depth) {
     const Mapped& map = *maps_[source];
     if (!map.account.unread.empty()) account_.unread = map.account.unread;
     if (!map.account.uncut.empty()) account_.uncut = map.account.uncut;
+    if (map.account.result_share != 0.0) account_.result_share = map.account.result_share;
     faces_ += map.body.sheets.size() + map.body.solids.size();
     const Frame target = model_.transformation(reference_at(values, 1)),
                 origin = model_.axes(reference_at(of_source, 0));
@@ -307,11 +308,15 @@ Body IfcShapes::boolean(std::uint64_t id, int depth) {
         }
         chain.push_back(at);
     }
+    const bool outermost = !std::exchange(within_result_, true);
     Body body = item(at, depth + 1);
+    const Aabb uncut = body.bounds_m();
     for (auto result = chain.rbegin(); result != chain.rend() && !spent(); ++result) {
         ++items_;
         combine(body, model_.values(*result), depth);
     }
+    if (outermost) within_result_ = false;
+    if (outermost && account_.uncut.empty() && !spent()) compare_result(id, body, uncut);
     return body;
 }
 

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 
@@ -26,9 +27,10 @@ public:
     // not in either.
     struct Account {
         double stated_m3 = 0.0, made_m3 = 0.0;
-        std::string unread;   // a class that is not read
-        std::string uncut;    // a class that was to be taken away, and was not
-        bool formed = false;  // it has a representation that is a body
+        std::string unread;         // a class that is not read
+        double result_share = 0.0;  // of what boolean results hold, so much is missing; below 0: too much is there
+        std::string uncut;          // a class that was to be taken away, and was not
+        bool formed = false;        // it has a representation that is a body
     };
     const Account& account() const { return account_; }
     const std::map<std::string, int, std::less<>>& not_read() const { return not_read_; }
@@ -52,6 +54,11 @@ private:
     Body swept_disk(const Values& values);
     Body boolean(std::uint64_t id, int depth);
     void combine(Body& body, const Values& values, int depth);
+    struct Form;
+    std::optional<Form> form_of(std::uint64_t id, int depth);
+    std::optional<Form> skin_form(const std::vector<FlatFace>& faces) const;
+    std::optional<Form> result_form(std::uint64_t id, int depth);
+    void compare_result(std::uint64_t id, const Body& body, Aabb box);
     Body primitive(std::string_view kind, const Values& values);
     Cutter cutter(std::uint64_t id, int depth);
     Cutter half_space(std::string_view kind, const Values& values);
@@ -74,6 +81,7 @@ private:
     std::map<std::string, int, std::less<>> not_read_;
     std::size_t items_ = 0, faces_ = 0;
     int approximated_ = 0;
+    bool within_result_ = false;  // a boolean result is compared as a whole
 };
 
 }  // namespace handrail

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <random>
 
 #include "tests/unit/ifc/ifc_hut.h"
 #include "worlds/base/language.h"
@@ -392,6 +393,51 @@ TEST(MissingParts, are_named_when_they_hold_another_volume) {
                                 }),
                   row.said.empty() ? 0 : 1);
     }
+}
+
+// Cuts are compared place by place with what the file says, whatever they are made of.
+TEST(MissingParts, are_not_named_when_all_cuts_were_made) {
+    std::mt19937 random(7);
+    const auto at = [&](double from, double to) { return std::uniform_real_distribution<double>(from, to)(random); };
+    for (int round = 0; round < 20; ++round) {
+        Hut hut;
+        int wall = hut.block(kWall.min_m, kWall.max_m);
+        for (int i = 0; i < 4; ++i) {
+            const double x = at(0.0, 5.0), z = at(0.0, 2.0);
+            if (i == 0)
+                wall = hut.less(
+                    wall, hut.brep({{x, -1.0}, {x + 1.0, -1.0}, {x + 0.6, 0.2}, {x + 0.5, 1.0}, {x, 0.5}}, z, z + 1.0));
+            else if (i == 1)
+                wall = hut.less(wall, hut.less(hut.block({x, -1.0, z}, {x + 1.5, 1.0, z + 1.0}),
+                                               hut.block({x + 0.3, -1.0, z}, {x + 0.8, 1.0, z + 0.5})));
+            else wall = hut.less(wall, hut.block({x, -1.0, z}, {x + 0.8, at(0.1, 0.5), z + 0.6}));
+        }
+        hut.part("IFCWALL", "North", wall, ",$");
+        EXPECT_EQ(honest_report(hut.scene()).parts_missing, 0) << round;
+    }
+}
+
+TEST(MissingParts, are_named_when_they_were_not_cut) {
+    Hut round;  // by a surface that is not read
+    const int surface = round.add("IFCCYLINDRICALSURFACE(" + Hut::ref(round.placed({3.0, 0.0, 0.0})) + ",1.)");
+    const int half = round.add("IFCHALFSPACESOLID(" + Hut::ref(surface) + ",.T.)");
+    round.part("IFCWALL", "North", round.less(round.block(kWall.min_m, kWall.max_m), half), ",$");
+    const Scene uncut = round.scene();
+    ASSERT_EQ(honest_report(uncut).parts_missing, 1);
+    EXPECT_THAT(check_words(uncut, honest_report(uncut).check[0]),
+                testing::HasSubstr("is whole: IFCHALFSPACESOLID could not be cut away"));
+    Hut far;  // by an outline whose corners lie too far away to be taken
+    std::vector<int> corners;
+    for (const Vec2& p : {Vec2(-2e7, -2e7), Vec2(2e7, -2e7), Vec2(2e7, 2e7), Vec2(-2e7, 2e7), Vec2(-2e7, -2e7)})
+        corners.push_back(far.point({p.x, p.y, 0.0}));
+    const int plane = far.add("IFCPLANE(" + Hut::ref(far.placed({0.0, 0.0, 2.0})) + ")");
+    const int bounded = far.add("IFCPOLYGONALBOUNDEDHALFSPACE(" + Hut::ref(plane) + ",.F.,#2," +
+                                Hut::ref(far.add("IFCPOLYLINE(" + Hut::refs(corners) + ")")) + ")");
+    far.part("IFCWALL", "North", far.less(far.block(kWall.min_m, kWall.max_m), bounded), ",$");
+    const Scene whole = far.scene();
+    ASSERT_EQ(honest_report(whole).parts_missing, 1);
+    EXPECT_THAT(check_words(whole, honest_report(whole).check[0]),
+                testing::HasSubstr("has 25 percent more volume than in the file"));
 }
 
 TEST(MissingParts, know_what_a_closed_skin_encloses) {

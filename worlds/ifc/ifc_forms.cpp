@@ -1,0 +1,193 @@
+// What the file says of a boolean result, place by place, without making a solid of it: the outlines of sweeps, the
+// planes of half-spaces and the faces of closed skins are asked whether they hold a place. Compared with what was made.
+#include <algorithm>
+#include <array>
+
+#include "worlds/ifc/ifc_curves.h"
+#include "worlds/ifc/ifc_shapes.h"
+
+namespace handrail {
+namespace {
+
+constexpr int kDeepestForm = 40;
+constexpr std::size_t kMostLooks = 60'000'000;  // at triangles, for one part
+
+bool is_result(std::string_view kind) { return kind == "IFCBOOLEANRESULT" || kind == "IFCBOOLEANCLIPPINGRESULT"; }
+
+// In the axes of a placement.
+Vec3 within(const Frame& frame, const Vec3& at_m) {
+    const Vec3 off = at_m - frame.origin_m;
+    return {glm::dot(off, frame.x), glm::dot(off, frame.y), glm::dot(off, frame.z)};
+}
+
+// Even places in a box, the same each time: multiples of powers of the root of x^4 = x + 1.
+Vec3 place_in(const Aabb& box, std::size_t i) {
+    constexpr std::array kSteps{0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
+    Vec3 at = box.min_m;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double turns = 0.5 + static_cast<double>(i + 1) * kSteps[static_cast<std::size_t>(axis)];
+        at[axis] += (turns - std::floor(turns)) * box.size_m()[axis];
+    }
+    return at;
+}
+
+}  // namespace
+
+// One form; a boolean result is a chain of them, the first with operation Take.
+struct IfcShapes::Form {
+    enum class Operation : std::uint8_t { Take, Add, Less, Common };
+    enum class Kind : std::uint8_t { Sweep, HalfSpace, Skin, Result };
+    Operation operation = Operation::Take;
+    Kind kind = Kind::Sweep;
+    Frame frame;                           // of a sweep, or of a half-space's outline
+    Vec3 way{0.0};                         // of a sweep
+    std::vector<std::vector<Ring>> areas;  // of a sweep, or where a half-space is bounded
+    bool bounded = false;
+    Plane plane;
+    std::vector<std::array<Vec3, 3>> skin;
+    std::vector<Form> chain;
+
+    bool in_areas(const Vec2& at) const {
+        return std::any_of(areas.begin(), areas.end(),
+                           [&](const std::vector<Ring>& rings) { return inside(rings, at); });
+    }
+    bool holds(const Vec3& at_m) const {
+        if (kind == Kind::Sweep) {
+            const Vec3 at = within(frame, at_m);
+            const double part = at.z / way.z;
+            return part >= 0.0 && part <= 1.0 && in_areas({at.x - way.x * part, at.y - way.y * part});
+        }
+        if (kind == Kind::HalfSpace) {
+            const Vec3 at = within(frame, at_m);
+            return signed_distance(plane, at_m) <= 0.0 && (!bounded || in_areas({at.x, at.y}));
+        }
+        if (kind == Kind::Skin) return crossings(at_m) % 2 == 1;
+        bool held = false;
+        for (const Form& one : chain) {
+            const bool takes = one.operation == Operation::Less || one.operation == Operation::Common;
+            if (takes == held) held = one.holds(at_m) != (one.operation == Operation::Less);
+        }
+        return held;
+    }
+    // Of the skin, by a ray that no edge runs along.
+    int crossings(const Vec3& at_m) const {
+        const Vec3 way_out(0.5377, 0.2893, 0.7919);
+        int count = 0;
+        for (const std::array<Vec3, 3>& t : skin) {
+            const Vec3 a = t[0] - at_m, b = t[1] - at_m, c = t[2] - at_m;
+            const double u = glm::dot(way_out, glm::cross(b, c)), v = glm::dot(way_out, glm::cross(c, a)),
+                         w = glm::dot(way_out, glm::cross(a, b));
+            const bool hit = (u > 0.0 && v > 0.0 && w > 0.0) || (u < 0.0 && v < 0.0 && w < 0.0);
+            if (hit &&
+                (u * glm::dot(a, way_out) + v * glm::dot(b, way_out) + w * glm::dot(c, way_out)) / (u + v + w) > 0.0)
+                ++count;
+        }
+        return count;
+    }
+    std::size_t looks() const {
+        std::size_t sum = 1 + skin.size();
+        for (const std::vector<Ring>& rings : areas)
+            for (const Ring& ring : rings) sum += ring.size();
+        for (const Form& one : chain) sum += one.looks();
+        return sum;
+    }
+};
+
+std::optional<IfcShapes::Form> IfcShapes::skin_form(const std::vector<FlatFace>& faces) const {
+    if (!enclosed_m3(faces)) return {};
+    Form form;
+    form.kind = Form::Kind::Skin;
+    for (const FlatFace& face : faces)  // a hole counts each of its places twice, which is not at all
+        for (const std::vector<Vec3>& ring : face.rings)
+            for (std::size_t k = 1; k + 1 < ring.size(); ++k) form.skin.push_back({ring[0], ring[k], ring[k + 1]});
+    return form;
+}
+
+std::optional<IfcShapes::Form> IfcShapes::form_of(std::uint64_t id, int depth) {
+    const std::string_view kind = model_.name(id);
+    const Values values = model_.values(id);
+    if (depth > kDeepestForm || spent()) return {};
+    if (is_result(kind)) return result_form(id, depth);
+    if (kind == "IFCCSGSOLID") return form_of(reference_at(values, 0), depth + 1);
+    Form form;
+    if (kind == "IFCEXTRUDEDAREASOLID") {
+        form.frame = model_.axes(reference_at(values, 1));
+        form.way =
+            model_.direction(reference_at(values, 2), {0, 0, 1}) * (number_at(values, 3) * model_.metres_per_unit());
+        form.areas = profile_rings(model_, reference_at(values, 0));
+        if (std::abs(form.way.z) > 1e-9) return form;
+    } else if (kind == "IFCBLOCK") {
+        const auto n = [&](std::size_t i) { return number_at(values, i) * model_.metres_per_unit(); };
+        form.frame = model_.axes(reference_at(values, 0));
+        form.way = {0.0, 0.0, n(3)};
+        form.areas = {{{{0.0, 0.0}, {n(1), 0.0}, {n(1), n(2)}, {0.0, n(2)}}}};
+        if (std::abs(form.way.z) > 1e-9) return form;
+    } else if (kind == "IFCHALFSPACESOLID" || kind == "IFCPOLYGONALBOUNDEDHALFSPACE" || kind == "IFCBOXEDHALFSPACE") {
+        const std::uint64_t surface = reference_at(values, 0);
+        if (model_.name(surface) != "IFCPLANE") return {};
+        const Frame plane = model_.axes(reference_at(model_.values(surface), 0));
+        const Vec3 normal = word_at(values, 1) == "F" ? -plane.z : plane.z;
+        form.kind = Form::Kind::HalfSpace;
+        form.plane = {normal, glm::dot(normal, plane.origin_m)};
+        form.bounded = kind == "IFCPOLYGONALBOUNDEDHALFSPACE";
+        if (!form.bounded) return form;
+        form.frame = model_.axes(reference_at(values, 2));
+        Ring outline;
+        for (const Vec3& p : curve_points(model_, reference_at(values, 3))) outline.emplace_back(p.x, p.y);
+        form.areas = {{outline}};
+        return form;
+    } else if (kind == "IFCFACETEDBREP" || kind == "IFCMANIFOLDSOLIDBREP") {
+        std::vector<FlatFace> faces;
+        add_faces(reference_at(values, 0), faces);
+        return skin_form(faces);
+    }
+    return {};
+}
+
+// A long chain of first operands, so walked without recursion.
+std::optional<IfcShapes::Form> IfcShapes::result_form(std::uint64_t id, int depth) {
+    constexpr std::size_t kMostOperands = 5'000;
+    Form form;
+    form.kind = Form::Kind::Result;
+    std::uint64_t at = id;
+    for (; is_result(model_.name(at)); at = reference_at(model_.values(at), 1)) {
+        const Values values = model_.values(at);
+        const std::string_view word = word_at(values, 0);
+        std::optional<Form> second = form_of(reference_at(values, 2), depth + 1);
+        if (!second || form.chain.size() > kMostOperands) return {};
+        second->operation = word == "UNION"        ? Form::Operation::Add
+                            : word == "DIFFERENCE" ? Form::Operation::Less
+                                                   : Form::Operation::Common;
+        form.chain.push_back(std::move(*second));
+    }
+    std::optional<Form> first = form_of(at, depth + 1);
+    if (!first) return {};
+    form.chain.push_back(std::move(*first));
+    std::reverse(form.chain.begin(), form.chain.end());
+    return form;
+}
+
+void IfcShapes::compare_result(std::uint64_t id, const Body& body, Aabb box) {
+    constexpr std::size_t kPlaces = 3'000, kLeastHeld = 200;
+    if (!body.sheets.empty()) return;
+    const std::optional<Form> form = form_of(id, 0);
+    if (!form || form->looks() * kPlaces > kMostLooks || body.solids.size() * kPlaces > kMostLooks) return;
+    const Aabb of_body = body.bounds_m();
+    if (!of_body.empty()) box.include(of_body.min_m), box.include(of_body.max_m);
+    if (box.empty() || !is_finite(box.min_m) || !is_finite(box.max_m)) return;
+    std::size_t stated = 0, lost = 0, surplus = 0;
+    for (std::size_t i = 0; i < kPlaces; ++i) {
+        const Vec3 at_m = place_in(box, i);
+        const bool said = form->holds(at_m);
+        const bool made = std::any_of(body.solids.begin(), body.solids.end(),
+                                      [&](const ConvexSolid& solid) { return contains(solid, at_m); });
+        stated += said ? 1 : 0;
+        lost += said && !made ? 1 : 0;
+        surplus += made && !said ? 1 : 0;
+    }
+    if (stated < kLeastHeld) return;  // too few places to tell
+    const double share = (static_cast<double>(lost) - static_cast<double>(surplus)) / static_cast<double>(stated);
+    if (std::abs(share) > std::abs(account_.result_share)) account_.result_share = share;
+}
+
+}  // namespace handrail
