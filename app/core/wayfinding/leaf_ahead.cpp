@@ -14,6 +14,7 @@ namespace {
 constexpr double kBeyondEnd_m = 0.1;        // of the end of the stretch
 constexpr double kShutLeafWithin_m = 0.25;  // from where the leaf is when it is shut
 constexpr double kLeafLookEvery_m = 0.1;
+constexpr double kSquarely = 0.7;  // |cos| between a stretch and a leaf: less meets its face, more its edge
 
 // The stretch comes to where the leaf is when it is shut.
 bool leads_through_door(const Aabb& shut_m, const Vec3& from_m, const Vec3& to_m) {
@@ -28,25 +29,41 @@ bool leads_through_door(const Aabb& shut_m, const Vec3& from_m, const Vec3& to_m
     return false;
 }
 
+// Of a leaf that swings, as it stands now: a body that comes along the stretch meets its face, not its edge.
+bool meets_face(const WorldState& world, std::uint32_t mover, const Aabb& leaf_m, const Vec3& way) {
+    if (world.scene->movers[mover].swing_rad == 0.0) return false;
+    const PlacedFrame frame(world.movers.at(mover));
+    const Vec3 along = frame.to_world(leaf_m.centre_m()) - frame.to_world(Vec3(0.0));
+    const double lengths = std::hypot(along.x, along.y) * std::hypot(way.x, way.y);
+    return lengths > 0.0 && std::abs(along.x * way.x + along.y * way.y) < kSquarely * lengths;
+}
+
 }  // namespace
 
-std::string leaf_ahead(const SessionContext& context, const Vec3& from_m, const Vec3& to_m) {
+std::optional<std::uint32_t> leaf_across(const WorldState& world, const BodySize& size, const Vec3& from_m,
+                                         const Vec3& to_m) {
     const Vec3 way = to_m - from_m;
     const double far_m = std::hypot(way.x, way.y) + kBeyondEnd_m;
-    const auto met =
-        body_meets(*context.world.solids, from_m, context.body.walker->size(), std::atan2(way.x, way.y), far_m);
-    const int found = met ? mover_of(context.world, met->feature) : -1;
-    if (found < 0) return {};
+    const auto met = body_meets(*world.solids, from_m, size, std::atan2(way.x, way.y), far_m);
+    const int found = met ? mover_of(world, met->feature) : -1;
+    if (found < 0) return std::nullopt;
     const auto mover = static_cast<std::uint32_t>(found);
-    const Scene& scene = *context.world.scene;
-    const Feature* feature = scene.find(met->feature);
-    if (!feature || feature->kind != FeatureKind::Door || !scene.movers[mover].by_hand ||
-        context.world.thing_of_mover[mover] < 0 || shut(context.world, mover))
-        return {};
-    const PlacedModel& leaf = scene.placed[static_cast<std::size_t>(context.world.thing_of_mover[mover])];
-    if (leads_through_door(placed_bounds(leaf.model->bounds_m, context.world.movers.at_rest(mover)), from_m, to_m))
-        return {};
-    return passage_name(context, PassageKind::Door, met->feature, 0.0);
+    const Feature* feature = world.scene->find(met->feature);
+    if (!feature || feature->kind != FeatureKind::Door || !world.scene->movers[mover].by_hand ||
+        world.thing_of_mover[mover] < 0 || shut(world, mover))
+        return std::nullopt;
+    const Aabb& leaf_m = world.scene->placed[static_cast<std::size_t>(world.thing_of_mover[mover])].model->bounds_m;
+    // Who comes from its hinge's side to the doorway has the leaf across the way before it.
+    const double free_m = std::max(0.0, met->distance_m - size.radius_m);
+    const Vec3 last_m = meets_face(world, mover, leaf_m, way) ? from_m + way * (free_m / far_m) : to_m;
+    if (leads_through_door(placed_bounds(leaf_m, world.movers.at_rest(mover)), from_m, last_m)) return std::nullopt;
+    return mover;
+}
+
+std::string leaf_ahead(const SessionContext& context, const Vec3& from_m, const Vec3& to_m) {
+    const auto mover = leaf_across(context.world, context.body.walker->size(), from_m, to_m);
+    if (!mover) return {};
+    return passage_name(context, PassageKind::Door, context.world.scene->movers[*mover].feature, 0.0);
 }
 
 }  // namespace handrail

@@ -2,6 +2,7 @@
 // it comes to stand on the way.
 #include <map>
 
+#include "app/core/wayfinding/leaf_ahead.h"
 #include "tests/support/every.h"
 #include "tests/support/map_text.h"
 #include "tests/unit/core/way_walker.h"
@@ -200,6 +201,24 @@ TEST(OpenDoors, whose_leaf_leaves_no_way_beside_it_are_announced_and_can_be_shut
     p.tap(Command::Use, 2.0);
     EXPECT_TRUE(p.heard("Closet is shut")) << p.news();
     EXPECT_EQ(p.ask(Command::RepeatLeg).find("in the way"), std::string::npos) << p.news();
+}
+
+// From the side of its hinge the leaf stands across the way before the doorway that the way leads through.
+TEST(OpenDoors, that_the_way_leads_through_are_in_the_way_where_one_comes_to_their_leaf_first) {
+    test::AppSession p;
+    p.app.apply(WorldEntered{make_ready(corridor_with_closet())}, 0.0);
+    p.run(0.1);
+    p.app.apply(Placed{{5.0, 2.3, 0.0}, 0.0}, p.now);
+    p.tap(Command::Use, 2.0);
+    ASSERT_TRUE(p.heard("Closet opens"));
+    const BodySize size = body_size(*p.app.scene(), p.app.settings().walk.body_radius_m);
+    const Vec3 doorway_m(5.0, 2.95, 0.0);
+    const auto across = leaf_across(p.app.world(), size, {3.2, 2.25, 0.0}, doorway_m);
+    ASSERT_TRUE(across.has_value());
+    EXPECT_EQ(p.app.scene()->features[p.app.scene()->movers[*across].feature.value].name, "Closet");
+    EXPECT_FALSE(leaf_across(p.app.world(), size, {6.8, 2.25, 0.0}, doorway_m)) << "from its other side";
+    EXPECT_FALSE(leaf_across(p.app.world(), size, {5.0, 2.4, 0.0}, {5.0, 4.0, 0.0})) << "through it";
+    EXPECT_TRUE(leaf_across(p.app.world(), size, {3.2, 2.4, 0.0}, {7.0, 2.4, 0.0})) << "past it";
 }
 
 TEST(OpenDoors, that_are_shut_on_the_way_are_told_to_be_opened_again) {
