@@ -30,6 +30,8 @@ struct SessionAsks {
     std::function<bool(double now_s)> save_additions;
     // Puts the body somewhere else in this world; the workspace jumps with it.
     std::function<void(const Vec3& feet_m, double heading_rad, double now_s)> place;
+    // Makes that place the base of this world, until the world is entered again.
+    std::function<void(const Vec3& feet_m, double heading_rad)> move_base;
     // As if its key had been pressed and let go of.
     std::function<void(Command command, double now_s)> perform;
     // One setting of any key ("workspace.scale", "keys.forward"), in force at once and saved. Fails with a sentence and

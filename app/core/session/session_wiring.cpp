@@ -15,6 +15,10 @@ void Session::wire() {
     state_.context.asks.place = [this](const Vec3& feet_m, double heading_rad, double now_s) {
         place(feet_m, heading_rad, now_s);
     };
+    state_.context.asks.move_base = [this](const Vec3& feet_m, double heading_rad) {
+        state_.world.home_feet_m = feet_m;
+        state_.world.home_heading_rad = heading_rad;
+    };
     state_.context.asks.perform = [this](Command command, double now_s) {
         press(command, now_s);
         release(command);

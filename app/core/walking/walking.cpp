@@ -6,6 +6,7 @@
 
 #include "app/core/context/telling.h"
 #include "app/core/dialogue/words.h"
+#include "app/core/world/holding_place.h"
 #include "app/core/world/questions.h"
 #include "app/core/world/surroundings.h"
 #include "worlds/base/contract.h"
@@ -25,14 +26,15 @@ constexpr double kMostTilt_rad = 1.2;
 constexpr double kToneRange_m = 2.0;
 constexpr double kHeadingTold_s = 0.1;  // after the last of several turns: one heading for all of them
 constexpr double kRests_s = 0.1;        // then the body has come to rest
+constexpr double kSameBase_m = 0.5;
 constexpr double kPathPoint_m = 0.25;
 constexpr std::size_t kMostPathPoints = 4000;
-constexpr double kOutOfWorld_m = 20.0;  // below its lowest place
 
 }  // namespace
 
 void Walking::stand() {
     halt();
+    hovers_ = false;
     since_footstep_m_ = 0.0;
     gait_.begin();
     blocked_ = false;
@@ -86,7 +88,7 @@ void Walking::fall_silent() {
 
 bool Walking::idle() const {
     return pending_.ahead_m == 0.0 && pending_.right_m == 0.0 && gait_.aside_left_m() == 0.0 &&
-           (!body_.walker || body_.walker->state().on_ground) && !by_ear_.leads() &&
+           (!body_.walker || body_.walker->state().on_ground || hovers_) && !by_ear_.leads() &&
            body_.heading_rad == body_.heading_goal_rad;
 }
 
@@ -229,6 +231,7 @@ void Walking::take_from_pending(double way_m) {
 void Walking::walk(double now_s, double dt_s) {
     double way = 0.0;  // this tick
     Vec3 wish = own_wish(way, dt_s);
+    if (hovers_) return hover(way != 0.0, now_s);
     const bool by_itself = by_ear_.leads();
     if (way == 0.0) gait_.stand();
     if (way != 0.0 && !went_ && pending_.ahead_m == 0.0 && pending_.right_m == 0.0) gait_.begin();
@@ -284,12 +287,35 @@ void Walking::walk(double now_s, double dt_s) {
         blocked_ = false;
     }
     tell_rest(way != 0.0 || by_ear_.leads(), now_s);
-    // Out of the world: back to the base instead of falling for ever.
     const Aabb& bounds_m = context_.world.scene->bounds_m;
-    if (!bounds_m.empty() && feet.z < bounds_m.min_m.z - kOutOfWorld_m) {
-        context_.say(phrase("session.fell_out"), SpeechClass::Answer, now_s);
-        go_home(now_s);
+    if (!bounds_m.empty() && feet.z < bounds_m.min_m.z - kOutOfWorld_m) end_fall(now_s);
+}
+
+// Out of the world: back to the base. If nothing holds the body there, the base moves to where something does, or the
+// person would fall again and again.
+void Walking::end_fall(double now_s) {
+    std::vector<Vec3> wishes{context_.world.home_feet_m};
+    for (const Start& start : context_.world.scene->starts) wishes.push_back(start.feet_m);
+    const std::optional<Vec3> holds =
+        place_that_holds(*context_.world.scene, *context_.world.solids, body_.walker->size(), wishes);
+    if (!holds) {
+        context_.say(phrase("session.nothing_holds"), SpeechClass::Answer, now_s);
+        context_.asks.place(context_.world.home_feet_m, context_.world.home_heading_rad, now_s);
+        hovers_ = true;
+        return;
     }
+    const Vec3 way_m = *holds - context_.world.home_feet_m;
+    const bool base_holds = glm::length(Vec2(way_m)) < kSameBase_m;
+    context_.say(phrase(base_holds ? "session.fell_out" : "session.fell_from_base"), SpeechClass::Answer, now_s);
+    if (!base_holds) context_.asks.move_base(*holds, context_.world.home_heading_rad);
+    go_home(now_s);
+}
+
+void Walking::hover(bool wants_to_go, double now_s) {
+    halt();
+    by_ear_.halt();
+    if (wants_to_go && !blocked_) context_.answer(phrase("session.nothing_holds"), now_s);
+    blocked_ = wants_to_go;
 }
 
 // False: what was met stops the walk.

@@ -76,6 +76,8 @@ private:
     void walk(double now_s, double dt_s);
     Vec3 own_wish(double& way_m, double dt_s);
     void take_from_pending(double way_m);
+    void end_fall(double now_s);
+    void hover(bool wants_to_go, double now_s);
     bool go_on(const WalkResult& walked, const Vec3& wish, double way_m, double now_s);
     void tell_frame(double now_s);
     void tell_slide(const TraceHit& met, double way_m, double now_s);
@@ -104,6 +106,7 @@ private:
     double since_footstep_m_ = 0.0;
     bool went_ = false;     // in the last tick, by oneself
     bool blocked_ = false;  // a bump was told and the body has not got away since
+    bool hovers_ = false;   // no ground of this world holds the body: it stays where it is until it is set down
     bool stick_turns_ = false, free_keys_told_ = false;
     double last_turn_repeat_s_ = 0.0;
     std::optional<double> heading_due_s_;  // when the way one faces is told; put off by each further turn

@@ -30,12 +30,16 @@ std::shared_ptr<const Scene> terrace() {
 }
 
 struct OnFoot {
-    OnFoot() : plain(terrace()) {
+    explicit OnFoot(std::shared_ptr<const Scene> scene = terrace()) : plain(std::move(scene)) {
         plain.context.asks.place = [this](const Vec3& feet_m, double heading_rad, double) {
             walking.set_down(feet_m, heading_rad);
         };
         by_ear.where_am_i = [] { return std::string("here"); };
         walking.on_bumped = [this](FeatureId feature, double) { bumped.push_back(feature); };
+        plain.context.asks.move_base = [this](const Vec3& feet_m, double heading_rad) {
+            plain.world.home_feet_m = feet_m;
+            plain.world.home_heading_rad = heading_rad;
+        };
         walking.enter_world();
         settle();
     }
@@ -248,6 +252,56 @@ TEST(WalkingFeature, comes_home_when_it_falls_out_of_the_world) {
     for (int i = 0; i < 600 && one.feet_m().x > 1.0; ++i) one.tick();
     EXPECT_EQ(one.feet_m(), one.plain.world.home_feet_m);
     EXPECT_THAT(one.plain.said(), ::testing::Contains(phrase("session.fell_out")));
+}
+
+// A floor far from a base over nothing, or none at all.
+struct OverNothing : OnFoot {
+    using OnFoot::OnFoot;
+    int falls_within_a_minute() {
+        int falls = 0;
+        for (int i = 0; i < 60 * 60; ++i) {
+            tick();
+            for (const std::string& said : plain.said())
+                falls += said == phrase("session.fell_from_base") || said == phrase("session.fell_out") ||
+                         said == phrase("session.nothing_holds");
+        }
+        return falls;
+    }
+};
+
+TEST(WalkingFeature, falls_once_from_a_base_over_nothing) {
+    for (const bool other_start : {false, true}) {
+        SCOPED_TRACE(other_start);
+        test::SceneBuilder builder;
+        builder.box({-10.0, -10.0, -0.5}, {10.0, 10.0, 0.0}, "floor");
+        builder.box({-10.0, -10.0, 0.0}, {10.0, -9.0, 2.5}, "block");
+        builder.start({30.0, 0.0, 0.0}, 0.0);
+        if (other_start) builder.start({-8.0, 8.0, 0.0}, 0.0);
+        OverNothing one(builder.share());
+        EXPECT_EQ(one.falls_within_a_minute(), 1);
+        EXPECT_NEAR(one.feet_m().z, 0.0, 0.01);
+        EXPECT_EQ(one.feet_m(), one.plain.world.home_feet_m);
+        if (other_start) EXPECT_LT(glm::distance(one.feet_m(), Vec3(-8.0, 8.0, 0.0)), 0.01);
+        else EXPECT_GT(one.feet_m().x, 7.0) << "the nearest floor";
+        one.tap(Command::Home);
+        EXPECT_EQ(one.falls_within_a_minute(), 0);
+    }
+}
+
+TEST(WalkingFeature, stays_in_the_air_where_no_ground_holds) {
+    test::SceneBuilder builder;
+    builder.box({-10.0, -10.0, -2.0}, {10.0, 10.0, 0.0}, "lake without a bed", SolidRole::Liquid);
+    builder.start({30.0, 0.0, 0.0}, 0.0);
+    OverNothing one(builder.share());
+    EXPECT_EQ(one.falls_within_a_minute(), 1);
+    EXPECT_EQ(one.feet_m(), one.plain.world.home_feet_m);
+    EXPECT_TRUE(one.walking.idle());
+    one.keys.press(Command::Forward);
+    EXPECT_EQ(one.falls_within_a_minute(), 1) << "says once why nobody walks there";
+    one.keys.release_all();
+    one.walking.set_down({0.0, 0.0, 10.0}, 0.0);
+    one.tick();
+    EXPECT_NE(one.feet_m(), one.plain.world.home_feet_m) << "what is set down falls again";
 }
 
 TEST(ByEarFeature, leaps_to_what_is_in_sight_and_back) {
