@@ -1,6 +1,7 @@
 #include "worlds/ifc/ifc_building.h"
 
 #include <algorithm>
+#include <array>
 
 #include "worlds/geometry/box_index.h"
 #include "worlds/geometry/clip.h"
@@ -561,17 +562,28 @@ bool can_pass(const IfcBuilding& building, const WallGap& gap) {
 }
 
 double sky_side(const IfcBuilding& building, const WallGap& gap) {
-    constexpr double kAway_m = 1.0, kOver_m = 1.0, kSky_m = 200.0;
+    constexpr double kOver_m = 1.0, kSky_m = 200.0, kBeyondFace_m = 0.05;
+    constexpr std::array kAway_m{1.0, 1.5, 2.0, 2.5};  // a porch or a balcony above may cover the first ones
     const double middle = 0.5 * (gap.least_m.x + gap.most_m.x);
-    const auto is_open = [&](double y) {
-        const Vec3 low = gap.axes.at({middle, y, gap.least_m.z + kOver_m}), high = low + Vec3(0.0, 0.0, kSky_m);
+    const auto is_free = [&](const Vec3& from, const Vec3& to) {
         std::vector<std::uint32_t> near;
-        building.by_place->find({low, high}, near);
+        building.by_place->find({glm::min(from, to), glm::max(from, to)}, near);
         return std::none_of(near.begin(), near.end(),
-                            [&](std::uint32_t i) { return crosses(building.parts[i].body, low, high); });
+                            [&](std::uint32_t i) { return crosses(building.parts[i].body, from, to); });
     };
-    const bool before = is_open(gap.least_m.y - kAway_m), behind = is_open(gap.most_m.y + kAway_m);
-    return before == behind ? 0.0 : before ? -1.0 : 1.0;
+    // Straight out from the door and then up.
+    const auto is_open = [&](double face, double out) {
+        const double y = face + out;
+        const Vec3 door = gap.axes.at({middle, face + std::copysign(kBeyondFace_m, out), gap.least_m.z + kOver_m}),
+                   low = gap.axes.at({middle, y, gap.least_m.z + kOver_m});
+        return is_free(door, low) && is_free(low, low + Vec3(0.0, 0.0, kSky_m));
+    };
+    for (const double away : kAway_m) {
+        const bool before = is_open(gap.least_m.y, -away), behind = is_open(gap.most_m.y, away);
+        if (before != behind) return before ? -1.0 : 1.0;
+        if (before) break;
+    }
+    return 0.0;
 }
 
 std::vector<std::string> free_the_way(IfcBuilding& building, const WallGap& gap) {

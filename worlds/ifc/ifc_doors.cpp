@@ -357,7 +357,7 @@ void IfcScene::add_ground() {
                    last = std::lower_bound(heights.begin(), heights.end(), here_m + 0.6);
         if (last - first > most) most = last - first, level_m = here_m;
     }
-    level_m -= kUnderThreshold_m;
+    ground_m_ = level_m -= kUnderThreshold_m;
     Body ground;
     const Aabb box = grown(scene_.bounds_m, kGroundAround_m);
     if (std::optional<ConvexSolid> slab =
@@ -404,9 +404,10 @@ void IfcScene::add_starts() {
         start.source = portal.source;
         scene_.starts.push_back(std::move(start));
     }
-    // Doors to the ground first, then balconies.
+    // Doors to the ground first, then those to a sunken yard or a balcony.
+    const auto off_ground = [&](const Start& start) { return std::abs(start.feet_m.z - ground_m_) > 0.6; };
     std::stable_sort(scene_.starts.begin(), scene_.starts.end(),
-                     [](const Start& a, const Start& b) { return a.feet_m.z < b.feet_m.z - 0.6; });
+                     [&](const Start& a, const Start& b) { return !off_ground(a) && off_ground(b); });
     if (scene_.starts.empty() && !stated_->rooms.empty()) {
         const StatedRoom* best = nullptr;
         for (const StatedRoom& room : stated_->rooms)

@@ -59,6 +59,7 @@ private:
     std::vector<DoorPortal> doors_, outer_doors_;
     std::map<std::size_t, double> sky_side_;  // of doors in a file without rooms: which side of y lies under open sky
     RoomsByPlace rooms_;                      // of stated_
+    double ground_m_ = 0.0;                   // height of the ground around the building
     int differing_ = 0, plain_ = 0;
 };
 

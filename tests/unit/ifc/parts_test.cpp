@@ -510,6 +510,39 @@ TEST(StartsOfIfc, without_rooms_are_before_doors_to_the_open_sky) {
     }
 }
 
+// Two doors to the ground under a porch, a balcony above one of them, and a door from the cellar to a sunken yard.
+TEST(StartsOfIfc, without_rooms_are_at_the_ground_under_a_porch_or_over_a_sunken_yard) {
+    for (const bool porch : {false, true}) {
+        SCOPED_TRACE(porch);
+        Hut hut;
+        hut.part("IFCSLAB", "Cellar floor", hut.block({0.0, -4.0, -3.2}, {8.0, 6.0, -3.0}), ",$");
+        hut.part("IFCSLAB", "Floor", hut.block({0.0, 0.0, -0.2}, {8.0, 6.0, 0.0}), ",$");
+        hut.part("IFCSLAB", "Upper floor", hut.block({0.0, 0.0, 2.8}, {8.0, 6.0, 3.0}), ",$");
+        hut.part("IFCROOF", "Roof", hut.block({0.0, 0.0, 6.0}, {8.0, 6.0, 6.2}), ",$");
+        if (porch) hut.part("IFCROOF", "Porch", hut.block({2.5, 6.0, 2.5}, {8.0, 7.5, 2.6}), ",$");
+        const int north = hut.part("IFCWALL", "North", hut.block({0.0, 5.7, -3.0}, {8.0, 6.0, 6.0}), ",$"),
+                  south = hut.part("IFCWALL", "South", hut.block({0.0, 0.0, -3.0}, {8.0, 0.3, 6.0}), ",$"),
+                  inner = hut.part("IFCWALL", "Inner", hut.block({0.0, 4.5, 0.0}, {8.0, 4.7, 2.8}), ",$");
+        const auto door = [&](int wall, const std::string& name, const Vec3& at, double thick) {
+            const int made = hut.part("IFCDOOR", name, hut.block(at + Vec3(0.0, 0.05, 0.0), at + Vec3(1.0, 0.1, 2.1)),
+                                      ",2.1,1.,.DOOR.,$,$");
+            hut.opening(wall, hut.block(at, at + Vec3(1.0, thick, 2.1)), made);
+        };
+        door(north, "Entrance", {3.0, 5.7, 0.0}, 0.3);
+        door(north, "Side entrance", {6.0, 5.7, 0.0}, 0.3);
+        door(inner, "Behind the entrance", {3.0, 4.5, 0.0}, 0.2);
+        door(south, "Cellar", {1.0, 0.0, -3.0}, 0.3);
+        door(south, "Balcony", {5.0, 0.0, 3.0}, 0.3);
+        const Scene scene = hut.scene();
+        ASSERT_EQ(scene.starts.size(), 4U) << "and none before the door within";
+        EXPECT_TRUE(scene.starts.front().base);
+        EXPECT_NEAR(scene.starts.front().feet_m.z, 0.0, 0.1);
+        EXPECT_GT(scene.starts.front().feet_m.y, 6.0);
+        EXPECT_TRUE(in_a_solid(scene, scene.starts.front().feet_m - Vec3(0.0, 0.0, 0.1))) << "the ground is there";
+        EXPECT_FALSE(in_a_solid(scene, scene.starts.front().feet_m + Vec3(0.0, 0.0, 1.0)));
+    }
+}
+
 TEST(RoomsOfIfc, alone_get_walls_and_floors_from_their_outlines) {
     Hut hut;
     hut.space("Hall", hut.block({0.0, 0.0, 0.0}, {10.0, 5.0, 2.8}));
