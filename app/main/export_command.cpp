@@ -59,12 +59,33 @@ Result<SheetWish> wishes_of(const ExportArguments& arguments) {
     return wishes;
 }
 
+// What would help where a sheet does not keep its promises, each tried or true of any storey.
+std::vector<std::string> helps(const Storey& storey, const SheetWish& wish, const ExportArguments& arguments) {
+    std::vector<std::string> said;
+    if (!arguments.sheets && wish.paper.long_mm < kA3.long_mm) {
+        SheetWish larger = wish;
+        larger.paper = kA3;
+        const Result<SwellSheet> sheet = swell_sheet(storey, larger);
+        if (sheet && sheet->broken.empty()) said.push_back(phrase("export.help_a3"));
+    }
+    if (!arguments.sheets && !arguments.around) said.push_back(phrase("export.help_sheets"));
+    if (!arguments.around) said.push_back(phrase("export.help_around"));
+    if (!arguments.coarse) said.push_back(phrase("export.help_coarse"));
+    return said;
+}
+
 // One sheet, or several where these are wanted; of them those with the room that is named.
 Result<std::vector<SwellSheet>> sheets_of(const Storey& storey, const SheetWish& wish,
                                           const ExportArguments& arguments) {
     if (!arguments.sheets && !arguments.around) {
         Result<SwellSheet> one = swell_sheet(storey, wish);
-        if (!one) return tl::unexpected(one.error());
+        if (!one) {
+            Error error = one.error();
+            ExportArguments coarse = arguments;
+            coarse.coarse = true;  // that makes no storey smaller
+            for (const std::string& help : helps(storey, wish, coarse)) error.message += "\n" + help;
+            return tl::unexpected(std::move(error));
+        }
         return std::vector<SwellSheet>{std::move(*one)};
     }
     Result<std::vector<SwellSheet>> sheets = swell_sheets(storey, wish);
@@ -84,21 +105,6 @@ Result<std::vector<SwellSheet>> sheets_of(const Storey& storey, const SheetWish&
                               at.y > sheet.part->max_m.y);
     });
     return sheets;
-}
-
-// What would help where a sheet does not keep its promises, each tried or true of any storey.
-std::vector<std::string> helps(const Storey& storey, const SheetWish& wish, const ExportArguments& arguments) {
-    std::vector<std::string> said;
-    if (!arguments.sheets && wish.paper.long_mm < kA3.long_mm) {
-        SheetWish larger = wish;
-        larger.paper = kA3;
-        const Result<SwellSheet> sheet = swell_sheet(storey, larger);
-        if (sheet && sheet->broken.empty()) said.push_back(phrase("export.help_a3"));
-    }
-    if (!arguments.sheets && !arguments.around) said.push_back(phrase("export.help_sheets"));
-    if (!arguments.around) said.push_back(phrase("export.help_around"));
-    if (!arguments.coarse) said.push_back(phrase("export.help_coarse"));
-    return said;
 }
 
 struct ToldOfSheets {

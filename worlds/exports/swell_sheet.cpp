@@ -109,14 +109,14 @@ private:
         return {};
     }
 
-    // Walls end where the part ends.
-    void cut_to_part() {
+    // Walls end where the part ends, and those of other parts of the building before the title.
+    void cut_to_sheet() {
         Ink& ink = walls_.ink;
         for (int y = 0; y < ink.high; ++y)
             for (int x = 0; x < ink.wide; ++x)
-                if (is_beyond_part(x, y)) ink.black[ink.at(x, y)] = 0;
+                if (is_beyond(x, y)) ink.black[ink.at(x, y)] = 0;
     }
-    bool is_beyond_part(int x, int y) const {
+    bool is_beyond(int x, int y) const {
         const Vec2 at = Vec2(x + 0.5, y + 0.5) * kInkPixel_mm;
         return at.x < low_mm_.x || at.y < low_mm_.y || at.x > high_mm_.x || at.y > high_mm_.y;
     }
@@ -127,7 +127,7 @@ private:
         if (!made_.part) return walls;
         for (int y = 0; y < walls.high; ++y)
             for (int x = 0; x < walls.wide; ++x)
-                if (is_beyond_part(x, y)) walls.black[walls.at(x, y)] = 1;
+                if (is_beyond(x, y)) walls.black[walls.at(x, y)] = 1;
         return walls;
     }
 
@@ -140,7 +140,7 @@ private:
         const WallLook look{kWallLine_mm, kClear_mm, kLeastSymbol_mm + 0.2, kLeastPiece_mm};
         walls_ = ink_of_walls(storey_, on_paper_, made_.plan.width_mm, made_.plan.height_mm, look);
         mended_ = mend_openings(walls_.ink, storey_, on_paper_, look);
-        if (made_.part) cut_to_part();
+        cut_to_sheet();
         hollow_ = hollow_out(walls_.ink, kHollowFrom_mm, kWallLine_mm, kHollowLong_mm);
         made_.plan.shapes.push_back({traced_mm(walls_.ink), kWallPart});
         rooms_ = rooms_on(walls_within_part(), storey_, on_paper_);

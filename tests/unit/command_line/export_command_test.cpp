@@ -99,6 +99,20 @@ TEST(ExportCommand, ends_with_status_1_and_offers_help_where_a_sheet_does_not_ke
     EXPECT_EQ(coarse.status, 0) << "it was offered: " << coarse.out;
 }
 
+TEST(ExportCommand, offers_several_sheets_for_what_is_too_large_for_one) {
+    const TemporaryFolder folder;
+    const std::filesystem::path world = folder.path() / "field.rooms", plan = folder.path() / "plan.svg";
+    std::ofstream(world) << "Storey: Ground, 3 metres high.\n"
+                            "Hall, 300 by 30 metres. Door outside in the middle of the south wall.\n";
+    const Outcome done = run({world.string(), "--swell", plan.string()});
+    EXPECT_EQ(done.status, 1);
+    EXPECT_THAT(done.err, testing::HasSubstr("too large for one sheet"));
+    for (const char* help : {"--paper a3", "--sheets", "--around"}) EXPECT_THAT(done.err, testing::HasSubstr(help));
+    EXPECT_THAT(done.err, testing::Not(testing::HasSubstr("--coarse"))) << "that makes no storey smaller";
+    EXPECT_EQ(run({world.string(), "--swell", plan.string(), "--sheets"}).status, 0) << "it was offered";
+    EXPECT_EQ(run({world.string(), "--swell", plan.string(), "--paper", "a3", "--force"}).status, 0);
+}
+
 TEST(ExportCommand, replaces_files_only_when_told_to_and_then_all_of_them) {
     const TemporaryFolder folder;
     const std::filesystem::path pdf = folder.path() / "plan.pdf";

@@ -125,7 +125,8 @@ struct OfPlan : testing::TestWithParam<const char*> {};
 TEST_P(OfPlan, are_where_the_route_graph_has_them) { are_those_of_the_graph(GetParam()); }
 INSTANTIATE_TEST_SUITE_P(Openings, OfPlan, testing::Values("minimal.imdf.zip", "delft-station.osm"));
 
-// Takes minutes. In london-waterloo.osm.pbf one opening of a lower level is not drawn yet, so it is not among them;
+// Takes minutes. In london-waterloo.osm.pbf one opening leads to a room that lies under another room of the same storey
+// there, and the sheet shows the upper one alone, so that world is not among them;
 // frankfurt-hauptwache.osm is too large for a route graph.
 struct OfManyWorlds : testing::TestWithParam<const char*> {};
 TEST_P(OfManyWorlds, are_where_the_route_graph_has_them) {

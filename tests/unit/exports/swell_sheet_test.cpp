@@ -487,6 +487,22 @@ TEST(SwellSheet, leaves_out_what_has_no_room_by_name) {
     is_fit_for_fingers(storey, *sheet, "with things");
 }
 
+// A wall of another part of the building, far beyond the rooms of the storey, ran through the title.
+TEST(SwellSheet, draws_no_wall_through_its_title_or_its_foot) {
+    Storey storey = two_rooms();
+    storey.walls_m.push_back({{3.0, -40.0}, {3.2, -40.0}, {3.2, 60.0}, {3.0, 60.0}});
+    const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
+    ASSERT_TRUE(sheet);
+    for (const SheetShape& shape : sheet->plan.shapes) {
+        if (shape.part != kWallPart) continue;
+        for (const std::vector<Vec2>& loop : shape.loops_mm)
+            for (const Vec2& at : loop) {
+                EXPECT_LE(at.y, sheet->plan.height_mm - kSheetMargin_mm - kSheetHead_mm + 0.2);
+                EXPECT_GE(at.y, kSheetMargin_mm + kSheetFoot_mm - 0.2);
+            }
+    }
+}
+
 TEST(SwellSheet, refuses_in_a_sentence_what_is_larger_than_a_sheet) {
     Storey storey = two_rooms();
     storey.max_m = {2000.0, 40.0};
