@@ -1,5 +1,7 @@
 // Wavefront .obj meshes: closed things are solid (mesh_bodies); else triangles as sheets, two-sided unless a comment
 // "#touch_side front" or "back" says otherwise for the faces below it. Damage is reported by line and the rest loads.
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <map>
 
@@ -76,6 +78,13 @@ public:
         scene_.report.format = "obj";
         scene_.metres_per_unit = options.obj_metres_per_unit;
     }
+
+    // With the y axis of the file upwards, and the sentence that says how that is known.
+    void stand_y_up(std::string how) {
+        y_up_ = true;
+        scene_.report.guessed.push_back(std::move(how));
+    }
+    void count_in(double metres_per_unit) { scene_.metres_per_unit = metres_per_unit; }
 
     Result<Scene> build() {
         if (bytes_.starts_with("\xEF\xBB\xBF")) at_ = 3;
@@ -189,6 +198,7 @@ private:
                 diagnostics_.warn({line_, word.column}, "obj.then_point_faces", "obj.bad_number",
                                   {{"found", excerpt(word.text)}});
         }
+        if (y_up_) vertex.at_m = {vertex.at_m.x, -vertex.at_m.z, vertex.at_m.y};
         vertices_.push_back(vertex);
     }
 
@@ -383,12 +393,51 @@ private:
     std::vector<std::vector<FaceLook>> looks_;  // of the scene's solids
     int curves_ = 0, faces_left_out_ = 0;
     bool complained_unknown_ = false;
+    bool y_up_ = false;
 };
+
+// Programs that say who wrote the file, and always write it in the same way.
+bool is_of_sweet_home(std::string_view bytes) {
+    constexpr std::size_t kHead = 1024;
+    const std::string_view head = bytes.substr(0, kHead);
+    const std::size_t at = head.find("Sweet Home 3D");
+    return at != std::string_view::npos && head.find_last_of('#', at) != std::string_view::npos &&
+           head.substr(head.find_last_of('#', at), at - head.find_last_of('#', at)).find('\n') ==
+               std::string_view::npos;
+}
+
+// Things called floor or ceiling are thin from south to north, and none is thin upwards.
+bool lies_on_its_side(const Scene& scene) {
+    constexpr std::array<std::string_view, 6> kFlatThings{"floor", "ceiling", "ground", "boden", "decke", "slab"};
+    constexpr double kThin = 0.2;
+    int lying = 0, standing = 0;
+    for (const Feature& feature : scene.features) {
+        const std::string name = lower_ascii(feature.name);
+        if (feature.bounds_m.empty() ||
+            std::none_of(kFlatThings.begin(), kFlatThings.end(),
+                         [&](std::string_view word) { return name.find(word) != std::string::npos; }))
+            continue;
+        const Vec3 size = feature.bounds_m.size_m();
+        lying += size.z < kThin * std::min(size.x, size.y) ? 1 : 0;
+        standing += size.y < kThin * std::min(size.x, size.z) ? 1 : 0;
+    }
+    return standing > 0 && lying == 0;
+}
 
 }  // namespace
 
 Result<Scene> read_obj(std::string_view bytes, const std::string& file_name, const ReadOptions& options) {
-    return ObjSceneBuilder(bytes, file_name, options).build();
+    ObjSceneBuilder builder(bytes, file_name, options);
+    const bool of_sweet_home = is_of_sweet_home(bytes);
+    if (of_sweet_home) {
+        if (!options.unit_is_known) builder.count_in(0.01);
+        builder.stand_y_up(phrase(options.unit_is_known ? "obj.sweet_home_axes" : "obj.sweet_home"));
+    }
+    Result<Scene> scene = builder.build();
+    if (of_sweet_home || !scene || !lies_on_its_side(*scene)) return scene;
+    ObjSceneBuilder upright(bytes, file_name, options);
+    upright.stand_y_up(phrase("obj.y_up"));
+    return upright.build();
 }
 
 }  // namespace handrail

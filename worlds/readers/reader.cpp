@@ -58,6 +58,7 @@ Result<Scene> read_world_bytes(const fs::path& path, std::string_view bytes, con
     for (const MapReader& reader : kReaders)
         if (reader.accepts(path, bytes)) {
             Result<Scene> scene = reader.read(bytes, name, with_folder);
+            if (scene) ask_about_axes(*scene);
             if (scene && !options.unit_is_known) ask_about_unit(*scene);
             return scene;
         }

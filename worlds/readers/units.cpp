@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
+#include "worlds/geometry/clip.h"
 
 namespace handrail {
 namespace {
@@ -20,6 +24,23 @@ struct NamedUnit {
 constexpr std::array kUnits{NamedUnit{"mm", 0.001},   NamedUnit{"cm", 0.01},      NamedUnit{"m", 1.0},
                             NamedUnit{"in", kInch_m}, NamedUnit{"inch", kInch_m}, NamedUnit{"inches", kInch_m},
                             NamedUnit{"ft", kFoot_m}, NamedUnit{"foot", kFoot_m}, NamedUnit{"feet", kFoot_m}};
+
+// OBJ, PLY and STL state neither unit nor axes.
+bool states_nothing(const Scene& scene) {
+    const std::string& format = scene.report.format;
+    return format == "obj" || format == "ply" || format == "stl";
+}
+
+void ask_first(Scene& scene, std::string message, std::string action) {
+    Diagnostic asked;
+    asked.file = scene.source_file;
+    asked.message = std::move(message);
+    asked.action = std::move(action);
+    std::vector<Diagnostic>& warnings = scene.report.warnings;
+    warnings.insert(warnings.begin(), std::move(asked));
+    if (warnings.size() > kMostWarnings) warnings.pop_back();
+    ++scene.report.warnings_in_all;
+}
 
 }  // namespace
 
@@ -36,17 +57,32 @@ void ask_about_unit(Scene& scene) {
     if (scene.bounds_m.empty() || !(scene.metres_per_unit > 0.0)) return;
     const Vec3 size = scene.bounds_m.size_m();
     const double wide_m = std::max(size.x, size.y);
-    if (!std::isfinite(wide_m) || wide_m <= 0.0 || (wide_m >= kNarrowestWorld_m && wide_m <= kWidestWorld_m)) return;
+    if (!std::isfinite(wide_m) || wide_m <= 0.0) return;
+    const bool odd_width = wide_m < kNarrowestWorld_m || wide_m > kWidestWorld_m;
+    if (!odd_width && !(states_nothing(scene) && size.z > kHighestMesh_m)) return;
     const double units = wide_m / scene.metres_per_unit;
-    Diagnostic asked;
-    asked.file = scene.source_file;
-    asked.message = phrase(
-        "reader.unit", {{"wide", wide_m}, {"mm", units * 0.001}, {"inch", units * kInch_m}, {"feet", units * kFoot_m}});
-    asked.action = phrase("reader.say_unit");
-    std::vector<Diagnostic>& warnings = scene.report.warnings;
-    warnings.insert(warnings.begin(), std::move(asked));
-    if (warnings.size() > kMostWarnings) warnings.pop_back();
-    ++scene.report.warnings_in_all;
+    ask_first(scene,
+              phrase("reader.unit", {{"wide", wide_m},
+                                     {"high", size.z},
+                                     {"mm", units * 0.001},
+                                     {"cm", units * 0.01},
+                                     {"inch", units * kInch_m},
+                                     {"feet", units * kFoot_m}}),
+              phrase("reader.say_unit"));
+}
+
+void ask_about_axes(Scene& scene) {
+    constexpr double kThin = 0.6, kFlat = 0.99;
+    if (scene.bounds_m.empty() || !states_nothing(scene)) return;
+    const Vec3 size = scene.bounds_m.size_m();
+    if (!(size.y < kThin * size.x && size.y < kThin * size.z)) return;
+    Vec3 area_m2_of(0.0);
+    for (const SurfacePolygon& surface : scene.surfaces)
+        for (int axis = 0; axis < 3; ++axis)
+            if (std::abs(surface.normal[axis]) > kFlat) area_m2_of[axis] += area_m2(surface.polygon);
+    if (area_m2_of.y > area_m2_of.z && area_m2_of.y > area_m2_of.x)
+        ask_first(scene, phrase("reader.on_its_side", {{"deep", size.y}, {"high", size.z}}),
+                  phrase("reader.say_upright"));
 }
 
 }  // namespace handrail
