@@ -47,8 +47,9 @@ std::optional<Reach> height_within(std::vector<Vec3> points, const std::array<Pl
 
 }  // namespace
 
-std::string_view word_of(DoorTrialEnd end) {
-    constexpr std::array<std::string_view, 5> kWords{"", "in_the_way", "small", "step", "no_floor"};
+std::string_view key_of(DoorTrialEnd end) {
+    constexpr std::array<std::string_view, 5> kWords{"", "door_trial.in_the_way", "door_trial.small", "door_trial.step",
+                                                     "door_trial.no_floor"};
     return kWords[static_cast<std::size_t>(end)];
 }
 

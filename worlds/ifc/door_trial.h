@@ -11,7 +11,7 @@
 
 namespace handrail {
 
-// Why a body does not pass. The words are keys of the language, under [door_trial].
+// Why a body does not pass.
 enum class DoorTrialEnd : std::uint8_t {
     Passed,
     InTheWay,  // something that is not the door's own wall, or the door is large enough
@@ -19,7 +19,8 @@ enum class DoorTrialEnd : std::uint8_t {
     Step,      // higher than a body climbs
     NoFloor,   // on one side, or within
 };
-std::string_view word_of(DoorTrialEnd end);
+// Of the sentence that says it; empty where it passed.
+std::string_view key_of(DoorTrialEnd end);
 
 struct DoorTrial {
     DoorTrialEnd end = DoorTrialEnd::Passed;

@@ -176,7 +176,7 @@ void IfcScene::add_door_without_place(std::size_t i) {
     const Vec3 at_m = part.body.empty() ? part.frame.origin_m : part.body.bounds_m().centre_m();
     portal.place_m = is_finite(at_m) ? at_m : Vec3(0.0);
     portal.passable = false;
-    portal.why = "no_size";
+    portal.why = "door_trial.no_size";
     stated_->portals.push_back(std::move(portal));
     note_impassable(stated_->portals.back());
 }
@@ -237,7 +237,7 @@ void IfcScene::try_doors() {
         if (trial.end == DoorTrialEnd::Passed) continue;
         StatedPortal& portal = stated_->portals[door.portal];
         portal.passable = false;
-        portal.why = word_of(trial.end);
+        portal.why = key_of(trial.end);
         portal.step_m = trial.end == DoorTrialEnd::Step ? trial.step_m : 0.0;
         constexpr std::size_t kMostNamed = 3;
         std::vector<std::string> in_the_way;

@@ -124,11 +124,11 @@ std::string missing_words(const MissingPart& part) {
 
 std::string door_trial_words(const StatedPortal& portal) {
     if (portal.why.empty()) return {};
-    return phrase("door_trial." + portal.why, {{"names", one_line(portal.in_the_way)},
-                                               {"named", portal.in_the_way.empty() ? "no" : "yes"},
-                                               {"width", portal.width_m},
-                                               {"height", portal.height_m},
-                                               {"metres", portal.step_m}});
+    return phrase(portal.why, {{"names", one_line(portal.in_the_way)},
+                               {"named", portal.in_the_way.empty() ? "no" : "yes"},
+                               {"width", portal.width_m},
+                               {"height", portal.height_m},
+                               {"metres", portal.step_m}});
 }
 
 std::string check_words(const Scene& scene, const CheckPoint& point) {

@@ -49,7 +49,7 @@ struct StatedPortal {
     bool by_boundaries = false;  // the file states which rooms; else found by what lies on its two sides
     bool opened_by_box = false;  // a body did not pass through what the file gives, so a box was cut free
     bool passable = true;        // a body went through it from both sides
-    std::string why;             // of one that is not, where known: a key of the language under [door_trial]
+    std::string why;             // of one that is not, where known: the key of its text: "door_trial.step"
     std::string in_the_way;      // for its text: names of parts
     double step_m = 0.0;         // for its text
     SourcePlace source;
