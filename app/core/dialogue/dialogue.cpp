@@ -40,12 +40,15 @@ bool holds_word(const std::string& name, const std::string& begin) {
     return false;
 }
 
-// The item of that number, or whose name is or begins so, or has a word that does; as many as there are: none. "To the
-// kitchen", where nothing is called so, is the kitchen; umlauts may be written out.
+// The item that is called just so, of that number, or whose name is or begins so, or has a word that does; as many as
+// there are: none. "To the kitchen", where nothing is called so, is the kitchen; umlauts may be written out.
 std::size_t item_called(const ListSpec& list, std::string_view typed) {
     std::size_t number = 0;
     const auto [end, error] = std::from_chars(typed.data(), typed.data() + typed.size(), number);
     const bool is_number = error == std::errc{} && end == typed.data() + typed.size();
+    // Platforms and rooms are called by numbers too, and what is spoken is the name.
+    for (std::size_t i = 0; is_number && i < list.items.size(); ++i)
+        if (list.items[i].name == typed) return i;
     if (is_number && number >= 1 && number <= list.items.size()) return number - 1;
     const auto is = [](const std::string& name, const std::string& all) { return name == all; };
     for (const std::string& wanted : {plain_word(typed), plain_word(without_fillers(typed))})

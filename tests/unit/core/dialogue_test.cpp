@@ -191,6 +191,16 @@ TEST(Dialogue, works_by_lines) {
     EXPECT_FALSE(f.dialogue.is_open());
 }
 
+// The platforms of a station: "1" is the first platform, wherever it stands in the list.
+TEST(Dialogue, takes_what_is_called_by_a_number_before_the_item_of_that_number) {
+    Fruit f;
+    ListSpec platforms = f.list(true);
+    platforms.items = {{"Footway", {}}, {"2", {}}, {"1", {}}, {"Steps", {}}};
+    f.dialogue.open(std::move(platforms));
+    for (const char* typed : {"1", "2", "4"}) f.dialogue.line(typed, 0.0);
+    EXPECT_EQ(f.chosen, (std::vector<std::size_t>{2, 1, 3}));
+}
+
 TEST(Dialogue, sets_the_quantity_of_an_item_outright_where_it_has_one) {
     Dialogue dialogue;
     ListSpec list;
