@@ -16,7 +16,7 @@ namespace handrail {
 namespace {
 
 constexpr double kStorey_m = 3.0, kLeastStorey_m = 2.5, kMostStorey_m = 6.0;
-constexpr double kFarthest_m = 20'000.0;
+constexpr double kFarthest_m = 20'000.0, kBesideOutline_m = 0.3;
 constexpr std::size_t kMostOutlines = 60'000, kMostCornersOfOne = 2'000;
 
 bool is_space(const OsmTags& tags) {
@@ -37,6 +37,48 @@ double metres_of(std::string_view text) {
     std::string_view digits = text.substr(0, text.find_first_not_of("0123456789."));
     return parse_finite(digits, value) ? value : 0.0;
 }
+
+// Finds the spaces whose outlines pass by a place. Doors are often drawn a few centimetres off the wall.
+class OutlineIndex {
+public:
+    explicit OutlineIndex(const std::vector<PlanSpace>& spaces) : index_(boxes_of(spaces)) {}
+
+    // Rising. Costs the edges of the outlines whose boxes hold the place.
+    std::vector<std::size_t> spaces_at(const FloorPlan& plan, const Vec2& at) const {
+        std::vector<std::uint32_t> near;
+        index_.find({Vec3(at, 0.0), Vec3(at, 0.0)}, near);
+        std::vector<std::size_t> found;
+        for (const std::uint32_t s : near)
+            if (distance_to(plan.spaces[s].rings, at) <= kBesideOutline_m) found.push_back(s);
+        std::sort(found.begin(), found.end());
+        return found;
+    }
+
+private:
+    static std::vector<Aabb> boxes_of(const std::vector<PlanSpace>& spaces) {
+        std::vector<Aabb> boxes;
+        for (const PlanSpace& space : spaces) {
+            Aabb box;
+            for (const Ring& ring : space.rings)
+                for (const Vec2& p : ring) box.include(Vec3(p, 0.0));
+            boxes.push_back(grown(box, kBesideOutline_m));
+        }
+        return boxes;
+    }
+    static double distance_to(const std::vector<Ring>& rings, const Vec2& at) {
+        double least = 1e300;
+        for (const Ring& ring : rings)
+            for (std::size_t i = 0; i < ring.size(); ++i) {
+                const Vec2 &a = ring[i], along = ring[(i + 1) % ring.size()] - a;
+                const double part =
+                    std::clamp(glm::dot(at - a, along) / std::max(glm::dot(along, along), 1e-12), 0.0, 1.0);
+                least = std::min(least, glm::length(at - a - along * part));
+            }
+        return least;
+    }
+
+    BoxIndex index_;
+};
 
 }  // namespace
 
@@ -330,30 +372,27 @@ void OsmPlan::add_spaces() {
             continue;
         }
         for (const double number : outline.levels) space.levels.push_back(level_at(number));
-        for (const std::vector<std::int64_t>& ring : outline.rings)
-            for (const std::int64_t n : ring) {
-                std::vector<std::size_t>& at = spaces_at_[n];
-                if (at.empty() || at.back() != plan_.spaces.size()) at.push_back(plan_.spaces.size());
-            }
         plan_.spaces.push_back(std::move(space));
     }
     tell("osm.far", far);
 }
 
 void OsmPlan::add_doors() {
+    const OutlineIndex outlines(plan_.spaces);
     for (const std::int64_t n : data_.tagged_nodes) {
         const OsmTags& tags = data_.nodes.at(n).tags;
         const std::string_view kind = tags["door"];
         if (kind.empty() && !tags.has("entrance")) continue;
-        const auto spaces = spaces_at_.find(n);
-        if (spaces == spaces_at_.end()) {
+        const Vec2 place = place_of(n);
+        const std::vector<std::size_t> spaces = outlines.spaces_at(plan_, place);
+        if (spaces.empty()) {
             doors_alone_ += kind.empty() ? 0 : 1;
             continue;
         }
         OsmLevels levels = levels_of(tags["level"], tags["repeat_on"]);
         odd_levels_ += levels.damaged ? 1 : 0;
         if (levels.levels.empty())
-            for (const std::size_t s : spaces->second)
+            for (const std::size_t s : spaces)
                 for (const std::size_t l : plan_.spaces[s].levels) levels.levels.push_back(plan_.levels[l].number);
         std::sort(levels.levels.begin(), levels.levels.end());
         levels.levels.erase(std::unique(levels.levels.begin(), levels.levels.end()), levels.levels.end());
@@ -362,7 +401,7 @@ void OsmPlan::add_doors() {
                     : kind == "sliding" || kind == "overhead"   ? PlanDoorKind::Sliding
                     : kind == "revolving" || kind == "trapdoor" ? PlanDoorKind::Revolving
                                                                 : PlanDoorKind::Hinged;
-        door.at = place_of(n);
+        door.at = place;
         if (const double width_m = metres_of(tags["width"]); width_m > 0.0) door.width_m = width_m;
         else if (const double own_m = metres_of(tags["door:width"]); own_m > 0.0) door.width_m = own_m;
         door.name = in_spoken(tags, "name");
@@ -382,7 +421,7 @@ void OsmPlan::add_doors() {
             const std::size_t level = level_at(number);
             if (level == kNone) continue;
             std::vector<std::size_t> joined;
-            for (const std::size_t s : spaces->second) {
+            for (const std::size_t s : spaces) {
                 const std::vector<std::size_t>& own = plan_.spaces[s].levels;
                 if (std::find(own.begin(), own.end(), level) != own.end()) joined.push_back(s);
             }
