@@ -83,4 +83,15 @@ std::vector<Ring> without(const Ring& ring, const Ring& cutter) {
     return kept;
 }
 
+double distance_to_outline(const std::vector<Ring>& rings, const Vec2& at) {
+    double least = 1e300;
+    for (const Ring& ring : rings)
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Vec2 &a = ring[i], along = ring[(i + 1) % ring.size()] - a;
+            const double part = std::clamp(glm::dot(at - a, along) / std::max(glm::dot(along, along), 1e-12), 0.0, 1.0);
+            least = std::min(least, glm::length(at - a - along * part));
+        }
+    return least;
+}
+
 }  // namespace handrail

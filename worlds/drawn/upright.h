@@ -19,4 +19,7 @@ Ring strip(const Vec2& from, const Vec2& to, double half_width_m);
 // Convex outlines, counter-clockwise, of what lies in `ring` and not in `cutter`; both convex and counter-clockwise.
 std::vector<Ring> without(const Ring& ring, const Ring& cutter);
 
+// From the place to the nearest edge of the rings; 1e300 if they have none.
+double distance_to_outline(const std::vector<Ring>& rings, const Vec2& at);
+
 }  // namespace handrail

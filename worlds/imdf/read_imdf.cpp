@@ -8,6 +8,7 @@
 
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
+#include "worlds/drawn/guess_doorways.h"
 #include "worlds/drawn/local_plane.h"
 #include "worlds/drawn/upright.h"
 #include "worlds/imdf/zip_archive.h"
@@ -131,6 +132,8 @@ public:
         tell("imdf.damaged_shapes", damaged_);
         tell("imdf.no_level", no_level_);
         if (plan_.doors.empty()) plan_.left_out.push_back(phrase("imdf.no_openings"));
+        if (const int guessed = guess_doorways(plan_); guessed > 0)
+            plan_.guessed.push_back(phrase("imdf.guessed_doorways", {{"n", guessed}}));
         if (occupants_lost_ > 0) plan_.left_out.push_back(phrase("imdf.occupants_lost", {{"n", occupants_lost_}}));
         if (own_categories_ > 0) plan_.simplified.push_back(phrase("imdf.own_categories", {{"n", own_categories_}}));
         return std::move(plan_);
@@ -242,7 +245,7 @@ private:
             space.name = label(at(properties, "name"));
             if (space.name.empty()) space.name = label(at(properties, "alt_name"));
             if (const auto occupant = occupant_of.find(id); occupant != occupant_of.end())
-                space.name = space.name.empty() ? occupant->second : space.name + ", " + occupant->second;
+                space.name = named_once(space.name, occupant->second);
             if (space.name.empty() && !category.empty()) space.name = capitalised(category_words(category));
             space.facts = facts(properties);
             space.levels = {level};
@@ -250,6 +253,11 @@ private:
             plan_.spaces.push_back(std::move(space));
         }
         join_vertical();
+    }
+
+    // The unit's own name and that of who is in it. Many files write one in both places.
+    static std::string named_once(const std::string& unit, const std::string& occupant) {
+        return unit.empty() || lower_ascii(unit) == lower_ascii(occupant) ? occupant : unit + ", " + occupant;
     }
 
     // Shops and the like, by the unit that they are in.

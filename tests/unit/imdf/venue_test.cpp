@@ -145,12 +145,37 @@ TEST(ImdfVenue, a_folder_around_the_files_and_other_files_make_no_difference) {
     EXPECT_EQ(names_of(read(wrapped)), names_of(read(venue())));
 }
 
-TEST(ImdfVenue, without_openings_rooms_stay_closed_and_that_is_told) {
+TEST(ImdfVenue, without_openings_rooms_beside_a_walkway_get_guessed_doorways) {
     std::map<std::string, std::string> files = venue();
     files.erase("opening.geojson");
-    const Scene scene = read(files);
+    const Scene scene = read(files, "Old wing");
     EXPECT_THAT(scene.report.left_out, Contains(HasSubstr("states no openings")));
-    EXPECT_EQ(honest_report(scene).doors, 0);
+    EXPECT_THAT(scene.report.guessed, Contains(HasSubstr("3 rooms have no door in the file")));
+    EXPECT_EQ(honest_report(scene).doors, 0) << "a guess is no door of the file";
+    const auto room = [&](const std::string& name) {
+        const auto found = std::find_if(scene.stated->rooms.begin(), scene.stated->rooms.end(),
+                                        [&](const StatedRoom& one) { return one.name == name; });
+        EXPECT_NE(found, scene.stated->rooms.end()) << name;
+        return found->at_m;
+    };
+    const auto ways = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
+    ASSERT_TRUE(ways.has_value());
+    const Vec3 beside_the_desk = room("Passports") + Vec3(1.0, 0.0, 0.0);
+    EXPECT_TRUE((*ways)->reachable(room("Walkway, Ground floor"), beside_the_desk));
+    EXPECT_TRUE((*ways)->reachable(room("Walkway, Ground floor"), room("Women's toilets")));
+    EXPECT_TRUE((*ways)->reachable(room("Walkway, Level 1"), room("Acme brewery room")));
+}
+
+TEST(ImdfVenue, one_name_of_unit_and_occupant_is_said_once) {
+    for (const auto& [occupant, said] : {std::pair("Passports", "Passports"), std::pair("PASSPORTS", "PASSPORTS"),
+                                         std::pair("Café", "Passports, Café")}) {
+        std::map<std::string, std::string> files = venue();
+        files["anchor.geojson"] =
+            collection({feature("a", R"({"type":"Point","coordinates":)" + point(3, 3) + "}", R"("unit_id":"u2")")});
+        files["occupant.geojson"] = collection({feature(
+            "c", "null", R"("anchor_id":"a","category":"office","name":{"en":")" + std::string(occupant) + R"("})")});
+        EXPECT_THAT(names_of(read(files)), Contains(said));
+    }
 }
 
 TEST(ImdfVenue, damage_is_one_sentence) {
