@@ -115,10 +115,18 @@ struct PlanWay {
     bool steps = false, escalator = false;
     bool area = false;            // `line` is the outline of a level place
     Ring line;                    // points in order; ways that share one lead into each other
+    std::vector<Ring> further;    // of an area: its other outlines, by the even-odd rule
     std::vector<double> floor_m;  // of each
     double width_m = 2.0;
     std::vector<std::string> facts;
 };
+
+// Of an area: all its outlines.
+inline std::vector<Ring> rings_of_way(const PlanWay& way) {
+    std::vector<Ring> rings{way.line};
+    rings.insert(rings.end(), way.further.begin(), way.further.end());
+    return rings;
+}
 
 // Another building, or a part that stands over the ground: one solid.
 struct PlanBlock {

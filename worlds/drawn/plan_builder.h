@@ -46,6 +46,7 @@ private:
     std::vector<Ring> without_flight_gaps(const Ring& wall, std::size_t level) const;
     void add_things();
     void add_ways();
+    void join_ways(const std::vector<FeatureId>& features, const std::vector<std::uint32_t>& rooms);
     std::vector<Ring> add_strips(const PlanWay& way, FeatureId feature);
     void state_way(const PlanWay& way, const std::vector<Ring>& parts);
     void add_blocks();

@@ -1,11 +1,14 @@
 // Doors, stairs, lifts and ways of a building from plans: what one moves along.
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
 #include "worlds/drawn/plan_builder.h"
 #include "worlds/drawn/upright.h"
+#include "worlds/geometry/box_index.h"
 #include "worlds/geometry/clip.h"
+
 #include "worlds/scene/surfaces.h"
 
 namespace handrail {
@@ -15,7 +18,7 @@ constexpr double kLeafThick_m = 0.04, kClear_m = 0.005, kLeafTravel_s = 1.0, kTw
 constexpr double kStepThick_m = 0.3, kRail_m = 1.0, kRailThick_m = 0.08, kFloorThick_m = 0.2;
 constexpr double kLiftSpeed_m_per_s = 0.75, kLiftDoorWait_s = 5.0, kDoorWait_s = 3.0, kStandingRoom_m = 1.8;
 constexpr double kNearDoor_m = 1.5, kAtGround_m = 0.6, kCabinClear_m = 0.03, kLeastCabin_m = 0.7;
-constexpr double kLeastRise_m = 0.5, kStepRise_m = 0.17;
+constexpr double kLeastRise_m = 0.5, kStepRise_m = 0.17, kSameFloor_m = 0.3;
 
 bool is_stairs(PlanSpaceKind kind) { return kind == PlanSpaceKind::Stairs || kind == PlanSpaceKind::Escalator; }
 
@@ -28,13 +31,7 @@ bool joins(const PlanDoor& door, std::size_t space) {
 // On the outline, or hardly off it.
 bool lies_on(const std::vector<Ring>& rings, const Vec2& at) {
     constexpr double kNear_m = 0.3;
-    for (const Ring& ring : rings)
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            const Vec2 &a = ring[i], along = ring[(i + 1) % ring.size()] - a;
-            const double part = std::clamp(glm::dot(at - a, along) / std::max(glm::dot(along, along), 1e-12), 0.0, 1.0);
-            if (glm::length(at - a - along * part) < kNear_m) return true;
-        }
-    return false;
+    return distance_to_outline(rings, at) < kNear_m;
 }
 
 // A floor along a line that rises evenly.
@@ -310,32 +307,70 @@ void PlanBuilder::add_stairs(std::size_t s) {
 
 // Floors of their own along lines; steps where they climb.
 void PlanBuilder::add_ways() {
-    std::map<std::pair<long long, long long>, std::vector<std::uint32_t>> rooms_at_point;
-    const auto key = [](const Vec2& p) { return std::make_pair(std::llround(p.x * 1e3), std::llround(p.y * 1e3)); };
     std::vector<FeatureId> features;
+    std::vector<std::uint32_t> rooms;
     for (const PlanWay& way : plan_.ways) {
         if (stopped()) return;
         features.push_back(way.steps ? add_feature(FeatureKind::Object, "stairs", way.name) : kNoFeature);
+        rooms.push_back(kNotStated);
         stated_->stairs += way.steps ? 1 : 0;
-        const std::vector<Ring> parts = way.area ? convex_parts({way.line}) : add_strips(way, features.back());
+        const std::vector<Ring> parts = way.area ? convex_parts(rings_of_way(way)) : add_strips(way, features.back());
         if (way.area)
             for (const Ring& part : parts)
                 add_solid(upright(part, way.floor_m[0] - kFloorThick_m, way.floor_m[0]), SolidRole::Solid, kNoFeature);
         if (parts.empty()) continue;
         add_facts(parts, *std::min_element(way.floor_m.begin(), way.floor_m.end()), way.facts);
         if (way.steps) continue;
-        for (const Vec2& p : way.line) {
-            std::vector<std::uint32_t>& here = rooms_at_point[key(p)];
-            const auto room = static_cast<std::uint32_t>(stated_->rooms.size());
-            if (here.empty() || here.back() != room) here.push_back(room);
-        }
+        rooms.back() = static_cast<std::uint32_t>(stated_->rooms.size());
         state_way(way, parts);
     }
-    // Where they meet they lead into each other, and steps from what meets one end to what meets the other.
+    join_ways(features, rooms);
+}
+
+// Ways lead into each other where they meet, and stairs from what meets one end to what meets the other. A way also
+// meets the area in which it ends, or beside which it ends.
+void PlanBuilder::join_ways(const std::vector<FeatureId>& features, const std::vector<std::uint32_t>& rooms) {
+    using Point = std::array<long long, 3>;
+    std::map<Point, std::vector<std::uint32_t>> rooms_at_point;
+    const auto key = [](const Vec2& p, double floor_m) {
+        return Point{std::llround(p.x * 1e3), std::llround(p.y * 1e3), std::llround(floor_m * 1e2)};
+    };
+    const auto meet = [&](const Vec2& p, double floor_m, std::uint32_t room) {
+        std::vector<std::uint32_t>& here = rooms_at_point[key(p, floor_m)];
+        if (std::find(here.begin(), here.end(), room) == here.end()) here.push_back(room);
+    };
+    std::vector<std::size_t> areas;
+    std::vector<Aabb> boxes;
+    for (std::size_t w = 0; w < rooms.size(); ++w) {
+        const PlanWay& way = plan_.ways[w];
+        if (rooms[w] == kNotStated) continue;
+        for (std::size_t i = 0; i < way.line.size(); ++i) meet(way.line[i], way.floor_m[i], rooms[w]);
+        for (const Ring& ring : way.further)
+            for (const Vec2& p : ring) meet(p, way.floor_m[0], rooms[w]);
+        if (!way.area) continue;
+        Aabb box;
+        for (const Vec2& p : way.line) box.include(Vec3(p, way.floor_m[0]));
+        areas.push_back(w);
+        boxes.push_back(grown(box, kSameFloor_m));
+    }
+    const BoxIndex index(boxes);
+    std::vector<std::uint32_t> near;
+    for (const PlanWay& way : plan_.ways)
+        for (const std::size_t end : {std::size_t{0}, way.line.size() - 1}) {
+            if (way.area) break;
+            const Vec3 at(way.line[end], way.floor_m[end]);
+            index.find({at, at}, near);
+            std::sort(near.begin(), near.end());
+            for (const std::uint32_t a : near) {
+                const std::vector<Ring> rings = rings_of_way(plan_.ways[areas[a]]);
+                if (inside(rings, way.line[end]) || lies_on(rings, way.line[end]))
+                    meet(way.line[end], way.floor_m[end], rooms[areas[a]]);
+            }
+        }
     std::set<std::pair<std::uint32_t, std::uint32_t>> told;
     for (const PlanWay& way : plan_.ways)
         for (std::size_t i = 0; i < way.line.size() && !way.steps; ++i) {
-            const std::vector<std::uint32_t>& here = rooms_at_point[key(way.line[i])];
+            const std::vector<std::uint32_t>& here = rooms_at_point[key(way.line[i], way.floor_m[i])];
             for (std::size_t k = 1; k < here.size(); ++k) {
                 if (!told.emplace(here[0], here[k]).second) continue;
                 StatedPortal portal;
@@ -355,8 +390,9 @@ void PlanBuilder::add_ways() {
         portal.name = way.name.empty() ? way.id : way.name;
         portal.guid = way.id;
         portal.feature = features[w];
-        for (const Vec2& end : {way.line.front(), way.line.back()})
-            if (const auto found = rooms_at_point.find(key(end)); found != rooms_at_point.end())
+        for (const std::size_t end : {std::size_t{0}, way.line.size() - 1})
+            if (const auto found = rooms_at_point.find(key(way.line[end], way.floor_m[end]));
+                found != rooms_at_point.end())
                 portal.rooms.insert(portal.rooms.end(), found->second.begin(), found->second.end());
         std::sort(portal.rooms.begin(), portal.rooms.end());
         portal.rooms.erase(std::unique(portal.rooms.begin(), portal.rooms.end()), portal.rooms.end());
@@ -407,7 +443,7 @@ void PlanBuilder::state_way(const PlanWay& way, const std::vector<Ring>& parts) 
     room.name = way.name;
     room.guid = way.id;
     if (way.area) {
-        room.rings = {way.line};
+        room.rings = rings_of_way(way);
     } else {
         Ring right, left;
         for (const Ring& part : parts) {

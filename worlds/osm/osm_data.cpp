@@ -69,7 +69,9 @@ private:
     }
     void take(const osmium::Relation& relation) {
         const char* type = relation.tags()["type"];
-        if (relation.deleted() || !type || std::string_view(type) != "multipolygon") return;
+        if (relation.deleted() || !type) return;
+        if (std::string_view(type) == "level") take_level(relation);
+        if (std::string_view(type) != "multipolygon") return;
         OsmArea made;
         made.id = relation.id();
         for (const osmium::RelationMember& member : relation.members())
@@ -77,6 +79,14 @@ private:
                 made.ways.emplace_back(member.ref(), std::string_view(member.role()) == "inner");
         made.tags = tags_of(relation.tags());
         data_.areas.push_back(std::move(made));
+    }
+
+    void take_level(const osmium::Relation& relation) {
+        const char* level = relation.tags()["level"];
+        if (!level) return;
+        for (const osmium::RelationMember& member : relation.members())
+            if (member.type() == osmium::item_type::way && data_.level_of_way.size() < kMostOsmWays)
+                data_.level_of_way.try_emplace(member.ref(), one_line(std::string_view(level).substr(0, 100)));
     }
 
     OsmData& data_;

@@ -48,6 +48,8 @@ struct OsmData {
     std::vector<OsmWay> ways;
     std::unordered_map<std::int64_t, std::size_t> way_number;  // looked up only
     std::vector<OsmArea> areas;
+    // IndoorOSM writes no level on rooms: a relation of type level names its ways. Looked up only.
+    std::unordered_map<std::int64_t, std::string> level_of_way;
 };
 
 enum class OsmForm : std::uint8_t { None, Xml, XmlBzip2, Pbf };

@@ -32,12 +32,6 @@ void note_id(std::string& ids, const std::string& id) {
     if (ids.size() < 60) ids += (ids.empty() ? "" : ", ") + id;
 }
 
-double metres_of(std::string_view text) {
-    double value = 0.0;
-    std::string_view digits = text.substr(0, text.find_first_not_of("0123456789."));
-    return parse_finite(digits, value) ? value : 0.0;
-}
-
 // Finds the spaces whose outlines pass by a place. Doors are often drawn a few centimetres off the wall.
 class OutlineIndex {
 public:
@@ -49,7 +43,7 @@ public:
         index_.find({Vec3(at, 0.0), Vec3(at, 0.0)}, near);
         std::vector<std::size_t> found;
         for (const std::uint32_t s : near)
-            if (distance_to(plan.spaces[s].rings, at) <= kBesideOutline_m) found.push_back(s);
+            if (distance_to_outline(plan.spaces[s].rings, at) <= kBesideOutline_m) found.push_back(s);
         std::sort(found.begin(), found.end());
         return found;
     }
@@ -64,17 +58,6 @@ private:
             boxes.push_back(grown(box, kBesideOutline_m));
         }
         return boxes;
-    }
-    static double distance_to(const std::vector<Ring>& rings, const Vec2& at) {
-        double least = 1e300;
-        for (const Ring& ring : rings)
-            for (std::size_t i = 0; i < ring.size(); ++i) {
-                const Vec2 &a = ring[i], along = ring[(i + 1) % ring.size()] - a;
-                const double part =
-                    std::clamp(glm::dot(at - a, along) / std::max(glm::dot(along, along), 1e-12), 0.0, 1.0);
-                least = std::min(least, glm::length(at - a - along * part));
-            }
-        return least;
     }
 
     BoxIndex index_;
@@ -96,6 +79,7 @@ Result<FloorPlan> OsmPlan::build(const std::string& file_name) {
     lay_levels();
     add_spaces();
     add_doors();
+    add_lift_nodes();
     add_walls_and_things();
     if (!rooms_are_joined()) add_ways();
     if (plan_.spaces.empty() && plan_.ways.empty()) return fail(phrase("osm.nothing"), file_name);
@@ -149,7 +133,8 @@ std::vector<std::vector<std::int64_t>> OsmPlan::rings_of(const OsmArea& area, bo
     return rings;
 }
 
-void OsmPlan::take_outline(std::string id, const OsmTags& tags, std::vector<std::vector<std::int64_t>> rings) {
+void OsmPlan::take_outline(std::string id, const OsmTags& tags, std::string_view level,
+                           std::vector<std::vector<std::int64_t>> rings) {
     Outline outline;
     outline.id = std::move(id);
     outline.tags = &tags;
@@ -162,7 +147,7 @@ void OsmPlan::take_outline(std::string id, const OsmTags& tags, std::vector<std:
         ring.pop_back();
         outline.rings.push_back(std::move(ring));
     }
-    OsmLevels levels = levels_of(tags["level"], tags["repeat_on"]);
+    OsmLevels levels = levels_of(level, tags["repeat_on"]);
     odd_levels_ += levels.damaged ? 1 : 0;
     if (levels.levels.empty()) {
         ++without_level_;
@@ -188,7 +173,9 @@ void OsmPlan::find_outlines() {
             note_id(open_ids_, std::to_string(way.id));
             continue;
         }
-        take_outline(id, way.tags, {way.nodes});
+        const auto named = data_.level_of_way.find(way.id);
+        const bool stated = way.tags.has("level") || named == data_.level_of_way.end();
+        take_outline(id, way.tags, stated ? way.tags["level"] : std::string_view(named->second), {way.nodes});
     }
     for (const OsmArea& area : data_.areas) {
         const bool building = area.tags.has("building") && !area.tags.is("building", "no");
@@ -207,7 +194,7 @@ void OsmPlan::find_outlines() {
             ++incomplete_;
             note_id(incomplete_ids_, id);
         }
-        if (!rings.empty()) take_outline(id, area.tags, std::move(rings));
+        if (!rings.empty()) take_outline(id, area.tags, area.tags["level"], std::move(rings));
     }
     for (Building& building : buildings_)
         for (const Ring& ring : building.rings)
@@ -292,8 +279,8 @@ Result<void> OsmPlan::choose_building(const std::string& file_name) {
     if (chosen_ == kNone) return {};
     const Building& building = buildings_[chosen_];
     plan_.name = building.name;
-    const double height = metres_of((*building.tags)["height"]),
-                 levels = metres_of((*building.tags)["building:levels"]);
+    const double height = number_in((*building.tags)["height"]),
+                 levels = number_in((*building.tags)["building:levels"]);
     if (levels >= 1.0 && height / levels >= kLeastStorey_m && height / levels <= kMostStorey_m)
         plan_.storey_m = height / levels;
     return {};
@@ -306,9 +293,13 @@ void OsmPlan::set_origin() {
     for (const Outline& outline : outlines_)
         for (const Ring& ring : in_degrees(outline.rings))
             for (const Vec2& p : ring) include(p);
-    if (outlines_.empty())
+    const bool rooms = std::any_of(outlines_.begin(), outlines_.end(), [](const Outline& outline) {
+        const std::string kind = kind_of_space(*outline.tags);
+        return kind != "lift" && kind != "stairs" && kind != "escalator";
+    });
+    if (!rooms)
         for (const OsmWay& way : data_.ways)
-            if (way.tags.has("highway") && all_known(way.nodes))
+            if ((way.tags.has("highway") || is_platform(way.tags)) && all_known(way.nodes))
                 for (const Ring& line : in_degrees({way.nodes}))
                     for (const Vec2& p : line) include(p);
     if (least.x > most.x) return;
@@ -402,8 +393,8 @@ void OsmPlan::add_doors() {
                     : kind == "revolving" || kind == "trapdoor" ? PlanDoorKind::Revolving
                                                                 : PlanDoorKind::Hinged;
         door.at = place;
-        if (const double width_m = metres_of(tags["width"]); width_m > 0.0) door.width_m = width_m;
-        else if (const double own_m = metres_of(tags["door:width"]); own_m > 0.0) door.width_m = own_m;
+        if (const double width_m = number_in(tags["width"]); width_m > 0.0) door.width_m = width_m;
+        else if (const double own_m = number_in(tags["door:width"]); own_m > 0.0) door.width_m = own_m;
         door.name = in_spoken(tags, "name");
         door.id = phrase("osm.node", {{"id", std::to_string(n)}});
         const std::string_view entrance = tags["entrance"];
@@ -435,7 +426,11 @@ void OsmPlan::add_doors() {
 }
 
 bool OsmPlan::rooms_are_joined() const {
-    if (plan_.spaces.empty()) return false;
+    const bool rooms = std::any_of(plan_.spaces.begin(), plan_.spaces.end(), [](const PlanSpace& space) {
+        return space.kind == PlanSpaceKind::Room || space.kind == PlanSpaceKind::Corridor ||
+               space.kind == PlanSpaceKind::Area;
+    });
+    if (!rooms) return false;
     DisjointSets groups(plan_.spaces.size());
     for (const PlanDoor& door : plan_.doors)
         for (const std::vector<std::size_t>& joined : door.spaces)

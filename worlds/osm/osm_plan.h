@@ -23,6 +23,16 @@ private:
         std::vector<double> levels;
         std::size_t building = kNone;
     };
+    // A way or an area that people walk on outside rooms.
+    struct Walked {
+        std::string id;
+        const OsmTags* tags = nullptr;
+        std::vector<std::vector<std::int64_t>> lines;  // of an area: its outlines, the first not repeated
+        bool area = false;
+
+        bool steps() const { return tags->is("highway", "steps"); }
+        std::vector<double> levels() const;  // at least one
+    };
     struct Building {
         std::string id, name, ref;
         const OsmTags* tags = nullptr;
@@ -33,7 +43,8 @@ private:
     static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
     void find_outlines();
-    void take_outline(std::string id, const OsmTags& tags, std::vector<std::vector<std::int64_t>> rings);
+    void take_outline(std::string id, const OsmTags& tags, std::string_view level,
+                      std::vector<std::vector<std::int64_t>> rings);
     std::vector<std::vector<std::int64_t>> rings_of(const OsmArea& area, bool& broken) const;
     bool all_known(const std::vector<std::int64_t>& nodes) const;
     std::vector<Ring> in_degrees(const std::vector<std::vector<std::int64_t>>& rings) const;
@@ -46,7 +57,14 @@ private:
     void add_spaces();
     void add_doors();
     void add_walls_and_things();
+    void add_lift_nodes();
+    bool add_lift_at(std::int64_t node, std::size_t rooms);
     void add_ways();
+    std::vector<Walked> find_walked();
+    PlanWay way_of(const Walked& walked, const std::unordered_map<std::int64_t, double>& height_m) const;
+    void name_ways(const std::vector<Walked>& walked);
+    void add_levels(const std::vector<Walked>& walked);
+    bool is_lift_node(std::int64_t node) const;
     void add_blocks();
     bool rooms_are_joined() const;
     void tell(std::string_view key, int count, const std::string& ids = {});

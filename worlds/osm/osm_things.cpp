@@ -13,26 +13,24 @@ namespace handrail {
 namespace {
 
 constexpr double kThing_m = 0.5, kPillar_m = 0.4, kStrip_m = 0.3, kStripHigh_m = 0.01, kNearBuilding_m = 40.0;
-constexpr double kWay_m = 2.0, kSteps_m = 1.6, kMostWay_m = 20.0, kBlockStorey_m = 3.0, kBlock_m = 6.0;
+constexpr double kBlockStorey_m = 3.0, kBlock_m = 6.0;
 constexpr double kMostSide_m = 2'000.0;
 constexpr std::size_t kMostThings = 20'000;
-
-double number_of(std::string_view text) {
-    double value = 0.0;
-    return parse_finite(text.substr(0, text.find_first_not_of("0123456789.")), value) ? value : 0.0;
-}
 
 Ring square(const Vec2& at, double side_m) {
     const double half = 0.5 * side_m;
     return {at + Vec2(-half, -half), at + Vec2(half, -half), at + Vec2(half, half), at + Vec2(-half, half)};
 }
 
-// On foot.
-bool is_walked(const OsmTags& tags) {
-    const std::string_view highway = tags["highway"];
-    if (tags.is("access", "private") || tags.is("access", "no") || tags.is("foot", "no")) return false;
-    return highway == "footway" || highway == "steps" || highway == "corridor" || highway == "pedestrian" ||
-           highway == "path" || highway == "platform" || tags.is("railway", "platform");
+// Columns, desks and benches; empty: no thing that mappers draw as an outline.
+std::string_view drawn_thing(const OsmTags& tags) {
+    if (tags.is("indoor", "column") || tags.is("indoor", "pillar") || tags.is("wall:type", "pillar") ||
+        tags.is("building", "pillar") || tags.is("building", "column") || tags.is("buildingpart", "column"))
+        return "pillar";
+    for (const std::string_view key : {"indoor", "amenity", "furniture", "room"})
+        for (const std::string_view value : {"bench", "desk", "table", "counter", "furniture"})
+            if (tags.is(key, value)) return key == "indoor" && tags.has("furniture") ? tags["furniture"] : value;
+    return tags["furniture"];
 }
 
 }  // namespace
@@ -53,7 +51,10 @@ void OsmPlan::add_walls_and_things() {
                               !is_walked(way.tags) && (way.tags.is("indoor", "yes") || way.tags.has("level")) &&
                               !way.closed(),
                    artwork = way.tags.is("indoor", "yes") && way.tags.has("tourism") && way.closed();
-        if (!(wall || guidance || artwork) || !all_known(way.nodes) || plan_.things.size() > kMostThings) continue;
+        const std::string_view drawn = way.closed() && !wall ? drawn_thing(way.tags) : std::string_view();
+        if (!(wall || guidance || artwork || !drawn.empty()) || !all_known(way.nodes) ||
+            plan_.things.size() > kMostThings)
+            continue;
         const Ring line = placed({way.nodes})[0];
         if (std::any_of(line.begin(), line.end(), [](const Vec2& p) { return glm::length(p) > kMostSide_m; })) continue;
         for (const std::size_t level : levels_here(way.tags)) {
@@ -70,9 +71,15 @@ void OsmPlan::add_walls_and_things() {
                 thing.height_m = kStripHigh_m;
                 for (std::size_t i = 1; i < line.size(); ++i)
                     thing.parts.push_back(strip(line[i - 1], line[i], 0.5 * kStrip_m));
+            } else if (drawn == "pillar") {
+                thing.kind = PlanThingKind::Pillar;
+                thing.name = "pillar";
+                thing.made_name = true;
+                thing.parts = convex_parts({line});
             } else {
                 thing.name = in_spoken(way.tags, "name");
-                if (thing.name.empty()) thing.name = kind_words(way.tags["tourism"]);
+                if (thing.name.empty())
+                    thing.name = capitalised(kind_words(drawn.empty() ? way.tags["tourism"] : drawn));
                 for (const std::string& fact : facts_of(way.tags))
                     thing.message += (thing.message.empty() ? "" : " ") + fact;
                 thing.parts = convex_parts({line});
@@ -106,84 +113,6 @@ void OsmPlan::add_walls_and_things() {
     }
 }
 
-// Lines that one walks along: each at its level, and from level to level where their ends say so.
-void OsmPlan::add_ways() {
-    const auto level_of = [](const OsmTags& tags) {
-        const OsmLevels levels = levels_of(tags.has("level") ? tags["level"] : tags["layer"]);
-        return levels.levels.empty() ? std::vector<double>{0.0} : levels.levels;
-    };
-    std::unordered_map<std::int64_t, double> height;  // of the ends that level ways have; looked up only
-    std::vector<const OsmWay*> walked;
-    int cut_ways = 0;
-    for (const OsmWay& way : data_.ways) {
-        if (!is_walked(way.tags)) continue;
-        if (way.nodes.size() < 2 || !all_known(way.nodes)) {
-            ++cut_ways;
-            continue;
-        }
-        const Ring line = placed({way.nodes})[0];
-        if (std::any_of(line.begin(), line.end(), [](const Vec2& p) { return glm::length(p) > kMostSide_m; })) continue;
-        walked.push_back(&way);
-        if (way.tags.is("highway", "steps")) continue;
-        const double floor_m = level_of(way.tags).front() * plan_.storey_m;
-        for (const std::int64_t n : way.nodes) {
-            const auto [at, is_new] = height.try_emplace(n, floor_m);
-            if (!is_new && std::abs(floor_m) < std::abs(at->second)) at->second = floor_m;
-        }
-    }
-    for (const OsmWay* way : walked) {
-        const std::vector<double> levels = level_of(way->tags);
-        const bool steps = way->tags.is("highway", "steps");
-        PlanWay made;
-        made.steps = steps;
-        made.escalator = steps && way->tags.has("conveying") && !way->tags.is("conveying", "no");
-        made.id = phrase("osm.way", {{"id", std::to_string(way->id)}});
-        made.name = in_spoken(way->tags, "name");
-        if (made.name.empty()) made.name = way->tags["ref"];
-        const std::string_view highway = way->tags["highway"];
-        if (made.name.empty())
-            made.name = capitalised(kind_words(made.escalator ? "escalator" : highway.empty() ? "platform" : highway));
-        made.area = !steps && way->closed() && (way->tags.is("area", "yes") || way->tags.is("railway", "platform"));
-        made.facts = facts_of(way->tags);
-        const double stated_m = number_of(way->tags["width"]);
-        made.width_m = std::clamp(stated_m > 0.0 ? stated_m : steps ? kSteps_m : kWay_m, 0.8, kMostWay_m);
-        made.line = placed({way->nodes})[0];
-        double low_m = levels.front() * plan_.storey_m, high_m = levels.back() * plan_.storey_m;
-        if (steps) {
-            // Its ends say how high they are where other ways meet them, else its levels do.
-            const bool down = way->tags.is("incline", "down");
-            double first_m = down ? high_m : low_m, last_m = down ? low_m : high_m;
-            if (const auto at = height.find(way->nodes.front()); at != height.end()) first_m = at->second;
-            if (const auto at = height.find(way->nodes.back()); at != height.end()) last_m = at->second;
-            double all = 0.0, gone = 0.0;
-            for (std::size_t i = 1; i < made.line.size(); ++i) all += glm::length(made.line[i] - made.line[i - 1]);
-            for (std::size_t i = 0; i < made.line.size(); ++i) {
-                if (i > 0) gone += glm::length(made.line[i] - made.line[i - 1]);
-                made.floor_m.push_back(first_m + (last_m - first_m) * (all > 0.0 ? gone / all : 0.0));
-            }
-        } else {
-            for (const std::int64_t n : way->nodes) made.floor_m.push_back(made.area ? low_m : height.at(n));
-        }
-        if (made.area) made.line.pop_back();
-        plan_.ways.push_back(std::move(made));
-    }
-    if (cut_ways > 0) plan_.left_out.push_back(phrase("osm.cut_ways", {{"n", cut_ways}}));
-    if (!plan_.ways.empty()) {
-        plan_.guessed.push_back(phrase("osm.along_ways", {{"n", plan_.ways.size()}}));
-        // Levels that only ways have.
-        for (const PlanWay& way : plan_.ways)
-            for (const double floor_m : way.floor_m) {
-                const double number = std::round(floor_m / plan_.storey_m);
-                if (!way.steps && std::abs(number * plan_.storey_m - floor_m) < 1e-6 && plan_.spaces.empty() &&
-                    level_at(number) == kNone)
-                    plan_.levels.push_back({number, phrase("plan.level", {{"number", number}}), floor_m});
-            }
-        if (plan_.spaces.empty())
-            std::sort(plan_.levels.begin(), plan_.levels.end(),
-                      [](const PlanLevel& a, const PlanLevel& b) { return a.number < b.number; });
-    }
-}
-
 // Other buildings near by, and parts of them, as blocks; what stands over rooms that were read has its own walls.
 void OsmPlan::add_blocks() {
     Vec2 least{1e300}, most{-1e300};
@@ -213,9 +142,9 @@ void OsmPlan::add_blocks() {
             ++over_rooms;
             return;
         }
-        const double height_m = number_of(tags["height"]), levels = number_of(tags["building:levels"]);
+        const double height_m = number_in(tags["height"]), levels = number_in(tags["building:levels"]);
         block.name = in_spoken(tags, "name");
-        block.from_m = std::min(number_of(tags["min_height"]), 500.0);
+        block.from_m = std::min(number_in(tags["min_height"]), 500.0);
         block.to_m = std::min(height_m > 0.0 ? height_m : levels > 0.0 ? levels * kBlockStorey_m : kBlock_m, 800.0);
         if (block.to_m > block.from_m + 0.1) plan_.blocks.push_back(std::move(block));
     };

@@ -113,4 +113,20 @@ std::vector<std::string> facts_of(const OsmTags& tags) {
     return facts;
 }
 
+double number_in(std::string_view value) {
+    double number = 0.0;
+    return parse_finite(value.substr(0, value.find_first_not_of("0123456789.")), number) ? number : 0.0;
+}
+
+bool is_platform(const OsmTags& tags) {
+    return tags.is("railway", "platform") || tags.is("highway", "platform") || tags.is("public_transport", "platform");
+}
+
+bool is_walked(const OsmTags& tags) {
+    const std::string_view highway = tags["highway"];
+    if (tags.is("access", "private") || tags.is("access", "no") || tags.is("foot", "no")) return false;
+    return highway == "footway" || highway == "steps" || highway == "corridor" || highway == "pedestrian" ||
+           highway == "path" || is_platform(tags);
+}
+
 }  // namespace handrail

@@ -21,4 +21,11 @@ std::string name_of_space(const OsmTags& tags);
 // A sentence each: tactile paving, handrails, wheelchairs, descriptions, steps.
 std::vector<std::string> facts_of(const OsmTags& tags);
 
+// The number at the front of a value: 2.5 of "2.5 m"; 0 if there is none.
+double number_in(std::string_view value);
+// A platform of a railway, a tram or a bus.
+bool is_platform(const OsmTags& tags);
+// People walk along it, or on it.
+bool is_walked(const OsmTags& tags);
+
 }  // namespace handrail

@@ -12,6 +12,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::UnorderedElementsAre;
 
 // Writes a file of nodes and ways from places in metres.
@@ -88,6 +89,164 @@ TEST(OsmDoors, a_node_of_one_level_serves_the_outline_beside_it_on_the_other) {
     drawing.box(6.1, 0, 12, 4, {{"indoor", "room"}, {"level", "1"}, {"name", "East 1"}});
     EXPECT_THAT(test::joins_of(drawing.scene(), StatedPortalKind::Door),
                 UnorderedElementsAre("West 0 | East 0", "West 1 | East 1"));
+}
+
+std::vector<std::string> names_of_rooms(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const StatedRoom& room : scene.stated->rooms) names.push_back(room.name);
+    return names;
+}
+
+TEST(OsmPlatforms, however_they_are_tagged_they_can_be_walked) {
+    for (const Drawing::Tags& tags : std::vector<Drawing::Tags>{{{"railway", "platform"}},
+                                                                {{"public_transport", "platform"}},
+                                                                {{"highway", "platform"}},
+                                                                {{"railway", "platform"}, {"area", "yes"}}}) {
+        Drawing drawing;
+        for (const int n : {1, 2}) {
+            Drawing::Tags own = tags;
+            own.insert(own.end(), {{"ref", std::to_string(n)}, {"level", "0"}});
+            drawing.box(0, 8.0 * n, 30, 8.0 * n + 4, own);
+        }
+        const Scene scene = drawing.scene();
+        ASSERT_TRUE(scene.stated) << tags[0].first;
+        EXPECT_THAT(names_of_rooms(scene), ElementsAre("Platform 1", "Platform 2")) << tags[0].first;
+        for (const StatedRoom& room : scene.stated->rooms) EXPECT_NEAR(room.area_m2, 120.0, 1.0) << room.name;
+    }
+}
+
+TEST(OsmPlatforms, a_relation_with_a_hole_is_a_platform_round_it) {
+    Drawing drawing;
+    const auto ring = [&](double west, double south, double east, double north) {
+        const int first = drawing.node(west, south);
+        return drawing.way(
+            {first, drawing.node(east, south), drawing.node(east, north), drawing.node(west, north), first}, {});
+    };
+    const int outer = ring(0, 0, 40, 6), inner = ring(15, 2, 21, 4);
+    drawing.relation("<member type='way' ref='" + std::to_string(outer) + "' role='outer'/><member type='way' ref='" +
+                         std::to_string(inner) + "' role='inner'/>",
+                     {{"type", "multipolygon"}, {"railway", "platform"}, {"level", "0"}, {"ref", "7"}});
+    drawing.way({drawing.node(20, 6), drawing.node(20, 12)}, {{"highway", "footway"}, {"name", "Link"}});
+    const Scene scene = drawing.scene();
+    ASSERT_TRUE(scene.stated);
+    const StatedRoom* platform = test::room_named(scene, "Platform 7");
+    ASSERT_NE(platform, nullptr);
+    EXPECT_NEAR(platform->area_m2, 40 * 6 - 6 * 2, 1.0);
+    EXPECT_THAT(test::joins_of(scene, StatedPortalKind::Opening), ElementsAre("Link | Platform 7"));
+}
+
+TEST(OsmPlatforms, a_footway_that_ends_on_the_edge_joins_them_and_is_named_so) {
+    for (const double into_m : {-0.2, 0.0, 0.3, 1.5}) {
+        Drawing drawing;
+        drawing.box(0, 0, 40, 5, {{"railway", "platform"}, {"ref", "1"}});
+        drawing.box(0, 9, 40, 14, {{"railway", "platform"}, {"ref", "2"}});
+        drawing.way({drawing.node(20, 5 - into_m), drawing.node(20, 9 + into_m)}, {{"highway", "footway"}});
+        const Scene scene = drawing.scene();
+        ASSERT_TRUE(scene.stated);
+        const HonestReport report = honest_report(scene);
+        EXPECT_EQ(report.largest_connected, 3) << into_m;
+        EXPECT_TRUE(scene.report.warnings.empty()) << scene.report.warnings[0].sentence();
+        EXPECT_THAT(names_of_rooms(scene), Contains("Footway from Platform 1 to Platform 2"));
+    }
+}
+
+TEST(OsmLevelsOfWays, levels_that_only_ways_reach_are_storeys) {
+    Drawing drawing;
+    drawing.box(0, 4, 6, 9, {{"indoor", "room"}, {"level", "1"}, {"name", "Shop"}});
+    drawing.box(6, 4, 12, 9, {{"indoor", "room"}, {"level", "1"}, {"name", "Kiosk"}});
+    drawing.box(12, 4, 18, 9, {{"indoor", "room"}, {"level", "1"}, {"name", "Office"}});
+    const int top = drawing.node(20, 0), foot = drawing.node(20, -8);
+    drawing.way({drawing.node(0, 0), top, drawing.node(40, 0)},
+                {{"highway", "footway"}, {"level", "1"}, {"name", "Concourse"}});
+    drawing.way({top, foot}, {{"highway", "steps"}, {"level", "-2;1"}, {"incline", "down"}});
+    drawing.way({drawing.node(0, -8), foot, drawing.node(40, -8)},
+                {{"highway", "footway"}, {"level", "-2"}, {"name", "Platform 1"}});
+    const Scene scene = drawing.scene();
+    ASSERT_TRUE(scene.stated);
+    std::vector<std::string> storeys;
+    for (const StatedStorey& storey : scene.stated->storeys)
+        storeys.push_back(storey.name + ": " + std::to_string(storey.rooms));
+    EXPECT_THAT(storeys, ElementsAre("Level -2: 1", "Level 1: 4"));
+    for (const StatedRoom& room : scene.stated->rooms)
+        EXPECT_NEAR(room.floor_m, scene.stated->storeys[room.storey].floor_m, 0.01) << room.name;
+    EXPECT_THAT(test::joins_of(scene, StatedPortalKind::Stairs), ElementsAre("Concourse | Platform 1"));
+}
+
+TEST(OsmLifts, a_node_in_the_rooms_of_several_levels_is_a_lift_with_doors) {
+    for (const Vec2& at : {Vec2(10, 3), Vec2(10, 0.9), Vec2(1.1, 5)}) {
+        Drawing drawing;
+        for (const char* level : {"0", "1", "2"})
+            drawing.box(0, 0, 20, 6,
+                        {{"indoor", "corridor"}, {"level", level}, {"name", std::string("Corridor ") + level}});
+        drawing.node(at.x, at.y, {{"highway", "elevator"}, {"level", "0-2"}, {"name", "Lift A"}});
+        const Scene scene = drawing.scene();
+        ASSERT_TRUE(scene.stated);
+        EXPECT_EQ(honest_report(scene).lifts, 1);
+        EXPECT_EQ(honest_report(scene).largest_connected, 6);
+        EXPECT_THAT(test::joins_of(scene, StatedPortalKind::Door),
+                    UnorderedElementsAre("Corridor 0 | Lift A, Level 0", "Corridor 1 | Lift A, Level 1",
+                                         "Corridor 2 | Lift A, Level 2"));
+        EXPECT_THAT(scene.report.guessed, Contains(HasSubstr("One lift is a point")));
+        const auto ways = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
+        ASSERT_TRUE(ways.has_value()) << ways.error().sentence();
+        EXPECT_TRUE((*ways)->reachable(test::room_named(scene, "Corridor 0")->at_m,
+                                       test::room_named(scene, "Corridor 2")->at_m));
+    }
+}
+
+TEST(OsmLifts, a_node_without_space_for_a_cabin_is_reported) {
+    Drawing drawing;
+    for (const char* level : {"0", "1"})
+        drawing.box(0, 0, 1.5, 6, {{"indoor", "corridor"}, {"level", level}, {"name", "Narrow"}});
+    drawing.node(0.7, 3, {{"highway", "elevator"}, {"level", "0;1"}});
+    const Scene scene = drawing.scene();
+    EXPECT_THAT(scene.report.left_out, Contains(HasSubstr("One lift is left out")));
+}
+
+TEST(OsmLifts, the_outline_of_one_alone_is_no_building_and_hides_no_ways) {
+    Drawing drawing;
+    drawing.box(0, 4, 2, 6, {{"highway", "elevator"}, {"level", "0;1"}, {"building", "yes"}});
+    const int foot = drawing.node(10, 0), top = drawing.node(16, 0);
+    drawing.way({drawing.node(-20, 0), foot}, {{"highway", "footway"}, {"level", "0"}, {"name", "Below"}});
+    drawing.way({foot, top}, {{"highway", "steps"}, {"level", "0;1"}});
+    drawing.way({top, drawing.node(40, 0)}, {{"highway", "footway"}, {"level", "1"}, {"name", "Above"}});
+    const Scene scene = drawing.scene();
+    ASSERT_TRUE(scene.stated);
+    EXPECT_THAT(test::joins_of(scene, StatedPortalKind::Stairs), ElementsAre("Below | Above"));
+}
+
+TEST(OsmThings, columns_and_furniture_drawn_as_areas_are_things) {
+    for (const auto& [tags, name] : std::vector<std::pair<Drawing::Tags, std::string>>{
+             {{{"indoor", "column"}}, "pillar"},
+             {{{"indoor", "pillar"}}, "pillar"},
+             {{{"wall:type", "pillar"}}, "pillar"},
+             {{{"indoor", "desk"}}, "Desk"},
+             {{{"amenity", "bench"}}, "Bench"},
+             {{{"indoor", "furniture"}, {"furniture", "counter"}}, "Counter"}}) {
+        Drawing drawing;
+        drawing.box(0, 0, 8, 6, {{"indoor", "room"}, {"level", "0"}, {"name", "Hall"}});
+        Drawing::Tags own = tags;
+        own.emplace_back("level", "0");
+        drawing.box(3, 2, 4, 3, own);
+        const Scene scene = drawing.scene();
+        const auto made = std::count_if(scene.features.begin(), scene.features.end(),
+                                        [&, &name = name](const Feature& f) { return f.name == name; });
+        EXPECT_EQ(made, 1) << name;
+    }
+}
+
+TEST(OsmIndoorRelations, rooms_lie_on_the_level_of_their_relation) {
+    Drawing drawing;
+    const int low = drawing.box(0, 0, 8, 6, {{"buildingpart", "room"}, {"name", "Low"}}),
+              high = drawing.box(0, 0, 8, 6, {{"buildingpart", "room"}, {"name", "High"}});
+    for (const auto& [way, level] : {std::pair(low, "-1"), std::pair(high, "2")})
+        drawing.relation("<member type='way' ref='" + std::to_string(way) + "' role='buildingpart'/>",
+                         {{"type", "level"}, {"level", level}});
+    const Scene scene = drawing.scene();
+    ASSERT_NE(test::room_named(scene, "Low"), nullptr);
+    EXPECT_NEAR(test::room_named(scene, "Low")->floor_m, -3.0, 1e-6);
+    EXPECT_NEAR(test::room_named(scene, "High")->floor_m, 6.0, 1e-6);
+    EXPECT_THAT(scene.report.guessed, Not(Contains(HasSubstr("without a level"))));
 }
 
 }  // namespace osm_stations_test
