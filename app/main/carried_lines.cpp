@@ -9,7 +9,6 @@ namespace handrail {
 namespace {
 
 constexpr double kSettles_s = 0.2;
-constexpr double kLongestFall_s = 10.0;  // who still falls then, falls out of a world without a floor again and again
 
 bool leaves(std::string_view line) {
     const auto parsed = parse_terminal_line(line);
@@ -46,7 +45,6 @@ bool CarriedLines::take(double now_s, WizardSession* wizard) {
     if (wizard) return answer(*wizard, now_s);
     const bool first = !app_.scene();  // there is nowhere to be until the first world is read
     if (first || worlds_.reading()) {
-        stood_s_ = -1.0;
         if (!by_person_) return true;
         if (!lines_.empty() && leaves(lines_.front()) && (first || worlds_.give_up_reading(now_s))) {
             left_ = first;
@@ -54,7 +52,7 @@ bool CarriedLines::take(double now_s, WizardSession* wizard) {
             return true;
         }
     }
-    if (!falls_on(now_s) && repeat_left_ == 0 && !app_.idle()) {
+    if (repeat_left_ == 0 && !app_.idle()) {
         settle_until_s_ = now_s + kSettles_s;  // what came of it wants to be said before the next line interrupts
         return true;
     }
@@ -83,12 +81,6 @@ bool CarriedLines::take(double now_s, WizardSession* wizard) {
     lines_.pop_front();
     carry_out(line, now_s);
     return true;
-}
-
-// Nothing is waited for then that only comes to who stands.
-bool CarriedLines::falls_on(double now_s) {
-    if (!app_.scene() || app_.standing() || stood_s_ < 0.0) stood_s_ = now_s;
-    return now_s - stood_s_ > kLongestFall_s;
 }
 
 // "Where is the kitchen" asks for the room of that name, not for the kitchen counter.

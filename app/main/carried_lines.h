@@ -35,7 +35,6 @@ public:
 
 private:
     bool answer(WizardSession& wizard, double now_s);
-    bool falls_on(double now_s);
     bool means_room(const std::string& choice) const;
     void carry_out(const std::string& line, double now_s);
     void tap(Command command, int times, double now_s);
@@ -50,7 +49,6 @@ private:
     std::string choice_;             // to be made in the list that the last command opens
     bool looked_elsewhere_ = false;  // for what was to be chosen: in the other list too
     double settle_until_s_ = 0.0;
-    double stood_s_ = -1.0;  // when the body stood on something last, or a world was entered
     bool left_ = false;
 };
 

@@ -15,7 +15,7 @@ std::vector<KnownBuilding> known_buildings(const TemporaryFolder& folder) {
     const std::vector<KnownBuilding> real{{"duplex-apartment.ifc", 14},
                                           {"fzk-haus.ifc", 5},
                                           {"institute.ifczip", 77, true},
-                                          {"apb-tu-dresden.osm", 496, true},
+                                          {"apb-tu-dresden.osm", 498, true},
                                           {"delft-station.osm", 0},
                                           {"minimal.imdf.zip", 0},
                                           {"room.glb", 0},

@@ -83,15 +83,21 @@ std::vector<Ring> without(const Ring& ring, const Ring& cutter) {
     return kept;
 }
 
-double distance_to_outline(const std::vector<Ring>& rings, const Vec2& at) {
-    double least = 1e300;
+NearestOfOutline nearest_of_outline(const std::vector<Ring>& rings, const Vec2& at) {
+    NearestOfOutline found;
     for (const Ring& ring : rings)
         for (std::size_t i = 0; i < ring.size(); ++i) {
             const Vec2 &a = ring[i], along = ring[(i + 1) % ring.size()] - a;
             const double part = std::clamp(glm::dot(at - a, along) / std::max(glm::dot(along, along), 1e-12), 0.0, 1.0);
-            least = std::min(least, glm::length(at - a - along * part));
+            const double distance_m = glm::length(at - a - along * part);
+            if (distance_m >= found.distance_m) continue;
+            found = {distance_m, a + along * part, along / std::max(glm::length(along), 1e-12)};
         }
-    return least;
+    return found;
+}
+
+double distance_to_outline(const std::vector<Ring>& rings, const Vec2& at) {
+    return nearest_of_outline(rings, at).distance_m;
 }
 
 }  // namespace handrail

@@ -19,6 +19,13 @@ Ring strip(const Vec2& from, const Vec2& to, double half_width_m);
 // Convex outlines, counter-clockwise, of what lies in `ring` and not in `cutter`; both convex and counter-clockwise.
 std::vector<Ring> without(const Ring& ring, const Ring& cutter);
 
+// The point of the rings' edges that is nearest to a place.
+struct NearestOfOutline {
+    double distance_m = 1e300;  // stays so if the rings have no edges
+    Vec2 at_m{0.0};
+    Vec2 along{0.0};  // the direction of the edge: length 1, or 0 for an edge without length
+};
+NearestOfOutline nearest_of_outline(const std::vector<Ring>& rings, const Vec2& at);
 // From the place to the nearest edge of the rings; 1e300 if they have none.
 double distance_to_outline(const std::vector<Ring>& rings, const Vec2& at);
 

@@ -16,7 +16,7 @@ namespace handrail {
 namespace {
 
 constexpr double kStorey_m = 3.0, kLeastStorey_m = 2.5, kMostStorey_m = 6.0;
-constexpr double kFarthest_m = 20'000.0, kBesideOutline_m = 0.3;
+constexpr double kFarthest_m = 20'000.0, kBesideOutline_m = 0.3, kBesideCorner_m = 0.05;
 constexpr std::size_t kMostOutlines = 60'000, kMostCornersOfOne = 2'000;
 
 bool is_space(const OsmTags& tags) {
@@ -37,14 +37,24 @@ class OutlineIndex {
 public:
     explicit OutlineIndex(const std::vector<PlanSpace>& spaces) : index_(boxes_of(spaces)) {}
 
-    // Rising. Costs the edges of the outlines whose boxes hold the place.
+    // The spaces that a door at `at` is in the wall of, rising: the nearest one, and those that it faces across that
+    // wall. A room whose corner is beside the door, along the wall, is not joined. Costs the edges of the outlines
+    // whose boxes hold the place.
     std::vector<std::size_t> spaces_at(const FloorPlan& plan, const Vec2& at) const {
         std::vector<std::uint32_t> near;
         index_.find({Vec3(at, 0.0), Vec3(at, 0.0)}, near);
+        std::sort(near.begin(), near.end());
+        NearestOfOutline wall;
+        std::vector<std::pair<std::size_t, Vec2>> beside;
+        for (const std::uint32_t s : near) {
+            const NearestOfOutline found = nearest_of_outline(plan.spaces[s].rings, at);
+            if (found.distance_m > kBesideOutline_m) continue;
+            beside.emplace_back(s, found.at_m);
+            if (found.distance_m < wall.distance_m) wall = found;
+        }
         std::vector<std::size_t> found;
-        for (const std::uint32_t s : near)
-            if (distance_to_outline(plan.spaces[s].rings, at) <= kBesideOutline_m) found.push_back(s);
-        std::sort(found.begin(), found.end());
+        for (const auto& [s, nearest_m] : beside)
+            if (std::abs(glm::dot(nearest_m - at, wall.along)) <= kBesideCorner_m) found.push_back(s);
         return found;
     }
 
