@@ -40,22 +40,28 @@ public:
     // The spaces that a door at `at` is in the wall of, rising: the nearest one, and those that it faces across that
     // wall. A room whose corner is beside the door, along the wall, is not joined. Costs the edges of the outlines
     // whose boxes hold the place.
-    std::vector<std::size_t> spaces_at(const FloorPlan& plan, const Vec2& at) const {
+    struct Beside {
+        std::vector<std::size_t> spaces;
+        std::size_t nearest = static_cast<std::size_t>(-1);
+    };
+    Beside spaces_at(const FloorPlan& plan, const Vec2& at) const {
         std::vector<std::uint32_t> near;
         index_.find({Vec3(at, 0.0), Vec3(at, 0.0)}, near);
         std::sort(near.begin(), near.end());
         NearestOfOutline wall;
         std::vector<std::pair<std::size_t, Vec2>> beside;
+        Beside joined;
         for (const std::uint32_t s : near) {
             const NearestOfOutline found = nearest_of_outline(plan.spaces[s].rings, at);
             if (found.distance_m > kBesideOutline_m) continue;
             beside.emplace_back(s, found.at_m);
-            if (found.distance_m < wall.distance_m) wall = found;
+            if (found.distance_m >= wall.distance_m) continue;
+            wall = found;
+            joined.nearest = s;
         }
-        std::vector<std::size_t> found;
         for (const auto& [s, nearest_m] : beside)
-            if (std::abs(glm::dot(nearest_m - at, wall.along)) <= kBesideCorner_m) found.push_back(s);
-        return found;
+            if (std::abs(glm::dot(nearest_m - at, wall.along)) <= kBesideCorner_m) joined.spaces.push_back(s);
+        return joined;
     }
 
 private:
@@ -373,6 +379,11 @@ void OsmPlan::add_spaces() {
             continue;
         }
         for (const double number : outline.levels) space.levels.push_back(level_at(number));
+        for (const std::vector<std::int64_t>& ring : outline.rings)
+            for (const std::int64_t n : ring) {
+                std::vector<std::size_t>& at = spaces_of_[n];
+                if (at.empty() || at.back() != plan_.spaces.size()) at.push_back(plan_.spaces.size());
+            }
         plan_.spaces.push_back(std::move(space));
     }
     tell("osm.far", far);
@@ -385,15 +396,18 @@ void OsmPlan::add_doors() {
         const std::string_view kind = tags["door"];
         if (kind.empty() && !tags.has("entrance")) continue;
         const Vec2 place = place_of(n);
-        const std::vector<std::size_t> spaces = outlines.spaces_at(plan_, place);
+        const auto [spaces, nearest] = outlines.spaces_at(plan_, place);
         if (spaces.empty()) {
             doors_alone_ += kind.empty() ? 0 : 1;
             continue;
         }
         OsmLevels levels = levels_of(tags["level"], tags["repeat_on"]);
         odd_levels_ += levels.damaged ? 1 : 0;
+        // A door without a level is on those of the outlines that it is part of. Walls of other storeys often pass by
+        // the same place.
+        const auto part_of = spaces_of_.find(n);
         if (levels.levels.empty())
-            for (const std::size_t s : spaces)
+            for (const std::size_t s : part_of != spaces_of_.end() ? part_of->second : std::vector{nearest})
                 for (const std::size_t l : plan_.spaces[s].levels) levels.levels.push_back(plan_.levels[l].number);
         std::sort(levels.levels.begin(), levels.levels.end());
         levels.levels.erase(std::unique(levels.levels.begin(), levels.levels.end()), levels.levels.end());

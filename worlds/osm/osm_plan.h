@@ -76,6 +76,7 @@ private:
     std::vector<Building> buildings_;
     std::size_t chosen_ = kNone;
     LocalPlane plane_;
+    std::unordered_map<std::int64_t, std::vector<std::size_t>> spaces_of_;  // of a node; looked up only
     int open_ = 0, incomplete_ = 0, without_level_ = 0, odd_levels_ = 0, doors_alone_ = 0;
     std::string open_ids_, incomplete_ids_;
 };
