@@ -91,6 +91,15 @@ TEST(OsmDoors, a_node_of_one_level_serves_the_outline_beside_it_on_the_other) {
                 UnorderedElementsAre("West 0 | East 0", "West 1 | East 1"));
 }
 
+TEST(OsmDoors, next_to_a_corner_leave_the_room_behind_the_corner_alone) {
+    Drawing drawing;
+    drawing.box(0, 0, 6, 4, {{"indoor", "room"}, {"level", "0"}, {"name", "West"}});
+    drawing.box(6, 0, 12, 4, {{"indoor", "room"}, {"level", "0"}, {"name", "East"}});
+    drawing.box(0, -4, 12, 0, {{"indoor", "room"}, {"level", "0"}, {"name", "South"}});
+    drawing.node(5.8, 0.05, {{"door", "hinged"}, {"level", "0"}});
+    EXPECT_THAT(test::joins_of(drawing.scene(), StatedPortalKind::Door), UnorderedElementsAre("West | South"));
+}
+
 std::vector<std::string> names_of_rooms(const Scene& scene) {
     std::vector<std::string> names;
     for (const StatedRoom& room : scene.stated->rooms) names.push_back(room.name);
