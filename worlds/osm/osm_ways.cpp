@@ -165,7 +165,7 @@ void OsmPlan::name_ways(const std::vector<Walked>& walked) {
         for (const std::size_t other : at_node[node]) {
             if (other == w) continue;
             const PlanWay& met = plan_.ways[other];
-            if (const std::string name = own_name(*walked[other].tags); !name.empty()) return name;
+            if (std::string name = own_name(*walked[other].tags); !name.empty()) return name;
             if (met.steps) stairs = phrase(met.escalator ? "osm.the_escalator" : "osm.the_stairs");
         }
         for (const std::size_t other : areas) {
