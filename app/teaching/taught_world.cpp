@@ -130,7 +130,7 @@ Result<TaughtPlace> TaughtWorld::look_up(const LessonPlace& place) const {
         known.push_back(thing.name);
     }
     if (candidates.empty()) return bad(place.line, "teaching.no_thing", place.thing, known);
-    const auto one = one_of(place, candidates);
+    auto one = one_of(place, candidates);
     if (!one) return one;
     found.middle_m = one->middle_m;
     found.box_m = one->box_m;
