@@ -78,7 +78,7 @@ std::string kind_words(std::string_view kind) {
 }
 
 std::string name_of_space(const OsmTags& tags) {
-    const std::string ref(tags["ref"]);
+    std::string ref(tags["ref"]);
     std::string name(in_spoken(tags, "name"));
     if (name.empty()) {
         if (const std::string kind = kind_of_space(tags); !kind.empty()) name = capitalised(kind_words(kind));
