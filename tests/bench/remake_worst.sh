@@ -9,10 +9,11 @@ trap 'rm -rf "$folder"' EXIT
 counted=$folder/counted fresh=$folder/fresh.md
 tests/bench/compare.sh "$build" worst >"$counted"
 "$build/bin/handrail" bench --scene worst --instructions "$counted" --markdown "$fresh" >/dev/null
-awk -v fresh="$fresh" -v day="$(date -u +%F)" '
+machine=$(lscpu | sed -n 's/^Model name: *//p')
+awk -v fresh="$fresh" -v day="$(date -u +%F)" -v machine="$machine" '
     function section(line) { while ((getline line < fresh) > 0) { if (line ~ /^## /) on = line ~ /^## The worst ticks/; if (on) print line } done = 1 }
     /^## / { skip = $0 ~ /^## The worst ticks/; if (skip || ($0 ~ /^## Stiffest/ && !done)) { if (!done) { section(); print "" } } }
-    /^Measured / { sub(/(, the worst ticks [0-9-]+,)? on /, ", the worst ticks " day ", on ") }
+    /^Measured / { sub(/(, the worst ticks [^,]+,)? on /, ", the worst ticks " day " on " machine ", on ") }
     !skip { print }
 ' docs/bench.md >"$counted"
 cp "$counted" docs/bench.md
