@@ -33,7 +33,7 @@ TEST(Units, are_asked_about_where_the_world_would_be_wider_than_two_kilometres_o
         return scene->report.warnings.empty() ? "" : scene->report.warnings.front().sentence();
     };
     const std::string large = first_warning(60'000, 40'000);
-    EXPECT_THAT(large, HasSubstr("Read as it is, the world is 60000 metres wide and 0 high; in millimetres it would "
+    EXPECT_THAT(large, HasSubstr("Read as it is, the world is 60000 metres wide and 0 high. In millimetres it would "
                                  "be 60 metres wide, in centimetres 600, in inches 1520, in feet 18300."));
     EXPECT_THAT(large, HasSubstr("--unit"));
     EXPECT_THAT(first_warning(1.5, 1.0), HasSubstr("the world is 1.5 metres wide"));
