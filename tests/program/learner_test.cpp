@@ -52,7 +52,7 @@ TEST_F(LearnerProgram, keeps_marks_and_settings_of_each_apart_records_who_agreed
     const ProgramRun first = explore("Oak Owl", "verbosity\nmark\n");
     EXPECT_EQ(first.exit_status, 0) << first.err;
     EXPECT_THAT(first.out, HasSubstr("Oak Owl learns."));
-    EXPECT_THAT(first.out, HasSubstr("This session is recorded."));
+    EXPECT_THAT(first.out, HasSubstr("This session is being recorded."));
     EXPECT_EQ(recordings(), 1U);
     const ProgramRun other = explore("Fig Finch", "marks\n");
     EXPECT_THAT(other.out, HasSubstr("1 of 2"));

@@ -119,7 +119,7 @@ TEST_F(TaughtByTheProgram, keeps_marks_and_recordings_of_its_learner_is_watched_
     last.type("1");
     ASSERT_TRUE(last.hears("After ")) << last.all();
     last.type("1");
-    ASSERT_TRUE(last.hears("How sure were you of the way?")) << last.all();
+    ASSERT_TRUE(last.hears("How sure were you of the route?")) << last.all();
     last.type("6");
     ASSERT_TRUE(last.hears("Free, with a blocked door is over.")) << last.all();
     EXPECT_EQ(last.leave(), 0);

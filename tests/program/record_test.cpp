@@ -38,7 +38,7 @@ TEST(RecordedSession, holds_every_line_that_was_said_in_order) {
     call.input = "forward 3\nwhere\nexits\nescape\nverbosity\n";
     const ProgramRun run = run_program(call);
     EXPECT_EQ(run.exit_status, 0) << run.err;
-    EXPECT_THAT(run.out, HasSubstr("This session is recorded."));
+    EXPECT_THAT(run.out, HasSubstr("This session is being recorded."));
     const auto folders = folders_in(folder.path());
     ASSERT_EQ(folders.size(), 1U);
     const auto read = read_recording(folders[0]);

@@ -52,7 +52,7 @@ TEST(Terminal, says_first_how_to_act_there_and_names_keys_that_exist) {
     ASSERT_TRUE(at.in_first_room()) << at.job->said();
     EXPECT_TRUE(at.job->gives_keys());
     const std::string& said = at.job->said();
-    EXPECT_LT(said.find("Handrail. Keys act here at once. A colon begins a word, and Enter does it."), 40U) << said;
+    EXPECT_LT(said.find("Handrail. Keys act here at once. A colon begins a word, and Enter carries it out."), 40U) << said;
     EXPECT_TRUE(at.job->says("Press Up to walk a step."));
     EXPECT_EQ(said.find("Type forward"), std::string::npos);
 }

@@ -137,7 +137,7 @@ TEST_F(Brailled, goes_on_when_braille_and_sound_and_speech_are_taken_away_in_tur
     ASSERT_TRUE(braille->shows("Facing north")) << everything();
 
     braille->kill();
-    EXPECT_TRUE(program->says("alert: The braille display has gone; it is looked for again.")) << everything();
+    EXPECT_TRUE(program->says("alert: The braille display has gone; Handrail is looking for it.")) << everything();
     EXPECT_TRUE(eventually([&] { return speech->spoke("The braille display has gone"); })) << everything();
     ASSERT_TRUE(press("Right"));
     EXPECT_TRUE(eventually([&] { return speech->spoke("North-north-east"); })) << everything();

@@ -15,7 +15,7 @@ FoundDevice falcon() {
     FoundDevice device;
     device.name = "falcon";
     device.model = "Novint Falcon";
-    device.driver = "Handrail's own, over libusb";
+    device.driver = "Handrail's own, through libusb";
     device.connection = "USB bus 1, device 7";
     device.firmware = "running";
     device.calibration = "homed";
@@ -27,14 +27,14 @@ FoundDevice falcon() {
 TEST(DeviceFacts, tell_what_a_device_is_good_for_its_reach_and_force_and_whether_it_was_ever_met) {
     EXPECT_THAT(device_sentences(falcon()),
                 ElementsAre("Novint Falcon, called falcon, on USB bus 1, device 7. It pushes the hand in space.",
-                            "Driver: Handrail's own, over libusb.", "Firmware: running.", "Calibration: homed.",
+                            "Driver: Handrail's own, through libusb.", "Firmware: running.", "Calibration: homed.",
                             "Reach 4 centimetres around its middle, force up to 3 newtons, walls up to 1000 newtons "
                             "per metre.",
-                            "Its driver was proven with an emulator and has not met such a device yet.",
+                            "Its driver has been tested with an emulator, but not yet with such a device.",
                             "Up to 1000 times a second.", "State: ready."));
     FoundDevice met = falcon();
     met.met_hardware = true;
-    EXPECT_THAT(device_sentences(met), Contains("Its driver has been tried with such a device."));
+    EXPECT_THAT(device_sentences(met), Contains("Its driver has been tested with such a device."));
     FoundDevice pad;
     pad.kind = DeviceKind::Cues;
     EXPECT_THAT(device_sentences(pad), Contains(HasSubstr("it cannot stop the hand")));

@@ -105,7 +105,7 @@ TEST(ExportCommand, replaces_files_only_when_told_to_and_then_all_of_them) {
     std::ofstream(pdf) << "mine";
     const Outcome refused = run({house(), "--swell", pdf.string(), "--storey", "2"});
     EXPECT_EQ(refused.status, 1);
-    EXPECT_EQ(refused.err, pdf.string() + " is there already; with --force it is replaced.\n");
+    EXPECT_EQ(refused.err, pdf.string() + " already exists; --force replaces it.\n");
     EXPECT_EQ(*read_whole_file(pdf), "mine");
     EXPECT_EQ(run({house(), "--swell", pdf.string(), "--storey", "2", "--force"}).status, 0);
     EXPECT_EQ(read_whole_file(pdf)->substr(0, 5), "%PDF-");

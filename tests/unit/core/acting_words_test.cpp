@@ -25,7 +25,7 @@ TEST(ActingWords, are_the_words_of_commands_for_who_types) {
     s.run(0.1);
     EXPECT_TRUE(s.heard("Type forward to walk a step. The word where tells where you are, help the words."))
         << s.news();
-    EXPECT_EQ(s.ask(Command::Ways), "No way is kept here yet. keep-way keeps the one that you planned or walked last.");
+    EXPECT_EQ(s.ask(Command::Ways), "No route is kept here yet. keep-way keeps the one that you planned or walked last.");
     EXPECT_EQ(s.ask(Command::WhatIsThis), "There is no touch device. The word where tells what is around you.");
     EXPECT_EQ(s.ask(Command::StopEverything), "Stopped. forces lets sounds be heard again.");
     // All that was said names no key.
@@ -40,7 +40,7 @@ TEST(ActingWords, are_keys_for_who_presses_them) {
     s.run(0.1);
     EXPECT_TRUE(s.heard("Press Up to walk a step. F2 tells where you are, F1 the keys."));
     EXPECT_EQ(s.ask(Command::Ways),
-              "No way is kept here yet. Control+8 keeps the one that you planned or walked last.");
+              "No route is kept here yet. Control+8 keeps the one that you planned or walked last.");
 }
 
 TEST(WithNoDevice, no_force_is_spoken_of) {

@@ -23,7 +23,7 @@ using testing::Not;
 
 TEST(CrashNotes, tell_the_last_acts_with_the_time_before_the_latest_and_repeated_ones_once) {
     CrashNotes notes({"Handrail 1."});
-    EXPECT_THAT(notes.text(), HasSubstr("Nothing was done before."));
+    EXPECT_THAT(notes.text(), HasSubstr("Nothing was done before it."));
     notes.note("forward", 10.0);
     notes.note("forward", 10.5);
     notes.note("where", 12.0);
@@ -92,7 +92,7 @@ TEST(CrashReport, lies_beside_the_sessions_with_how_it_ended_and_where) {
         ASSERT_TRUE(fs::exists(next.report()));
         const std::string text = test::content_of(next.report());
         EXPECT_EQ(text,
-                  "Report of a session that broke off.\nIt ended with a wrong access to memory, signal 11.\n"
+                  "Report of a session that broke off.\nIt ended with an invalid memory access, signal 11.\n"
                   "Handrail 1.\nforward: 0.0 seconds.\nhandrail+0x1f\n-\n");
         EXPECT_EQ(fs::status(next.report()).permissions() & fs::perms::others_read, fs::perms::none);
         next.end();
@@ -191,7 +191,7 @@ TEST(MenuOfReports, opens_the_devices_by_their_word_and_from_the_desk) {
     ASSERT_TRUE(control);
     EXPECT_EQ(desk.words(*control), "Touch device, Falcon, reach 4 centimetres, up to 3 newtons");
     session.app.apply(HandChanged{{true, true, *find_device_spec("sim-t")}, {}, true}, session.now);
-    EXPECT_EQ(desk.value(*control), "a simulated hand for the keys, since no device is there");
+    EXPECT_EQ(desk.value(*control), "a simulated hand for the keys, because there is no device");
     session.app.apply(HandChanged{{}, {}}, session.now);
     EXPECT_EQ(desk.value(*control), "no hand, all by keyboard and sound");
     EXPECT_EQ(session.app.desk_visit().press(*control), "Looking for what is plugged in.");

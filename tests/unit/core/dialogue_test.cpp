@@ -47,7 +47,7 @@ TEST(Dialogue, goes_through_a_list_and_stops_at_its_ends) {
 }
 
 TEST(Dialogue, puts_no_stop_behind_a_title_that_ends_its_sentence) {
-    for (const std::string title : {"Which way?", "Put 3 places in order, the first one first.", "Stop!"}) {
+    for (const std::string title : {"Which route?", "Put 3 places in order, the first one first.", "Stop!"}) {
         Fruit f;
         ListSpec list = f.list();
         list.title = title;

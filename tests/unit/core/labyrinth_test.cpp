@@ -179,7 +179,7 @@ TEST(Labyrinth, second_level_is_finished_over_the_plank_and_again_after_starting
         player.run(0.5);
         EXPECT_NE(player.stands().find("A hole is 1.5 rolls east."), std::string::npos);
         const std::string before = player.stands();
-        EXPECT_EQ(player.ask(Command::RepeatLeg), "No way is followed.") << "who asks for a leg loses no game";
+        EXPECT_EQ(player.ask(Command::RepeatLeg), "You have no route.") << "who asks for a leg loses no game";
         EXPECT_EQ(player.stands(), before);
     }
     EXPECT_TRUE(std::filesystem::exists(options.records_in / "labyrinth.handrail.toml"));

@@ -222,7 +222,7 @@ bool Newcomer::follow_words_to(const std::string& goal, std::size_t since) {
     locked_.reset();
     for (int asked = 0; asked < 120 && !locked_; ++asked) {
         if (heard(goal + " You are there", since)) return true;
-        const std::string on = choose("Shift+4", "Where the way goes on");
+        const std::string on = choose("Shift+4", "Where the route continues");
         if (heard(goal + " You are there", since)) return true;
         if (!obey(on)) return false;
     }

@@ -333,7 +333,7 @@ TEST(TwoSessions, both_keep_their_marks_and_a_conflict_is_said) {
     first.news();
     first.line("Coat");
     EXPECT_THAT(first.news(),
-                HasSubstr("Another session changed the same as you did: Jacket. What both wrote is kept."));
+                HasSubstr("Another session changed the same things as you: Jacket. Both versions are kept."));
     EXPECT_THAT(first.marks(), testing::AllOf(HasSubstr("Jacket"), Not(HasSubstr("Coat"))));
 }
 

@@ -67,10 +67,10 @@ TEST(KeptWays, from_what_was_planned_are_walked_stop_after_stop_after_a_restart)
         p.ask(Command::Routes);
         p.line("Kitchen");  // planned from where the way before ended: part of the same
         p.ask(Command::KeepWay);
-        EXPECT_EQ(p.item("The way you planned last"), "The way you planned last, Hall, Living room, Kitchen");
-        EXPECT_THAT(p.line("The way you planned last"),
-                    HasSubstr("Hall to Kitchen. Type another name for this way, or press Enter"));
-        EXPECT_EQ(p.line("To the stove"), "Way To the stove kept");
+        EXPECT_EQ(p.item("The route you planned last"), "The route you planned last, Hall, Living room, Kitchen");
+        EXPECT_THAT(p.line("The route you planned last"),
+                    HasSubstr("Hall to Kitchen. Type another name for this route, or press Enter"));
+        EXPECT_EQ(p.line("To the stove"), "Route To the stove kept");
     }
     const auto text = read_whole_file(house.beside());
     ASSERT_TRUE(text);
@@ -114,7 +114,7 @@ TEST(KeptWays, are_left_and_found_again_go_on_from_where_one_is_and_stop_when_as
     Person p(house.path);
     p.ask(Command::Routes);
     p.line("Living room");
-    p.keep("The way you planned last", "There");
+    p.keep("The route you planned last", "There");
     p.way("There", "Add a stop");
     EXPECT_EQ(p.line("Kitchen"), "There now goes on to Kitchen.");
     // From the study one is led to its first stop first.
@@ -131,7 +131,7 @@ TEST(KeptWays, are_left_and_found_again_go_on_from_where_one_is_and_stop_when_as
     EXPECT_TRUE(p.heard("You have left the way."));
     EXPECT_TRUE(p.heard("To Living room. "));
     p.ask(Command::Routes);
-    EXPECT_THAT(p.line("Where the way goes on"), HasSubstr("To Living room: "));
+    EXPECT_THAT(p.line("Where the route continues"), HasSubstr("To Living room: "));
     EXPECT_EQ(p.ask(Command::TakeMe), "No way is followed any more.");
     p.said.clear();
     p.app.apply(Placed{{3.0, 3.5, 0.0}, 0.0}, p.now);
@@ -151,19 +151,19 @@ TEST(KeptWays, from_the_trail_keep_its_corners_and_lead_along_them) {
         p.line("Gate");
         p.ask(Command::KeepWay);
         EXPECT_EQ(p.item("All that"), "");  // nothing has been walked yet
-        EXPECT_THAT(p.line("Begin a way here"),
-                    HasSubstr("A way begins here. Control+8 keeps what you walk from here on."));
+        EXPECT_THAT(p.line("Begin a route here"),
+                    HasSubstr("A route begins here. Control+8 keeps what you walk from here on."));
         test::steer_along(p.app, detour, [&](double seconds) {
             p.run(seconds);
             return p.now;
         });
         ASSERT_LT(glm::length(p.app.feet_m() - detour.back()), 0.3);
         p.ask(Command::KeepWay);
-        EXPECT_NE(p.item("All that you walked here"), "");
+        EXPECT_NE(p.item("Everything you walked here"), "");
         EXPECT_NE(p.item("What you walked since Gate"), "");
         p.line("What you walked since you began");
-        EXPECT_EQ(p.line("Round"), "Way Round kept");
-        EXPECT_EQ(p.keep("All that", "round"), "Another way is called round.");  // nothing is kept twice under one name
+        EXPECT_EQ(p.line("Round"), "Route Round kept");
+        EXPECT_EQ(p.keep("All that", "round"), "Another route is called round.");  // nothing is kept twice under one name
     }
     Person p(house.path);
     std::vector<Error> faults;
@@ -199,18 +199,18 @@ TEST(KeptWays, are_renamed_and_deleted_and_the_file_follows) {
         Person p(house.path);
         p.ask(Command::Routes);
         p.line("Kitchen");
-        p.keep("The way you planned last", "One");
-        p.keep("The way you planned last", "Two");
+        p.keep("The route you planned last", "One");
+        p.keep("The route you planned last", "Two");
         p.way("One", "Another name");
-        EXPECT_EQ(p.line("TWO"), "Another way is called TWO.");
+        EXPECT_EQ(p.line("TWO"), "Another route is called TWO.");
         p.way("One", "Another name");
         EXPECT_EQ(p.line("Three"), "Three");
-        EXPECT_EQ(p.way("Two", "Delete it"), "Way Two deleted");
+        EXPECT_EQ(p.way("Two", "Delete it"), "Route Two deleted");
         p.ask(Command::KeepWay);
-        p.line("The way you planned last");
+        p.line("The route you planned last");
         p.app.apply(KeyTapped{"Escape"}, p.now);
         p.listen();
-        EXPECT_EQ(p.said.back(), "The way is not kept.");
+        EXPECT_EQ(p.said.back(), "The route is not kept.");
     }
     Person p(house.path);
     p.ask(Command::Ways);
@@ -237,7 +237,7 @@ TEST(KeptWays, that_are_damaged_are_kept_aside_or_told_with_their_line) {
         << p.said[1];
     p.ask(Command::Routes);
     p.line("Kitchen");
-    p.keep("The way you planned last", "New");
+    p.keep("The route you planned last", "New");
     EXPECT_THAT(*read_whole_file(house.beside()), HasSubstr("Alone"));
 }
 
@@ -270,7 +270,7 @@ TEST(KeptWays, tell_by_name_what_no_longer_fits_an_edited_world_on_entering_and_
         p.ask(Command::Find);
         p.line("Table");
         p.line("Take me there");
-        ASSERT_EQ(p.keep("The way you planned last", "To lunch"), "Way To lunch kept");
+        ASSERT_EQ(p.keep("The route you planned last", "To lunch"), "Route To lunch kept");
     }
     // Edited without a change to what it goes by.
     write(two_rooms(36.0, 300.0));
@@ -284,7 +284,7 @@ TEST(KeptWays, tell_by_name_what_no_longer_fits_an_edited_world_on_entering_and_
     } edits[] = {
         {36.0, 0.0, "To lunch (Table is gone)."},
         {36.0, 206.0, "To lunch (Table has moved, 2 steps from its stop)."},
-        {0.0, 300.0, "To lunch (no walking way from Shop to Table)."},
+        {0.0, 300.0, "To lunch (no walking route from Shop to Table)."},
     };
     for (const auto& edit : edits) {
         write(two_rooms(edit.gap_units, edit.table_x));
@@ -296,7 +296,7 @@ TEST(KeptWays, tell_by_name_what_no_longer_fits_an_edited_world_on_entering_and_
         EXPECT_EQ(p.item("To lunch"), "To lunch, may no longer fit");
         const std::string chosen = p.line("To lunch");
         const std::string faults(edit.told + 10, std::strlen(edit.told) - 12);
-        EXPECT_THAT(chosen, HasSubstr("To lunch. It does not fit this world: " + faults));
+        EXPECT_THAT(chosen, HasSubstr("To lunch. This route does not fit this world: " + faults));
         // Followed all the same, as far as it goes.
         const std::string words = p.line("Follow it by ear");
         EXPECT_THAT(words,
@@ -306,17 +306,17 @@ TEST(KeptWays, tell_by_name_what_no_longer_fits_an_edited_world_on_entering_and_
     {
         Person p(path, true);
         const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-        while (!p.heard("no longer fits: To lunch (no walking way from Shop to Table).") &&
+        while (!p.heard("no longer fits: To lunch (no walking route from Shop to Table).") &&
                std::chrono::steady_clock::now() < until)
             p.run(0.1);
-        EXPECT_TRUE(p.heard("no longer fits: To lunch (no walking way from Shop to Table)."))
+        EXPECT_TRUE(p.heard("no longer fits: To lunch (no walking route from Shop to Table)."))
             << testing::PrintToString(p.said);
     }
     // Taken over as it is: told no more, and it leads to where the table stands.
     write(two_rooms(36.0, 206.0));
     {
         Person p(path);
-        EXPECT_EQ(p.way("To lunch", "Keep it as it is found here"), "Way To lunch kept");
+        EXPECT_EQ(p.way("To lunch", "Keep it as found here"), "Route To lunch kept");
     }
     Person p(path);
     EXPECT_FALSE(p.heard("fit"));
@@ -337,7 +337,7 @@ TEST(KeptWays, follow_a_room_that_the_person_gives_another_name) {
         p.ask(Command::Find);
         p.line("Table");
         p.line("Take me there");
-        p.keep("The way you planned last", "To lunch");
+        p.keep("The route you planned last", "To lunch");
         p.ask(Command::NameRoom);
         EXPECT_EQ(p.line("Counter"), "This room is now called Counter.");
     }
@@ -378,7 +378,7 @@ TEST(KeptWays, lead_the_hand_from_stop_to_stop) {
         }
     }
     p.tap(Command::TakeMe);  // lets go
-    const std::size_t before = kept_and_led(p, "The way you planned last");
+    const std::size_t before = kept_and_led(p, "The route you planned last");
     ASSERT_TRUE(p.wait_for([&] { return p.heard("Here: Door mat", before); }, 90.0)) << p.all_heard(before);
     EXPECT_LT(p.find("Taking your hand to Coat stand", before),
               p.find("Here: Coat stand. Taking your hand to Door mat", before))
@@ -395,7 +395,7 @@ TEST(KeptWays, lead_the_hand_along_the_corners_of_a_trail) {
         return p.now_s();
     });
     ASSERT_LT(glm::length(p.app().feet_m() - Vec3(5.1, 3.2, 0.0)), 0.4);
-    const std::size_t before = kept_and_led(p, "All that you walked here");
+    const std::size_t before = kept_and_led(p, "Everything you walked here");
     double east_m = 0.0;
     ASSERT_TRUE(p.wait_for(
         [&] {

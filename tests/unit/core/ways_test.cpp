@@ -90,7 +90,7 @@ TEST(Ways, that_cannot_be_read_are_told_with_file_line_and_what_to_do_and_stay_i
         std::string entry;
         const char* fault;
     } bad[] = {
-        {"[[way]]\n" + two, "this way has no name of one line. Give it one under name, or delete the entry."},
+        {"[[way]]\n" + two, "this route has no one-line name. Give it one under name, or delete the entry."},
         {"[[way]]\nname = \"Short\"\n[[way.stop]]\nname = \"A\"\nplace_m = [0.0, 0.0, 0.0]\n",
          "the way Short needs 2 to 200 stops"},
         {"[[way]]\nname = \"None\"\nstop = 3\n", "the way None needs 2 to 200 stops"},
@@ -226,7 +226,7 @@ TEST(Ways, are_looked_up_again_and_what_no_longer_fits_is_told_by_name) {
     EXPECT_EQ(unfit(flat(table)), "");
     EXPECT_EQ(unfit(flat(table - Vec3(0.3, 0, 0))), "");  // moved by less than half a metre
     EXPECT_EQ(unfit(flat({})), "Table is gone");
-    EXPECT_EQ(unfit(flat(table, true)), "no walking way from Table to Far end");
+    EXPECT_EQ(unfit(flat(table, true)), "no walking route from Table to Far end");
     EXPECT_EQ(unfit(flat(table, false, Vec3(10.9, 2.5, 0))), "there is no place to stand at Far end");
     EXPECT_EQ(unfit(flat(table, false, Vec3(7.5, 2.5, 0))), "");  // one walks round it
     // Elsewhere it is found, and the way goes there.
@@ -239,7 +239,7 @@ TEST(Ways, are_looked_up_again_and_what_no_longer_fits_is_told_by_name) {
     EXPECT_LT(glm::length(found.stops[1].place_m - Vec3(9.5, 0.9, 0)), 0.6);
     // A corner of a trail in a pillar is told by the stop behind it.
     EXPECT_THAT(unfit(flat(table, false, Vec3(8.5, 4.0, 0))),
-                HasSubstr("there is no place to stand on the way to Far end"));
+                HasSubstr("there is no place to stand on the route to Far end"));
 }
 
 TEST(Ways, know_rooms_by_each_of_their_names) {

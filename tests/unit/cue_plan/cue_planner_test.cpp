@@ -507,7 +507,7 @@ TEST_F(CuePlannerTest, steps_back_and_forward_through_the_last_fifty_messages) {
     std::string last;
     for (int i = 2; i <= 50; ++i) last = press(CueRequestKind::HistoryBack);
     EXPECT_EQ(last, "Message 11. 50 of 50.");
-    EXPECT_EQ(press(CueRequestKind::HistoryBack), "That was the oldest that is kept.");
+    EXPECT_EQ(press(CueRequestKind::HistoryBack), "That was the oldest one kept.");
     EXPECT_EQ(press(CueRequestKind::HistoryForward), "Message 12. 49 of 50.");
     CueRequest fresh = text("Something new.");
     fresh.time_s = now_s += 1.0;

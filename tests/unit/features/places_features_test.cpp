@@ -208,8 +208,8 @@ struct Keeper : Place {
         for (double x = 0.0; x <= 6.0; x += 0.25) body.crumbs_m.emplace_back(x, 0.0, 0.0);
         stand({6.0, 0.0, 0.0});
         EXPECT_TRUE(ways.act(Command::KeepWay, 1.0));
-        EXPECT_THAT(items(), ElementsAre("All that you walked here", "Begin a way here"));
-        (void)line("All that you walked here");
+        EXPECT_THAT(items(), ElementsAre("Everything you walked here", "Begin a route here"));
+        (void)line("Everything you walked here");
         EXPECT_THAT(line(name), ElementsAre("Way " + name + " kept"));
         body.crumbs_m.clear();
     }
@@ -236,7 +236,7 @@ TEST(KeptWaysFeature, keep_what_was_walked_under_a_name_of_its_own) {
     (void)k.line("Another name");
     EXPECT_THAT(k.line("East"), ElementsAre("East"));
     k.choose("East");
-    EXPECT_THAT(k.line("Delete it"), ElementsAre("Way East deleted"));
+    EXPECT_THAT(k.line("Delete it"), ElementsAre("Route East deleted"));
     EXPECT_THAT(read_ways(k.additions, faults), IsEmpty());
     EXPECT_EQ(k.saved, 3);
     EXPECT_FALSE(k.ways.act(Command::Routes, 3.0)) << "another's command";
@@ -252,7 +252,7 @@ TEST(KeptWaysFeature, are_called_kept_only_if_they_are_on_the_disk) {
         EXPECT_THAT(k.line(name), ElementsAre("Not saved yet: " + std::string(name)));
     }
     k.choose("East");
-    EXPECT_THAT(k.line("Delete it"), ElementsAre("Not saved yet: Way East deleted"));
+    EXPECT_THAT(k.line("Delete it"), ElementsAre("Not saved yet: Route East deleted"));
 }
 
 TEST(KeptWaysFeature, hand_their_stops_to_whoever_goes_along_them) {
@@ -282,7 +282,7 @@ TEST(KeptWaysFeature, offer_what_was_planned_when_it_has_two_stops) {
     ASSERT_TRUE(k.rooms.known());
     k.planned.note({.name = "Fountain", .place_m = {5.5, 4.0, 0.0}, .thing = {}, .room = {}, .kept = {}}, {0, 0, 0});
     EXPECT_TRUE(k.ways.act(Command::KeepWay, 1.0));
-    EXPECT_THAT(k.items(), ElementsAre("The way you planned last", "Begin a way here"));
+    EXPECT_THAT(k.items(), ElementsAre("The route you planned last", "Begin a route here"));
 }
 
 TEST(KeptWaysFeature, follow_the_new_name_of_a_room_and_read_again_what_another_wrote) {
@@ -312,7 +312,7 @@ TEST(KeptWaysFeature, tell_which_of_them_no_longer_fit_once_the_rooms_are_known)
     k.ways.tell_unfit(1.0);
     EXPECT_THAT(k.said(), ElementsAre(AllOf(HasSubstr("1 of 1 no longer fits"), HasSubstr("Statue is gone"))));
     k.choose("To the statue");
-    EXPECT_THAT(k.line("Keep it as it is found here"), ElementsAre("Way To the statue kept"));
+    EXPECT_THAT(k.line("Keep it as found here"), ElementsAre("Route To the statue kept"));
     k.ways.tell_unfit(3.0);
     EXPECT_THAT(k.said(), IsEmpty());
 }

@@ -41,7 +41,7 @@ TEST(InfoCommand, tells_which_forces_hang_in_space) {
     EXPECT_THAT(
         info(world, false).out,
         testing::HasSubstr(
-            "Forces hang in space: magnet 4, detent 1, button 1, fly-paper 1, inertia 1, force 3, vibration 1."));
+            "Forces in open space: magnet 4, detent 1, button 1, fly-paper 1, inertia 1, force 3, vibration 1."));
     EXPECT_EQ(nlohmann::json::parse(info(world, true).out)["effects"], 12);
 }
 
@@ -104,8 +104,8 @@ TEST(InfoCommand, tells_the_same_in_sentences) {
     for (const char* said :
          {"A small room, from room.map.\n", "9.0 metres from west to east, 7.0 from south to north, and 4.0 high",
           "8 things with a name to touch, 1 door, 1 moving part, 1 liquid, 1 start.", "Materials: brick, wood.",
-          "The hand meets: 7 boxes, 1 body that may move, 1 liquid, 1 texture, 3 touch materials",
-          "Not modelled, since nothing here needs it: sheets of one side, liquid surfaces, ",
+          "The hand meets: 7 boxes, 1 movable body, 1 liquid, 1 texture, 3 materials",
+          "Not modelled, since nothing here needs it: one-sided sheets, liquid surfaces, ",
           "The material brick was guessed",
           "1 problem:\n  room.map, line 60, column 1: warning: this brush has no faces. It was left out.", "Read in "})
         EXPECT_THAT(run.out, testing::HasSubstr(said));
@@ -282,7 +282,7 @@ TEST(InfoCommand, tells_honestly_what_it_understood_of_an_architects_model) {
     EXPECT_EQ(honesty["rooms_by_storey"][1]["rooms"], 10);
     ASSERT_FALSE(honesty["check"].empty());
     EXPECT_EQ(honesty["check"][0]["kind"], "odd_name");
-    EXPECT_EQ(honesty["check"][0]["what"], "Room B105 holds stairs and does not say so in its name");
+    EXPECT_EQ(honesty["check"][0]["what"], "Room B105 contains stairs, but its name does not say so");
     EXPECT_EQ(honesty["check"][0]["file"], "duplex-apartment.ifc");
     EXPECT_EQ(honesty["check"][0]["line"], 3533);
     EXPECT_THAT(

@@ -106,7 +106,7 @@ TEST(OsmHouse, tags_that_blind_people_want_to_know_are_said_on_entering) {
         if (solid.role == SolidRole::Trigger) said.push_back(scene.features[solid.feature.value].message);
     EXPECT_THAT(said, Contains("Tactile paving. Handrails on both sides. 18 steps."));
     EXPECT_THAT(said, Contains("Accessible by wheelchair. With toilets for wheelchair users."));
-    EXPECT_THAT(said, Contains("It announces by voice."));
+    EXPECT_THAT(said, Contains("With voice announcements."));
     const auto machine = std::find_if(scene.features.begin(), scene.features.end(),
                                       [](const Feature& f) { return f.name == "Vending machine"; });
     ASSERT_NE(machine, scene.features.end());

@@ -211,8 +211,8 @@ TEST(HeightPicture, refuses_what_is_too_large_or_no_png_by_name) {
         const auto picture = read_height_picture(bytes, "p.png");
         return picture ? std::string("read") : picture.error().message;
     };
-    EXPECT_EQ(message("GIF89a"), "This is no PNG picture.");
-    EXPECT_EQ(message(""), "This is no PNG picture.");
+    EXPECT_EQ(message("GIF89a"), "This is not a PNG picture.");
+    EXPECT_EQ(message(""), "This is not a PNG picture.");
     const Samples black = [](int, int, int) { return 0U; };
     EXPECT_EQ(message(png(4097, 1, {0, 1, 1, false}, black)),
               "This picture is larger than 4096 pixels on a side. Make it smaller.");

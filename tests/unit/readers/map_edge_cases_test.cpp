@@ -44,7 +44,7 @@ TEST(MapEdgeCases, all_line_endings_tabs_and_a_byte_order_mark_count_lines_right
         for (const std::string mark : {"", "\xEF\xBB\xBF"}) {
             const Reading reading = read(mark + replaced(text, "\n", end));
             EXPECT_THAT(reading.said, ElementsAre("test.map, line 4, column 1: warning: the key \"a\" is "
-                                                  "given twice. The last value was taken."));
+                                                  "given twice. The last value was used."));
             EXPECT_EQ(reading.scene.solids.size(), 1U);
         }
     const Reading no_newline = read(text.substr(0, text.size() - 1));
@@ -203,7 +203,7 @@ TEST(MapEdgeCases, what_misses_a_class_a_world_or_an_entity_is_taken_and_said) {
     EXPECT_THAT(read("{\n" + kCube + "\"classname\" \"worldspawn\"\n}\n").said, IsEmpty()) << "brushes before keys";
     const Reading bare = read(kCube + kOther);
     EXPECT_EQ(bare.scene.solids.size(), 2U);
-    EXPECT_THAT(bare.said, testing::Contains(HasSubstr("brushes stand outside of any entity. They were "
+    EXPECT_THAT(bare.said, testing::Contains(HasSubstr("brushes are outside any entity. They were "
                                                        "taken as the building itself.")));
 }
 
@@ -223,7 +223,7 @@ TEST(MapEdgeCases, a_missing_brace_costs_at_most_one_brush) {
     const Reading reading = read(open);
     EXPECT_EQ(reading.scene.solids.size(), 3U);
     EXPECT_THAT(reading.said, ElementsAre(HasSubstr("the brush that begins in line 3 has no "
-                                                    "closing brace. It was taken to end here.")));
+                                                    "closing brace. It was assumed to end here.")));
 }
 
 TEST(MapEdgeCases, lists_twenty_warnings_and_counts_all) {

@@ -208,7 +208,7 @@ TEST(Recording, that_is_damaged_anywhere_gives_sentences_and_no_crash) {
 TEST(Recording, of_another_kind_or_of_a_newer_form_is_refused_with_file_and_line) {
     const TemporaryFolder folder;
     EXPECT_EQ(read_recording(folder.path()).error().message,
-              "This is no recording: there is no file events.jsonl in it.");
+              "This is not a recording: there is no file events.jsonl in it.");
     for (const char* text : {"", "\n", "{}\n", "[1]\n", "{\"is\":\"recording\"}\n", "Not at all.\n"}) {
         const auto read = read_events(text, "events.jsonl");
         ASSERT_FALSE(read) << text;
@@ -239,13 +239,13 @@ TEST(RecordingRows, that_are_none_are_told_with_file_and_line) {
         const auto table = read_rows<kCueColumns>(header + rows, cue_header(), "cues.csv.gz");
         return table.problem ? table.problem->sentence() : std::string();
     };
-    const std::string no_row = "This is no row of whole numbers in these columns.";
+    const std::string no_row = "This is not a row of whole numbers in these columns.";
     EXPECT_EQ(problem("=1,2\n,,3\n"), "");
     EXPECT_EQ(problem("1,2\n"), "cues.csv.gz, line 2: " + no_row);  // nothing to differ from
     EXPECT_EQ(problem("=1,2\n1.5\n"), "cues.csv.gz, line 3: " + no_row);
     EXPECT_EQ(problem("=1,2,3,4,5,6\n"), "cues.csv.gz, line 2: " + no_row);
     EXPECT_EQ(problem("=9223372036854775807\n1\n"), "cues.csv.gz, line 3: " + no_row);
-    EXPECT_EQ(problem("=1,2"), "cues.csv.gz, line 2: The last line is not whole.");
+    EXPECT_EQ(problem("=1,2"), "cues.csv.gz, line 2: The last line is not complete.");
     // An older one has fewer columns.
     const auto older = read_rows<kFrameColumns>("t_us,tick,left_tick,x_mm,y_mm,z_mm,heading_cdeg\n=5,6\n1\n",
                                                 frame_header(), "frames.csv.gz");

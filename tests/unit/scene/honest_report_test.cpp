@@ -71,7 +71,7 @@ TEST(HonestReport, counts_what_the_file_states_and_finds_nothing_to_check_in_a_s
               "landmark.");
     EXPECT_THAT(honest_details(scene, report),
                 testing::IsSupersetOf({"The file follows IFC4.", "Ground floor, at 0 metres: 3 rooms.",
-                                       "Of 7 openings in walls, floors and roofs 6 were cut."}));
+                                       "6 of 7 openings in walls, floors and roofs were cut."}));
 }
 
 TEST(HonestReport, finds_each_kind_of_fault_where_it_was_planted) {
@@ -82,11 +82,11 @@ TEST(HonestReport, finds_each_kind_of_fault_where_it_was_planted) {
         std::function<void(StatedBuilding&)> plant;
     };
     for (const Planted& planted : {
-             Planted{ToCheck::ImpassableDoor, "nobody can pass the door Glass door", 42,
+             Planted{ToCheck::ImpassableDoor, "nobody can get through the door Glass door", 42,
                      [](StatedBuilding& b) { b.portals[2].passable = false; }},
              Planted{ToCheck::DoorToNoRoom, "the door Front door leads to no room of the file", 40,
                      [](StatedBuilding& b) { b.portals[0].rooms.clear(); }},
-             Planted{ToCheck::OddName, "Room 3 holds stairs and does not say so in its name", 30,
+             Planted{ToCheck::OddName, "Room 3 contains stairs, but its name does not say so", 30,
                      [](StatedBuilding& b) { b.rooms[2].name = "Room"; }},
              Planted{ToCheck::RoomWithoutName, "a room has no name", 20,
                      [](StatedBuilding& b) { b.rooms[1].name = b.rooms[1].number = ""; }},
@@ -118,7 +118,7 @@ TEST(HonestReport, tells_the_gravest_first_and_how_many_follow) {
     EXPECT_THAT(checks(report), ElementsAre(ToCheck::ImpassableDoor, ToCheck::OddName, ToCheck::RoomWithoutWay));
     EXPECT_EQ(report.check[1].at_m.x, 30.0) << "where the room is";
     EXPECT_THAT(honest_sentence(scene, report),
-                HasSubstr("Check first: nobody can pass the door Kitchen door, and 2 more."));
+                HasSubstr("Check first: nobody can get through the door Kitchen door, and 2 more."));
 }
 
 TEST(HonestReport, calls_no_name_odd_that_speaks_of_stairs) {

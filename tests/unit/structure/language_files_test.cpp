@@ -112,7 +112,7 @@ const std::map<std::string, std::vector<std::string>>& not_said() {
         {"worlds/words/word_patterns.cpp", {" "}},             // words that texts of both languages are read by
         {"worlds/readers/height_picture.cpp", {"cut short"}},  // said to libpng, which is kept quiet
         {"haptic/compile/touch_model.cpp",
-         {"sheets of one side", "liquid surfaces", "textures and shading"}},               // of info --json
+         {"one-sided sheets", "liquid surfaces", "textures and shading"}},               // of info --json
         {"haptic/drivers/found_device.cpp", {"needs calibration", "cannot be used yet"}},  // of devices --json
         {"app/window/renderer.cpp", {"#version"}},
         {"app/window/first_person.cpp", {"gl_", "uniform ", "#version"}},

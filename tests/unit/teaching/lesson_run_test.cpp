@@ -225,7 +225,7 @@ TEST(Pointing, counts_within_the_degrees_of_the_lesson_which_is_said_and_measure
     pupil.answer_facing(bearing_deg(*world, "Trophy case") + 20.0);
     EXPECT_TRUE(pupil.heard("20 degrees too far right. That counts.")) << pupil.all();
     pupil.answer_facing(bearing_deg(*world, "Drinking fountain") - 40.0);
-    EXPECT_TRUE(pupil.heard("40 degrees too far left. Within 30 degrees it counts.")) << pupil.all();
+    EXPECT_TRUE(pupil.heard("40 degrees too far left. It counts within 30 degrees.")) << pupil.all();
     ASSERT_EQ(pupil.run().results().size(), 1U) << pupil.all();
     EXPECT_EQ(pupil.run().results()[0].measures.at("pointing_passed"), 50.0);
     EXPECT_NEAR(pupil.run().results()[0].measures.at("pointing_off"), 30.0, 0.1);
@@ -256,7 +256,7 @@ TEST(Pointing, is_by_the_devices_hand_where_it_went_and_else_by_facing) {
     EXPECT_GT(std::abs(right_rad), radians_from_degrees(25.0)) << "facing alone is another answer";
     pupil.move_hand({0.03 * std::sin(right_rad), 0.03 * std::cos(right_rad), 0.0});
     pupil.answer();
-    EXPECT_TRUE(pupil.heard("That is the way.")) << pupil.all();
+    EXPECT_TRUE(pupil.heard("That is the right direction.")) << pupil.all();
     // The hand stays where it is: one points by facing.
     pupil.answer_facing(bearing_deg(*world, "Drinking fountain") + 12.0);
     EXPECT_TRUE(pupil.heard("12 degrees too far right. That counts.")) << pupil.all();
@@ -297,7 +297,7 @@ TEST(Pointing, is_by_a_hand_that_is_known_only_after_the_question_too) {
     const double right_rad = radians_from_degrees(bearing_deg(*world, "Trophy case"));
     pupil.move_hand({0.03 * std::sin(right_rad), 0.03 * std::cos(right_rad), 0.0});
     pupil.answer();
-    EXPECT_TRUE(pupil.heard("That is the way.")) << pupil.all();
+    EXPECT_TRUE(pupil.heard("That is the right direction.")) << pupil.all();
 }
 
 // A lesson of one session in our school: getting to know the hall.
@@ -455,7 +455,7 @@ TEST(WhoTeaches, blocks_a_door_on_the_way_as_the_lesson_does_and_never_the_last_
     Walker20 pupil(world, 2);
     pupil.live(1.0);
     EXPECT_EQ(carry_out_order(pupil.run(), "block Library door", pupil.headless().now_s()),
-              "With what is blocked, no way is left for the route \"Library\".");
+              "With what is blocked, nobody can walk the route \"Library\".");
     EXPECT_EQ(carry_out_order(pupil.run(), "block Lift door", pupil.headless().now_s()), "Lift door is blocked.");
     const Route round = world->way(world->base().stand_m, {*world->place("Library")}, {*world->door("Lift door")});
     ASSERT_TRUE(pupil.walk(round.points_m)) << pupil.all();

@@ -154,7 +154,7 @@ TEST(TypedSentences, leave_the_words_of_commands_and_their_choices_as_they_are) 
 TEST(TypedSentences, that_are_none_are_said_to_be_none_and_not_to_lack_a_count) {
     const auto known_word = parse_terminal_line("where did the cat go");
     ASSERT_FALSE(known_word);
-    EXPECT_THAT(known_word.error().message, HasSubstr("\"where did the cat go\" is not understood. Type where alone"));
+    EXPECT_THAT(known_word.error().message, HasSubstr("\"where did the cat go\" was not understood. Type where alone"));
     const auto unknown = parse_terminal_line("bananas are yellow");
     ASSERT_FALSE(unknown);
     EXPECT_THAT(unknown.error().message, HasSubstr("Type help for what can be typed."));

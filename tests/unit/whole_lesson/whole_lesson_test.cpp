@@ -77,7 +77,7 @@ protected:
         const TaughtWorld& world = *arguments.lesson->world;
         Sitting sitting(arguments);
         ASSERT_TRUE(sitting.know_rooms());
-        ASSERT_TRUE(sitting.hears("This session is recorded.")) << sitting.all();
+        ASSERT_TRUE(sitting.hears("This session is being recorded.")) << sitting.all();
         ASSERT_TRUE(sitting.hears(at.base_has_walls ? "Walls, 2 tasks." : "Walls, 1 task.")) << sitting.all();
         if (at.base_has_walls) ASSERT_TRUE(sitting.hears("Get to know")) << sitting.all();
         // Not out of the hall, where the wall leads on.
@@ -90,7 +90,7 @@ protected:
             ASSERT_TRUE(sitting.hears("Face " + landmark.name)) << sitting.all();
             sitting.face(world.place(landmark.name)->middle_m);
             sitting.key("Alt+Enter");
-            ASSERT_TRUE(sitting.hears("That is the way.")) << sitting.all();
+            ASSERT_TRUE(sitting.hears("That is the right direction.")) << sitting.all();
         }
         ASSERT_TRUE(sitting.hears("Walls is over.")) << sitting.all();
         sitting.live(3.0);
@@ -145,7 +145,7 @@ protected:
         if (places > 0) ASSERT_TRUE(sitting.hears(fmt::format("Put {} places in order", places))) << sitting.all();
         for (std::size_t i = 1; i < places; ++i)
             for (const char* key : {"Home", "Enter"}) sitting.key(key);
-        ASSERT_TRUE(sitting.hears("How sure were you of the way?")) << sitting.all();
+        ASSERT_TRUE(sitting.hears("How sure were you of the route?")) << sitting.all();
         sitting.type("6");
         sitting.key("Enter");
         ASSERT_TRUE(sitting.hears("Alone is over.")) << sitting.all();

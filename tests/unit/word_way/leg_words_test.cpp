@@ -85,17 +85,17 @@ TEST(LegWords, come_when_the_way_is_planned_while_everything_goes_on) {
     EXPECT_TRUE(way.starts_with("To Music room. ")) << way;
     EXPECT_TRUE(way.ends_with("through Stairs, Landing.")) << way;
     person.said.clear();
-    EXPECT_EQ(person.ask(Command::NextLeg), "A moment.");
+    EXPECT_EQ(person.ask(Command::NextLeg), "One moment.");
     EXPECT_TRUE(wait_for(
-        [&] { return person.said.back() != "A moment." && person.said.back() != "Rooms and ways are known now."; }));
+        [&] { return person.said.back() != "One moment." && person.said.back() != "Rooms and ways are known now."; }));
     const std::string first_leg = person.said.back();
     EXPECT_EQ(person.ask(Command::RepeatLeg), first_leg);
     // Who asked for the rest of the way meanwhile hears that.
     person.ask(Command::Routes);
     person.line("Bathroom");
     person.said.clear();
-    EXPECT_EQ(person.ask(Command::RestOfWay), "A moment.");
-    EXPECT_TRUE(wait_for([&] { return person.said.back() != "A moment."; }));
+    EXPECT_EQ(person.ask(Command::RestOfWay), "One moment.");
+    EXPECT_TRUE(wait_for([&] { return person.said.back() != "One moment."; }));
     const std::string rest = person.said.back();
     EXPECT_EQ(person.ask(Command::RestOfWay), rest);
     const std::string leg = person.ask(Command::RepeatLeg);
@@ -106,7 +106,7 @@ TEST(LegWords, come_when_the_way_is_planned_while_everything_goes_on) {
     person.line("Kitchen");
     person.app.apply(WorldEntered{make_ready(test::our_world("first_room.map"))}, person.now);
     person.run(0.1);
-    EXPECT_EQ(person.ask(Command::NextLeg), "No way is followed.");
+    EXPECT_EQ(person.ask(Command::NextLeg), "You have no route.");
 }
 
 }  // namespace leg_words_test
