@@ -114,7 +114,7 @@ TEST(Explore, after_a_crash_the_next_start_says_where_a_report_lies_that_names_n
                                      "mark\nAnna's corner\nforward 3\nback 3\nforward 3\nright 4\nheading\n", crashing);
     EXPECT_EQ(first.exit_status, 128 + SIGSEGV) << first.out << first.err;
     const ProgramRun second =
-        explore({"--no-window"}, "menu\nReport of the session that broke off\nlist\nquit\n", call);
+        explore({"--no-window"}, "menu\nReport on the session that crashed\nlist\nquit\n", call);
     EXPECT_THAT(second.out, HasSubstr("What is known of it stands in the menu and in the file "));
     EXPECT_THAT(second.out, HasSubstr("It ended with an invalid memory access, signal 11."));
     std::vector<std::filesystem::path> reports;

@@ -163,7 +163,7 @@ TEST_F(FirstMinutesWithTouch, run_through_the_set_up_to_the_first_wall_and_the_c
                              "it again, escape leaves.",
                              "say: Welcome. Handrail is speaking with text alone. An empty line begins, space says "
                              "it again, escape leaves.",
-                             "First your headphones, and what your hand holds.",
+                             "First your headphones, and the device in your hand.",
                              "bell on your left",
                              "And now on your right?",
                              "The simulated Touch is ready.",
@@ -296,7 +296,7 @@ TEST(Terminal, a_damaged_list_of_last_worlds_is_kept_aside_and_said) {
     EXPECT_THAT(
         run.out,
         HasSubstr(
-            "The list of your last worlds is damaged. It is kept as recent-worlds.txt.damaged and starts empty."));
+            "The list of your last worlds is damaged. It is kept as recent-worlds.txt.damaged, and a new list starts empty."));
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "handrail" / "recent-worlds.txt.damaged"));
 }
 

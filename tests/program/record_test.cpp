@@ -255,7 +255,7 @@ TEST(ReportCommand, makes_a_page_and_tables_of_a_recording_and_replaces_nothing_
     EXPECT_THAT(html, HasSubstr("Kim"));
     EXPECT_THAT(html, HasSubstr("<svg"));
     // The course is what was said. What the program says by itself at the start is cut by what is typed early.
-    EXPECT_THAT(html, HasSubstr("Hall, at the door, base, facing north."));
+    EXPECT_THAT(html, HasSubstr("Hall, at the base, by the door, facing north."));
     EXPECT_THAT(content_of(table),
                 testing::AllOf(HasSubstr(",time,"), HasSubstr(",contacts_hand,"), testing::Not(HasSubstr("Kim"))));
     EXPECT_TRUE(std::filesystem::exists(table + "-metadata.json"));

@@ -139,7 +139,7 @@ TEST(MenuOfReports, reads_a_crash_report_and_the_devices_line_by_line) {
     session.line("escape");
     session.app.apply(CrashReportKnown{"/a/report.txt", {"It ended.", "forward: 0.0 seconds."}}, session.now);
     session.ask(Command::Menu);
-    session.line("Report of the session that broke off");
+    session.line("Report on the session that crashed");
     session.run(0.1);
     EXPECT_TRUE(session.heard("Report of a session that broke off")) << session.news();
     session.line("list");

@@ -404,7 +404,7 @@ TEST(Desk, quantities_are_numbers_and_go_to_the_nearest_position) {
     EXPECT_EQ(desk.value(volume), "100 percent");
     EXPECT_EQ(app.desk_visit().put_number(rate, 262.0), "250 words per minute");
     EXPECT_EQ(desk.number(rate)->step, 25.0);
-    EXPECT_EQ(app.desk_visit().put_number(force, 2.0), "full, all that the device can do")
+    EXPECT_EQ(app.desk_visit().put_number(force, 2.0), "full, as strong as the device allows")
         << "a slider of words counts its positions";
     EXPECT_EQ(desk.number(force)->most, 2.0);
     for (const double none : {std::nan(""), HUGE_VAL, -HUGE_VAL})
@@ -502,7 +502,7 @@ TEST(Desk, a_value_between_two_positions_goes_to_the_next_one_either_way) {
     EXPECT_EQ(app.desk_visit().step(volume, -1), "0 percent");
     EXPECT_EQ(app.desk_visit().put(volume, 99), "100 percent");
     const std::size_t force = *app.desk_visit().desk().find("Strongest force");
-    EXPECT_EQ(app.desk_visit().step(force, 1), "full, all that the device can do");
+    EXPECT_EQ(app.desk_visit().step(force, 1), "full, as strong as the device allows");
     EXPECT_EQ(app.settings().haptic.ceiling, ForceCeiling::Full);
     const auto changes = app.take_setting_changes();
     ASSERT_FALSE(changes.empty());

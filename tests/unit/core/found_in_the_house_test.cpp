@@ -566,7 +566,7 @@ TEST(TakenAlongAWay, a_hand_whose_body_walks_off_or_is_put_elsewhere_gets_a_new_
             continue;
         }
         EXPECT_FALSE(p.heard("Let go", from)) << how << ": " << p.all_heard(from);
-        EXPECT_TRUE(p.heard("You have left the way. Taking your hand to Piano", from))
+        EXPECT_TRUE(p.heard("You have left the route. Taking your hand to Piano", from))
             << how << ": " << p.all_heard(from);
         EXPECT_GT(p.app().guide().path().number, first) << how;
         EXPECT_EQ(p.tool().guidance.phase, GuidancePhase::Acts) << how;

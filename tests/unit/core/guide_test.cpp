@@ -187,7 +187,7 @@ TEST(Marks, that_are_damaged_are_put_aside_and_told) {
     EXPECT_TRUE(
         q.heard("room.map.handrail.toml, line 1: the mark a needs place_m with three decimal numbers, such as [1.0, "
                 "2.5, 0.0]. Write them, or "
-                "delete the entry. The rest of your additions is there."))
+                "delete the entry. The rest of your additions is intact."))
         << testing::PrintToString(q.said);
     ASSERT_EQ(q.app.world().marks.size(), 1U);
     q.tap(Command::DropMark);
@@ -537,10 +537,10 @@ TEST(TakeMe, says_why_the_hand_is_led_no_longer) {
     };
     const Case cases[] = {
         {[](Person& p) { p.tool.fault = Fault::Stalled; },
-         "No longer led. The computer stopped for a moment. The force comes back slowly."},
+         "No longer guided. The computer stopped for a moment. The force comes back slowly."},
         {[](Person& p) { p.tool.pause = Fault::ButtonReleased; },
-         "No longer led. Button released. The force is off until you hold it."},
-        {[](Person&) {}, "No longer led. The force was off for a moment. H leads again."},
+         "No longer guided. Button released. The force is off until you hold it."},
+        {[](Person&) {}, "No longer guided. The force was off for a moment. H leads you again."},
     };
     for (const Case& one : cases) {
         SCOPED_TRACE(one.said);
@@ -665,7 +665,7 @@ TEST(TakeMe, without_a_device_tells_the_way_follows_it_and_stops_when_asked_agai
     EXPECT_TRUE(p.heard("To Radiator. ")) << testing::PrintToString(p.said);
     EXPECT_TRUE(p.heard("steps in all.")) << testing::PrintToString(p.said);
     p.tap(Command::TakeMe);
-    EXPECT_TRUE(p.heard("No way is followed any more."));
+    EXPECT_TRUE(p.heard("You no longer follow a route."));
     EXPECT_FALSE(p.app.guide().beacon().on());
     p.tap(Command::TakeMe);
     EXPECT_TRUE(p.heard("To Radiator. "));

@@ -173,7 +173,7 @@ TEST(Labyrinth, second_level_is_finished_over_the_plank_and_again_after_starting
         EXPECT_TRUE(player.heard("Plank held, 0.4 kilograms."));
         EXPECT_TRUE(player.heard("The hole is covered."));
         EXPECT_TRUE(player.heard("Ball stopped by Border, wood."));
-        EXPECT_TRUE(player.heard("That is the first time here.")) << player.news();
+        EXPECT_TRUE(player.heard("That is the first time recorded here.")) << player.news();
         EXPECT_EQ(player.ask(Command::PutBack), "All back at the start.");
         player.said.clear();
         player.run(0.5);
@@ -285,7 +285,7 @@ TEST(Labyrinth, is_nothing_of_in_other_worlds) {
     house.app.apply(WorldEntered{make_ready(test::our_world("first_room.map"))}, 0.0);
     house.run(0.1);
     EXPECT_FALSE(house.heard("Labyrinth"));
-    EXPECT_EQ(house.ask(Command::Labyrinth), "This world is no labyrinth. The list of worlds has some.");
+    EXPECT_EQ(house.ask(Command::Labyrinth), "This world is not a labyrinth. The list of worlds has some.");
     EXPECT_EQ(house.ask(Command::PutBack), "Nothing can be moved here.");
 }
 

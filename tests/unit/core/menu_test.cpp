@@ -103,7 +103,7 @@ TEST(Rebinding, tells_conflicts_and_lets_the_person_decide_and_gives_the_built_i
         while (p.app.dialogue().is_open()) p.key("Escape");
     };
     ask_for("one more");
-    EXPECT_THAT(p.key("E"), HasSubstr("E does already: What is the hand touching"));
+    EXPECT_THAT(p.key("E"), HasSubstr("E already means: What is the hand touching"));
     EXPECT_THAT(p.line("leave it"), HasSubstr("Left as it is."));
     EXPECT_EQ(p.app.keys().find("E"), Command::WhatIsThis);
     leave();

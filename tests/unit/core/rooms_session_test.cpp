@@ -51,7 +51,7 @@ TEST(RoomsInASession, name_the_room_and_its_exits_clockwise) {
     Visitor s;
     s.app.apply(WorldEntered{make_ready(house())}, 0.0);
     s.run(0.1);
-    EXPECT_TRUE(s.ask(Command::WhereAmI).starts_with("Hall, at the door, base, facing north. ")) << s.said.back();
+    EXPECT_TRUE(s.ask(Command::WhereAmI).starts_with("Hall, at the base, by the door, facing north. ")) << s.said.back();
     const std::string exits = s.ask(Command::Exits);
     EXPECT_TRUE(exits.starts_with("Hall. ")) << exits;
     // Facing north from the front door: the way up ahead, then east, south, west.
@@ -89,7 +89,7 @@ TEST(RoomsInASession, lead_to_another_room_in_words_and_along_the_way) {
     s.app.apply(WorldEntered{make_ready(house())}, 0.0);
     s.run(0.1);
     s.ask(Command::Routes);
-    EXPECT_TRUE(s.said.back().starts_with("Way to")) << s.said.back();
+    EXPECT_TRUE(s.said.back().starts_with("Route to")) << s.said.back();
     ASSERT_TRUE(s.app.apply(LineTyped{"Music room"}, s.now));
     s.listen();
     const std::string words = s.said.back();
@@ -109,12 +109,12 @@ TEST(RoomsInASession, lead_to_another_room_in_words_and_along_the_way) {
     // Carried far off, a new way is told.
     s.app.apply(Placed{{6.0, -4.0, 0.0}, 0.0}, s.now);
     s.run(0.3);
-    EXPECT_TRUE(s.heard("You have left the way."));
+    EXPECT_TRUE(s.heard("You have left the route."));
     EXPECT_TRUE(s.heard("To Music room. "));
     s.ask(Command::Routes);
-    ASSERT_TRUE(s.app.apply(LineTyped{"Stop following the way"}, s.now));
+    ASSERT_TRUE(s.app.apply(LineTyped{"Stop following the route"}, s.now));
     s.listen();
-    EXPECT_EQ(s.said.back(), "No way is followed any more.");
+    EXPECT_EQ(s.said.back(), "You no longer follow a route.");
 }
 
 TEST(RoomsInASession, say_plainly_where_there_is_no_way) {
@@ -195,8 +195,8 @@ struct LateRooms {
     }
     Arrivals arrivals;
     test::AppSession session{{}, {}, options()};
-    const std::string waited_for = "Rooms and ways are still being looked for. All else works.",
-                      there = "Rooms and ways are known now.";
+    const std::string waited_for = "Rooms and routes are still being worked out. Everything else works.",
+                      there = "Rooms and routes are known now.";
 };
 
 TEST(RoomsInASession, that_take_long_are_told_of_once_and_again_when_they_are_there) {

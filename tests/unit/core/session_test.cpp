@@ -480,7 +480,7 @@ TEST(Session, brings_body_and_hand_out_of_what_they_are_in) {
     s.tool.hip_m = Vec3(3.0, 1.5, 1.0);
     s.run(0.1);
     s.tap(Command::BringOut);
-    EXPECT_EQ(s.said().back(), "You are inside nothing.");
+    EXPECT_EQ(s.said().back(), "You are not inside anything.");
     s.tool.hip_m = Vec3(1.5, 3.25, 0.6);  // in the table
     s.run(0.1);
     const Vec3 before = s.app.hand().pose.origin_m;
@@ -509,7 +509,7 @@ TEST(Session, says_the_scale_first_and_keeps_the_place_under_the_hand) {
     s.cues.clear();
     for (const auto& [command, sentence, scale] :
          {std::tuple{Command::ScaleDetail, "Detail, 2.4 metres wide, 3 steps", 15.0},
-          std::tuple{Command::ScaleFloor, "Floor, 19 metres wide, 25 steps", 120.0},
+          std::tuple{Command::ScaleFloor, "Storey, 19 metres wide, 25 steps", 120.0},
           std::tuple{Command::ScaleRoom, "Room, 9.6 metres wide, 14 steps", 60.0}}) {
         const std::uint32_t jump = s.app.hand().pose.jump;
         s.app.apply(CommandDown{command}, s.now);

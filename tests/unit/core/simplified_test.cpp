@@ -84,7 +84,7 @@ TEST(Simplified, lists_what_it_is_and_leads_to_each) {
             std::find_if(items.begin(), items.end(), [&](const ListItem& one) { return one.name == name; });
         return found == items.end() ? std::string("none") : found->value;
     };
-    EXPECT_THAT(item("Front door"), HasSubstr("felt 1.7 metres wide, truly 1 metre, "));
+    EXPECT_THAT(item("Front door"), HasSubstr("feels 1.7 metres wide, really 1 metre, "));
     EXPECT_THAT(item("Bedroom door"), HasSubstr("above"));
     EXPECT_THAT(item("Coat stand"), HasSubstr("left out, "));
     EXPECT_EQ(item("Grandfather clock"), "none") << "a landmark stays";
@@ -431,7 +431,7 @@ void tells_the_truth_of_each_scale(const std::shared_ptr<const Scene>& world) {
         const std::string building = at_scale(Command::ScaleBuilding, "Building");
         EXPECT_THAT(building, HasSubstr("Simplified: "));
         EXPECT_THAT(building, HasSubstr("widened"));
-        at_scale(Command::ScaleFloor, "Floor");
+        at_scale(Command::ScaleFloor, "Storey");
         EXPECT_THAT(at_scale(Command::ScaleRoom, "Room"), Not(HasSubstr("Simplified: ")));
         at_scale(Command::ScaleDetail, "Detail");
         EXPECT_THAT(at_scale(Command::ScaleRoom, "Room"), Not(HasSubstr("Simplified: ")));

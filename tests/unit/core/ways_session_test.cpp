@@ -128,11 +128,11 @@ TEST(KeptWays, are_left_and_found_again_go_on_from_where_one_is_and_stop_when_as
     p.app.apply(Placed{{6.0, -4.0, 0.0}, 0.0}, p.now);
     p.said.clear();
     p.run(0.3);
-    EXPECT_TRUE(p.heard("You have left the way."));
+    EXPECT_TRUE(p.heard("You have left the route."));
     EXPECT_TRUE(p.heard("To Living room. "));
     p.ask(Command::Routes);
     EXPECT_THAT(p.line("Where the route continues"), HasSubstr("To Living room: "));
-    EXPECT_EQ(p.ask(Command::TakeMe), "No way is followed any more.");
+    EXPECT_EQ(p.ask(Command::TakeMe), "You no longer follow a route.");
     p.said.clear();
     p.app.apply(Placed{{3.0, 3.5, 0.0}, 0.0}, p.now);
     p.run(0.5);

@@ -98,7 +98,7 @@ TEST(FaultWords, never_ask_for_a_doorway_that_is_wide_enough_to_be_wider) {
     WorldFault fault{FaultKind::ImpassableDoor, Vec3(0.0), {}};
     fault.name = "Door";
     fault.amount = 0.9;
-    EXPECT_EQ(fault_words(scene, fault), "Door: nobody gets through this door, though it is 0.90 metres wide.");
+    EXPECT_EQ(fault_words(scene, fault), "Door: nobody can get through this door, though it is 0.90 metres wide.");
     EXPECT_EQ(fault_advice(scene, fault).find("0.8"), std::string::npos) << fault_advice(scene, fault);
     fault.amount = 0.5;
     EXPECT_NE(fault_advice(scene, fault).find("at least 0.8 metres wide"), std::string::npos);

@@ -180,10 +180,10 @@ TEST(InfoCommand, lists_what_is_too_small_to_feel_at_a_scale_when_asked) {
     const auto [status, truly, nothing] = at("");
     EXPECT_EQ(status, 0);
     const nlohmann::json building = std::get<1>(at("Building"));
-    EXPECT_THAT(building, testing::Contains("Front door: felt 1.7 metres wide, truly 1 metre."));
+    EXPECT_THAT(building, testing::Contains("Front door: feels 1.7 metres wide, really 1 metre."));
     EXPECT_THAT(building, testing::Contains("Coat stand: left out."));
     EXPECT_THAT(building,
-                testing::Contains("Opening between Living room and Kitchen: felt 1.7 metres wide, truly 1.6 metres."));
+                testing::Contains("Opening between Living room and Kitchen: feels 1.7 metres wide, really 1.6 metres."));
     EXPECT_EQ(building.size(), truly.size() + 18) << "11 doors, an opening and 6 things";
     EXPECT_EQ(std::get<1>(at("60")).back(), "Globe's stand: left out.");
     EXPECT_EQ(std::get<1>(at("detail")), truly);

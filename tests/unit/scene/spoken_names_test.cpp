@@ -100,7 +100,7 @@ TEST(SpokenNames, are_in_german_sentences_about_what_is_wrong) {
     EXPECT_EQ(stretched.error().message, "Kugel: muss rund bleiben und lässt sich nicht in eine Richtung quer dehnen.");
     const auto unknown = with_placed(*test::SceneBuilder().share(), "Kiste", *box_model({1, 1, 1}), {}, "plastr");
     ASSERT_FALSE(unknown);
-    EXPECT_EQ(unknown.error().message, "Das Material „plastr“ gibt es nicht. Der nächste Name ist plaster.");
+    EXPECT_EQ(unknown.error().message, "Das Material „plastr“ gibt es nicht. Der ähnlichste Name ist plaster.");
 }
 
 }  // namespace spoken_names_test

@@ -87,7 +87,7 @@ TEST(LegWords, come_when_the_way_is_planned_while_everything_goes_on) {
     person.said.clear();
     EXPECT_EQ(person.ask(Command::NextLeg), "One moment.");
     EXPECT_TRUE(wait_for(
-        [&] { return person.said.back() != "One moment." && person.said.back() != "Rooms and ways are known now."; }));
+        [&] { return person.said.back() != "One moment." && person.said.back() != "Rooms and routes are known now."; }));
     const std::string first_leg = person.said.back();
     EXPECT_EQ(person.ask(Command::RepeatLeg), first_leg);
     // Who asked for the rest of the way meanwhile hears that.
