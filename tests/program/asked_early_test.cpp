@@ -24,7 +24,7 @@ std::string said_of(const std::string& lines, const std::vector<std::string>& mo
 
 TEST(AskedEarly, routes_wait_for_the_rooms_and_then_take_their_choice) {
     const std::string said = said_of("routes\nlibrary\nquit\n");
-    EXPECT_THAT(said, HasSubstr("Route to. "));
+    EXPECT_THAT(said, HasSubstr("Route to which room. "));
     EXPECT_THAT(said, HasSubstr("To Library."));
     EXPECT_THAT(said, Not(HasSubstr("no command")));
     EXPECT_THAT(said, Not(HasSubstr("Ask again")));

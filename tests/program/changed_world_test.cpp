@@ -61,8 +61,8 @@ TEST(FaultySettings, are_told_by_the_first_with_a_count_and_the_rest_by_the_menu
     call.input = "menu\nfaults in your settings\n2\nescape\nescape\nquit\n";
     const ProgramRun run = run_program(call);
     EXPECT_EQ(run.exit_status, 0) << run.err;
-    EXPECT_THAT(run.out, HasSubstr("3 faults in your settings. The menu lists them. The first: settings.toml, line 2"));
-    EXPECT_THAT(run.out, HasSubstr("F99 is not a key for keys.where; the nearest is F9."));
+    EXPECT_THAT(run.out, HasSubstr("There are 3 faults in your settings. The menu has the whole list. The first: settings.toml, line 2"));
+    EXPECT_THAT(run.out, HasSubstr("F99 is not a valid key for keys.where. Did you mean F9?"));
     EXPECT_THAT(run.out, HasSubstr("line 3")) << "in the list";
 }
 

@@ -116,7 +116,7 @@ TEST(Explore, after_a_crash_the_next_start_says_where_a_report_lies_that_names_n
     const ProgramRun second =
         explore({"--no-window"}, "menu\nReport on the session that crashed\nlist\nquit\n", call);
     EXPECT_THAT(second.out, HasSubstr("What is known of it stands in the menu and in the file "));
-    EXPECT_THAT(second.out, HasSubstr("It ended with an invalid memory access, signal 11."));
+    EXPECT_THAT(second.out, HasSubstr("The program ended with an invalid memory access, signal 11."));
     std::vector<std::filesystem::path> reports;
     for (const auto& file : std::filesystem::directory_iterator(folder.path() / "handrail" / "crash-reports"))
         reports.push_back(file.path());
@@ -151,8 +151,8 @@ TEST(Explore, after_a_kill_the_next_start_says_so_goes_on_at_the_last_place_and_
     EXPECT_THAT(
         second.out,
         HasSubstr(
-            "The last session broke off unexpectedly. To go on where you were in First room, type last-place."));
-    EXPECT_THAT(second.out, HasSubstr("Back where you were. "));
+            "The last session ended unexpectedly. To go on where you were in First room, type last-place."));
+    EXPECT_THAT(second.out, HasSubstr("You are back where you were. "));
     const ProgramRun third = explore({"--no-window"}, "last-place\nquit\n", call);
     EXPECT_THAT(third.out, testing::Not(HasSubstr("The last session broke off")));
     EXPECT_THAT(third.out, HasSubstr("No session broke off"));

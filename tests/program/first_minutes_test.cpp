@@ -51,19 +51,19 @@ TEST_F(FirstMinutes, run_from_welcome_to_choice_with_the_keyboard_alone_and_are_
                                 "it again, escape leaves.",
                                 "say: Welcome. Handrail is speaking with text alone. An empty line begins, space says "
                                 "it again, escape leaves.",
-                                "First your headphones.",
+                                "First, set up your headphones.",
                                 "bell on your left",
-                                "You are set up.",
+                                "The set-up is complete.",
                                 "You are in a small room, six by four metres",
                                 "Type forward to walk",
                                 "then north wall, plaster",
-                                "Your first wall.",
+                                "That is your first wall.",
                                 "radiator",
                                 "Radiator",
-                                "Well found.",
+                                "Well done, you found it.",
                                 "then east wall, wood",
                                 "Corner.",
-                                "Back to the door: type home.",
+                                "Now go back to the door: type home.",
                                 "handle on your right",
                                 "What next.",
                                 "Real buildings",
@@ -147,7 +147,7 @@ TEST_F(FirstMinutesWithTouch, run_through_the_set_up_to_the_first_wall_and_the_c
         {"Push it in", "hand-forward 30\n"},
         {"Which hand holds it?", "hand-left 12\n"},
         {"I will press", "wait 3\nbutton\n", "wait 3\nbutton\n"},
-        {"Now a wall", "up\n", "up\n"},
+        {"Now you will feel a wall", "up\n", "up\n"},
         {"Normal, 2.5 newtons.", push, "up\n" + push},
         {"Bring your hand to the middle", "hand-centre\n", anew, true},
         {"Reach forward slowly.", to_wall, anew + to_wall, true},
@@ -163,7 +163,7 @@ TEST_F(FirstMinutesWithTouch, run_through_the_set_up_to_the_first_wall_and_the_c
                              "it again, escape leaves.",
                              "say: Welcome. Handrail is speaking with text alone. An empty line begins, space says "
                              "it again, escape leaves.",
-                             "First your headphones, and the device in your hand.",
+                             "First, set up your headphones and the device in your hand.",
                              "bell on your left",
                              "And now on your right?",
                              "The simulated Touch is ready.",
@@ -173,25 +173,25 @@ TEST_F(FirstMinutesWithTouch, run_through_the_set_up_to_the_first_wall_and_the_c
                              "Good.",
                              "Left hand.",
                              "I will press against your hand, lightly",
-                             "Felt at",
-                             "Now a wall",
+                             "You felt it at",
+                             "Now you will feel a wall",
                              "Nothing will push with more than 2.5 newtons.",
-                             "You are set up.",
+                             "The set-up is complete.",
                              "Bring your hand to the middle",
                              "You are in a small room, six by four metres",
                              "Reach forward slowly.",
                              "North wall, plaster",
-                             "Your first wall.",
+                             "That is your first wall.",
                              "Slide left along it",
                              "Radiator, metal",
-                             "Well found.",
+                             "Well done, you found it.",
                              "Slide right along the wall",
                              "Corner.",
-                             "Back to the door: type home.",
+                             "Now go back to the door: type home.",
                              "handle on your right",
                              "What next.",
                              "Explore freely",
-                             "Walk round the walls",
+                             "Walk along the walls",
                              "Find the clock",
                              "Hunt game",
                              "Real buildings",
@@ -220,7 +220,7 @@ TEST_F(FirstMinutes, end_in_a_hunt_where_it_is_chosen) {
 
 TEST_F(FirstMinutes, go_on_at_the_next_start_where_they_were_left) {
     const ProgramRun first = run({"--device", "none"}, "\nleft\n\nforward 6\nquit\n");
-    EXPECT_THAT(first.out, HasSubstr("Your first wall."));
+    EXPECT_THAT(first.out, HasSubstr("That is your first wall."));
     const ProgramRun second = run({"--device", "none"}, "quit\n");
     expect_in_order(second.out, {"Welcome back.", "radiator"});
     EXPECT_THAT(second.out, Not(HasSubstr("bell on your left")));
@@ -258,7 +258,7 @@ TEST(Terminal, every_command_of_the_table_works_by_its_word) {
     for (const CommandInfo& row : command_table())
         EXPECT_THAT(run.out, Not(HasSubstr(fmt::format("There is no command \"{}\"", row.word))));
     EXPECT_THAT(run.out, HasSubstr("Did you mean \"where\"?"));
-    for (const char* words : {"Facing north", "Level 3", "Menu.", "Forces", "Walk, turning with you", "Room, ",
+    for (const char* words : {"Facing north", "Speech level 3", "Menu.", "Forces", "Walk: the workspace turns with you", "Room, ",
                               "5 steps, 3.5 metres", "3.0 east", "1 of ", "Input help on.", "forward: One step forward",
                               "Welcome.", "bell on your left", "Goodbye."})
         EXPECT_THAT(run.out, HasSubstr(words));
@@ -296,7 +296,7 @@ TEST(Terminal, a_damaged_list_of_last_worlds_is_kept_aside_and_said) {
     EXPECT_THAT(
         run.out,
         HasSubstr(
-            "The list of your last worlds is damaged. It is kept as recent-worlds.txt.damaged, and a new list starts empty."));
+            "The list of your recent worlds is damaged. It was saved as recent-worlds.txt.damaged, and a new list starts empty."));
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "handrail" / "recent-worlds.txt.damaged"));
 }
 

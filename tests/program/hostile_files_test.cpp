@@ -120,10 +120,10 @@ TEST(HostileFiles, toml_beside_a_world_ends_its_reader_and_not_the_program) {
     EXPECT_EQ(left.exit_status, 0) << left.err;
     EXPECT_THAT(left.out, HasSubstr("It stays as room.map.handrail.toml"));
     EXPECT_THAT(left.out + left.err,
-                HasSubstr("room.settings.toml: error: The process that was to read this file failed."));
+                HasSubstr("room.settings.toml: error: The process for reading this file failed."));
     const ProgramRun lesson = run({"lesson", "--check", (folder.path() / "a.lesson.toml").string()});
     EXPECT_EQ(lesson.exit_status, 2) << lesson.out;
-    EXPECT_THAT(lesson.err, HasSubstr("a.lesson.toml: The process that was to read this file failed."));
+    EXPECT_THAT(lesson.err, HasSubstr("a.lesson.toml: The process for reading this file failed."));
     for (const std::string& name : names) EXPECT_EQ(content_of(folder.path() / name), deadly_toml()) << name;
 }
 

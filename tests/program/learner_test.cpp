@@ -92,7 +92,7 @@ TEST_F(LearnerProgram, is_chosen_in_the_program_and_named_in_nobody_elses_record
              "Fig Finch: is remembered. No recordings.",  // who is here already is told of
              "Oak Owl learns.",
              "1 of 3",
-             "No named learner is here.",
+             "No learner is signed in.",
              "facing",
          }) {
         const std::size_t found = all.out.find(words, at);

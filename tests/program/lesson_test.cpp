@@ -135,9 +135,9 @@ TEST_F(TaughtByTheProgram, keeps_marks_and_recordings_of_its_learner_is_watched_
                       json = (home_.path() / "results.json").string();
     const ProgramRun report = run({"report", "--learner", "Oak Owl", "--html", page, "--csv", table, "--json", json});
     EXPECT_EQ(report.exit_status, 0) << report.err;
-    EXPECT_THAT(content_of(page), HasSubstr("You did not get to Library this time."));
+    EXPECT_THAT(content_of(page), HasSubstr("You did not reach Library this time."));
     EXPECT_THAT(content_of(page), Not(HasSubstr("You made all the turns."))) << "of a way that was given up";
-    EXPECT_THAT(content_of(page), HasSubstr("You learned Entrance hall."));
+    EXPECT_THAT(content_of(page), HasSubstr("You got to know Entrance hall."));
     EXPECT_THAT(content_of(table), HasSubstr("From the main door to the library"));
     const auto rows = read_results_csv(content_of(table), table), same = read_results_json(content_of(json), json);
     ASSERT_TRUE(rows && same);
@@ -265,7 +265,7 @@ TEST_F(TaughtByTheProgram, is_neither_recorded_without_consent_nor_taught_to_who
     const ProgramRun missing = run({"lesson", "scool", "--check"});
     EXPECT_EQ(missing.exit_status, 2);
     EXPECT_EQ(missing.err,
-              "There is no lesson \"scool\". Give the path of a file NAME.lesson.toml, or one of these by its name: "
+              "There is no lesson \"scool\". Give the path of a file NAME.lesson.toml, or the name of one of these: "
               "school.\n");
 }
 

@@ -203,7 +203,7 @@ TEST(ReplayCommand, checks_hears_and_tells_what_differs) {
     call.arguments = {"replay", recording.string(), "--check"};
     const ProgramRun same = run_program(call);
     EXPECT_EQ(same.exit_status, 0) << same.err;
-    EXPECT_THAT(same.out, HasSubstr("said again as they were recorded, in the same order."));
+    EXPECT_THAT(same.out, HasSubstr("said again as recorded, in the same order."));
     call.arguments = {"replay", recording.string(), "--speed", "4"};
     const ProgramRun heard = run_program(call);
     EXPECT_EQ(heard.exit_status, 0);
@@ -229,7 +229,7 @@ TEST(ReplayCommand, checks_hears_and_tells_what_differs) {
     call.arguments = {"replay", recording.string(), "--check"};
     const ProgramRun other = run_program(call);
     EXPECT_EQ(other.exit_status, 1);
-    EXPECT_THAT(other.err, HasSubstr("differs. Recorded, by version"));
+    EXPECT_THAT(other.err, HasSubstr("differs. Recorded by version"));
     folder.write("events.jsonl", "x\n");
     call.arguments = {"replay", folder.path().string()};
     EXPECT_THAT(run_program(call).err, HasSubstr("A recording begins with a line that says what it is."));

@@ -75,7 +75,7 @@ TEST_F(ProgramOnWayland, speaks_walks_stops_the_force_and_leaves_by_keys) {
     ASSERT_TRUE(session_->give_keyboard());
     ASSERT_TRUE(session_->xdotool("key c"));
     EXPECT_TRUE(says("Facing north")) << said();
-    EXPECT_THAT(said(), Not(HasSubstr("Walk, turning with you"))) << "a key for another program";
+    EXPECT_THAT(said(), Not(HasSubstr("Walk: the workspace turns with you"))) << "a key for another program";
     ASSERT_TRUE(session_->xdotool("key Escape"));
     ASSERT_TRUE(says("Press Escape again")) << said();
     ASSERT_TRUE(session_->xdotool("key Escape"));

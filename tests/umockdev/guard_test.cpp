@@ -499,7 +499,7 @@ TEST_F(SleepingComputer, takes_2_newtons_away_before_it_sleeps_and_gives_them_ba
         EXPECT_TRUE(no_force_now()) << "the computer may sleep from here on";
     }
     logind->announce_sleep(false);
-    EXPECT_TRUE(program_.says("The computer is awake again. The word forces brings the force back."))
+    EXPECT_TRUE(program_.says("The computer is awake again. Type forces to bring the force back."))
         << program_.said();
     EXPECT_TRUE(test::eventually([this] { return is_delayed(); })) << "for the next sleep";
     {
@@ -623,12 +623,12 @@ protected:
             const bool has_let_go = std::exchange(let_go, times) < times;
             if (!has_let_go && !wait(feels, 1s)) continue;
             press_button(true);
-            const bool felt = program_->says("Felt at", 5s);  // a second press would answer the next question
+            const bool felt = program_->says("You felt it at", 5s);  // a second press would answer the next question
             press_button(false);
             if (felt) return true;
             std::this_thread::sleep_for(100ms);  // the program looks sixty times a second
         }
-        return hears("Felt at");
+        return hears("You felt it at");
     }
     bool sweeps() {
         for (const Vec3& side : {Vec3(0.03, 0.0, 0.125), Vec3(-0.03, 0.0, 0.125), Vec3(0.0, 0.02, 0.125),
@@ -640,14 +640,14 @@ protected:
     }
     bool is_led_through() {
         return hears_and_types("bell on your left", "left\nright\n") && hears("Pull it all the way towards you.") &&
-               move_to({0.0, 0.0, 0.16}) && hears("Push it in, away from you.") && move_to({0.0, 0.0, 0.11}) &&
+               move_to({0.0, 0.0, 0.16}) && hears("Push the grip in, away from you.") && move_to({0.0, 0.0, 0.11}) &&
                hears("Which hand holds it?") && move_to({-0.03, 0.0, 0.11}) && hears("Left hand.") &&
-               feels_and_presses() && hears_and_types("Now a wall.", "\n") &&
+               feels_and_presses() && hears_and_types("Now you will feel a wall.", "\n") &&
                hears("Nothing will push with more than 1.2 newtons.") &&
                hears("Move the grip as far as is comfortable") && sweeps() &&
-               hears_and_types("Each side clicks", "\n") && hears_and_types("Your reach spans", "\n") &&
+               hears_and_types("You will hear a click on each side", "\n") && hears_and_types("Your reach covers", "\n") &&
                hears_and_types("The rim is on; the words up", "\n") && hears_and_types("Your step is", "65\n") &&
-               hears("You are set up.");
+               hears("The set-up is complete.");
     }
 
     test::TemporaryFolder home_;

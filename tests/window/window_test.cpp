@@ -298,10 +298,10 @@ TEST_F(WindowTest, shows_on_the_screen_what_it_drew_and_follows_its_size) {
 
 TEST_F(WindowTest, puts_an_open_list_on_the_screen_in_black_and_white) {
     ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
-    view.last_spoken = "Menu. What I can do, 1 of 3";
+    view.last_spoken = "Menu. What you can do, 1 of 3";
     view.dialogue.kind = DialogueView::Kind::List;
     view.dialogue.title = "Menu";
-    view.dialogue.items = {{"What I can do", "", false}, {"Worlds", "", false}, {"Settings", "", false}};
+    view.dialogue.items = {{"What you can do", "", false}, {"Worlds", "", false}, {"Settings", "", false}};
     Desktop desktop;
     ASSERT_TRUE(desktop.found());
     Picture screen;

@@ -30,7 +30,7 @@ TEST(SpokenTime, is_as_people_write_it) {
 
 TEST(Phrase, puts_values_in_and_keeps_to_the_language_spoken) {
     EXPECT_EQ(phrase("language.unknown", {{"code", "xx"}, {"codes", "en, de"}}),
-              "There is no language \"xx\". Available: en, de.");
+              "Handrail has no language \"xx\". Available languages: en, de.");
     const test::InLanguage german("de");
     EXPECT_EQ(phrase("language.unknown", {{"code", "xx"}, {"codes", "en, de"}}),
               "Die Sprache „xx“ gibt es nicht; es gibt: en, de.");
@@ -45,7 +45,7 @@ TEST(Phrase, says_the_key_where_no_language_has_it) {
 
 TEST(Phrase, keeps_curly_brackets_and_apostrophes_of_values) {
     EXPECT_EQ(phrase("language.unknown_key", {{"key", "it's {odd} '{'"}}),
-              "\"it's {odd} '{'\" is not a text of Handrail; it is ignored.");
+              "Handrail has no text called \"it's {odd} '{'\"; this entry is ignored.");
 }
 
 TEST(InSpokenLanguage, gives_a_text_that_outlives_what_it_was_made_of) {

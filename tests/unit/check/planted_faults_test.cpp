@@ -392,7 +392,7 @@ TEST(CheckCommand, ends_with_0_where_nothing_blocks_and_with_1_where_something_d
     const test::TemporaryFolder folder;
     const Outcome good = check(test::bundled_world("school.map"), false);
     EXPECT_EQ(good.status, 0);
-    EXPECT_EQ(good.out, "School, from school.map: nothing to mend.\n");
+    EXPECT_EQ(good.out, "School, from school.map: no problems.\n");
     const Outcome unnamed =
         check(folder.write("unnamed.map", MapCopy(school()).remove("info_room", "Library").text()), false);
     EXPECT_EQ(unnamed.status, 0);

@@ -357,7 +357,7 @@ TEST(SettingsCommand, explains_every_setting_and_prints_problems_of_the_file) {
                 HasSubstr("workspace.scale = 30.0 world metres per hand metre (1 to 500), from: your settings file " +
                           file + ":2."));
     EXPECT_THAT(out.str(),
-                HasSubstr("speech.voice = \"de\" (auto, an espeak-ng voice or language), from: command line --set."));
+                HasSubstr("speech.voice = \"de\" (auto, or an espeak-ng voice or language), from: command line --set."));
     EXPECT_THAT(err.str(), StartsWith("mine.toml, line 3"));
     const std::string text = out.str();
     EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')), SettingsStore{}.explain().size());
@@ -371,10 +371,10 @@ TEST(CommandLine, helps_and_refuses_in_german_while_its_words_stay) {
         EXPECT_THAT(help, HasSubstr(line));
     EXPECT_THAT(std::get<PrintedText>(parse_command_line({"--help"})).text, HasSubstr("Befehle:\n  info "));
     const auto refusal = [](const Words& words) { return std::get<UsageError>(parse_command_line(words)).sentence; };
-    EXPECT_EQ(refusal({"info"}), "WORLD fehlt. Mehr sagt --help dieses Befehls.");
-    EXPECT_EQ(refusal({"bench", "--map"}), "--map braucht einen Wert: FILE. Mehr sagt --help dieses Befehls.");
+    EXPECT_EQ(refusal({"info"}), "WORLD fehlt. Mehr zeigt dieser Befehl mit --help.");
+    EXPECT_EQ(refusal({"bench", "--map"}), "--map braucht einen Wert: FILE. Mehr zeigt dieser Befehl mit --help.");
     EXPECT_EQ(refusal({"info", "a.map", "--lint", "--json"}),
-              "--json und --lint schließen einander aus. Mehr sagt --help dieses Befehls.");
+              "--json und --lint schließen einander aus. Mehr zeigt dieser Befehl mit --help.");
     EXPECT_EQ(refusal({"info", "x.map", "--jsno"}), "Die Option --jsno gibt es nicht; am nächsten kommt --json.");
 }
 

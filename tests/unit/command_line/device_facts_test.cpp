@@ -26,15 +26,15 @@ FoundDevice falcon() {
 
 TEST(DeviceFacts, tell_what_a_device_is_good_for_its_reach_and_force_and_whether_it_was_ever_met) {
     EXPECT_THAT(device_sentences(falcon()),
-                ElementsAre("Novint Falcon, called falcon, on USB bus 1, device 7. It pushes the hand in space.",
+                ElementsAre("Novint Falcon, called falcon, on USB bus 1, device 7. It can push the hand in every direction.",
                             "Driver: Handrail's own, through libusb.", "Firmware: running.", "Calibration: homed.",
-                            "Reach 4 centimetres around its middle, force up to 3 newtons, walls up to 1000 newtons "
+                            "It reaches 4 centimetres around its middle. It gives up to 3 newtons of force, and walls of up to 1000 newtons "
                             "per metre.",
-                            "Its driver has been tested with an emulator, but not yet with such a device.",
-                            "Up to 1000 times a second.", "State: ready."));
+                            "Its driver has been tested with an emulator, but not yet with a real device.",
+                            "It is updated up to 1000 times a second.", "State: ready."));
     FoundDevice met = falcon();
     met.met_hardware = true;
-    EXPECT_THAT(device_sentences(met), Contains("Its driver has been tested with such a device."));
+    EXPECT_THAT(device_sentences(met), Contains("Its driver has been tested with a real device of this kind."));
     FoundDevice pad;
     pad.kind = DeviceKind::Cues;
     EXPECT_THAT(device_sentences(pad), Contains(HasSubstr("it cannot stop the hand")));

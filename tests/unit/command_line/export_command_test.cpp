@@ -40,7 +40,7 @@ TEST(ExportCommand, writes_a_sheet_its_key_and_samples_and_tells_what_was_simpli
     }
     EXPECT_THAT(done.out,
                 testing::HasSubstr("plan.svg: House with a garden, storey 2 of 2, 1 to 75, 6 rooms, 4 things."));
-    EXPECT_THAT(done.out, testing::HasSubstr("Left out for lack of room:"));
+    EXPECT_THAT(done.out, testing::HasSubstr("Left out for lack of space:"));
     EXPECT_THAT(done.out, testing::HasSubstr("Print at 100 percent"));
 }
 
@@ -51,7 +51,7 @@ TEST(ExportCommand, writes_a_plate_for_a_printer) {
     ASSERT_EQ(done.status, 0) << done.err;
     EXPECT_GT(read_whole_file(stl)->size(), 100'000U);
     EXPECT_THAT(done.out, testing::HasSubstr("plate.stl: 1 to 128, "));
-    EXPECT_THAT(done.out, testing::HasSubstr("Plate: Left out for lack of room: "));
+    EXPECT_THAT(done.out, testing::HasSubstr("Plate: Left out for lack of space: "));
 }
 
 TEST(ExportCommand, writes_ways_in_words_in_print_and_in_braille) {

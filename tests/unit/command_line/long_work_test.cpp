@@ -62,10 +62,10 @@ TEST(LongWork, tells_what_takes_longer_with_the_time_so_far) {
     progress.at("Finding rooms and routes");
     EXPECT_THAT(told_from(progress, 100.0, 103.0),
                 ElementsAre(Told{102.0, "Finding rooms and routes, 2 seconds so far."}));
-    progress.at("Looking for what should be mended");
+    progress.at("Looking for problems to fix");
     EXPECT_THAT(told_from(progress, 103.0, 113.0),
-                ElementsAre(Told{107.0, "Looking for what should be mended, 7 seconds so far."},
-                            Told{112.0, "Looking for what should be mended, 12 seconds so far."}));
+                ElementsAre(Told{107.0, "Looking for problems to fix, 7 seconds so far."},
+                            Told{112.0, "Looking for problems to fix, 12 seconds so far."}));
 }
 
 TEST(LongWork, tells_how_far_a_file_is_read_and_what_the_reader_is_at) {
@@ -116,7 +116,7 @@ TEST(CommandWork, of_info_and_check_is_reading_rooms_and_the_rest_but_none_besid
         });
     };
     EXPECT_THAT(info(false, false),
-                ElementsAre("reading the file", "Preparing it for touch", "Finding rooms and routes", ""));
+                ElementsAre("reading the file", "Preparing the world for touch", "Finding rooms and routes", ""));
     EXPECT_THAT(info(false, true), ElementsAre("reading the file", "Finding rooms and routes", ""));
     EXPECT_THAT(info(true, false), IsEmpty());
     const auto check = [](bool json) {
@@ -128,7 +128,7 @@ TEST(CommandWork, of_info_and_check_is_reading_rooms_and_the_rest_but_none_besid
         });
     };
     EXPECT_THAT(check(false),
-                ElementsAre("reading the file", "Finding rooms and routes", "Looking for what should be mended", ""));
+                ElementsAre("reading the file", "Finding rooms and routes", "Looking for problems to fix", ""));
     EXPECT_THAT(check(true), IsEmpty());
 }
 

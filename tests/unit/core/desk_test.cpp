@@ -277,7 +277,7 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
                 EXPECT_EQ(by_keys.app().desk_visit().desk().value(i), desk.value(i));
             }
             if (control.kind != DeskKind::Indicator && control.kind != DeskKind::Knob) {
-                EXPECT_TRUE(by_hand.heard(of_hand ? "Looking for what is plugged in." : desk.value(i), from))
+                EXPECT_TRUE(by_hand.heard(of_hand ? "Looking for devices that are plugged in." : desk.value(i), from))
                     << by_hand.all_heard(from);
             }
             for (const DeskSetting& row : desk_settings()) {

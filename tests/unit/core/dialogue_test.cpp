@@ -47,7 +47,7 @@ TEST(Dialogue, goes_through_a_list_and_stops_at_its_ends) {
 }
 
 TEST(Dialogue, puts_no_stop_behind_a_title_that_ends_its_sentence) {
-    for (const std::string title : {"Which route?", "Put 3 places in order, the first one first.", "Stop!"}) {
+    for (const std::string title : {"Which route?", "Put 3 places in order, starting with the first.", "Stop!"}) {
         Fruit f;
         ListSpec list = f.list();
         list.title = title;
@@ -148,7 +148,7 @@ TEST(Dialogue, may_be_changed_by_what_was_chosen) {
 
 TEST(Dialogue, says_that_a_list_is_empty_and_opens_nothing) {
     Dialogue dialogue;
-    EXPECT_EQ(dialogue.open({.title = "Marks", .items = {}, .chosen = {}}), "Marks: nothing there.");
+    EXPECT_EQ(dialogue.open({.title = "Marks", .items = {}, .chosen = {}}), "Marks: the list is empty.");
     EXPECT_FALSE(dialogue.is_open());
 }
 

@@ -68,7 +68,7 @@ TEST(IAmLost, knows_the_doorway_one_came_through_and_else_the_base) {
     Visitor far("house.map");
     far.app.apply(Placed{far.app.feet_m() + Vec3(0.0, 3.0, 0.0), 0.0}, far.now);
     far.run(0.2);
-    EXPECT_THAT(far.ask(Command::Lost), HasSubstr("Last known place: where you last asked, in Hall, "))
+    EXPECT_THAT(far.ask(Command::Lost), HasSubstr("Last known place: where you last heard your position, in Hall, "))
         << "the exits were asked for there";
 }
 

@@ -61,7 +61,7 @@ TEST(FaultList, mends_a_missing_name_and_a_missing_landmark_in_place) {
     EXPECT_EQ(std::count_if(scene.features.begin(), scene.features.end(), [](const Feature& f) { return f.landmark; }),
               1);
     p.tap(Command::Faults);
-    EXPECT_TRUE(p.heard("Nothing needs mending here.")) << p.all_heard(0);
+    EXPECT_TRUE(p.heard("No problems found here.")) << p.all_heard(0);
 }
 
 // Of two rooms the second has no door.
@@ -81,7 +81,7 @@ TEST(FaultList, makes_a_missing_door_that_is_kept_and_takes_it_away_again) {
     p.line("Kitchen cannot be reached");
     const std::vector<std::string> acts = names_of(p.app().dialogue().view());
     ASSERT_FALSE(acts.empty());
-    EXPECT_EQ(acts[0], "A door is missing here: make one to Hall");
+    EXPECT_EQ(acts[0], "A door is missing here: add a door to Hall");
     p.line("1");
     EXPECT_TRUE(p.heard("There is now a door between Kitchen, Hall. The world is being read again.")) << p.all_heard(0);
     EXPECT_TRUE(p.app().requests().take_read_again()) << "its owner is to read it again";
@@ -89,9 +89,9 @@ TEST(FaultList, makes_a_missing_door_that_is_kept_and_takes_it_away_again) {
     p.tap(Command::Faults);
     const std::vector<std::string> now = names_of(p.app().dialogue().view());
     ASSERT_FALSE(now.empty());
-    EXPECT_EQ(now.back(), "Door made between Kitchen, Hall");
+    EXPECT_EQ(now.back(), "Door added between Kitchen, Hall");
     p.line(std::to_string(now.size()));
-    p.line("Take this door away");
+    p.line("Remove this door");
     EXPECT_TRUE(p.heard("The door between Kitchen, Hall is a wall again.")) << p.all_heard(0);
     EXPECT_TRUE(p.app().requests().take_read_again());
     p.tap(Command::Faults);
@@ -102,7 +102,7 @@ TEST(FaultList, makes_a_missing_door_that_is_kept_and_takes_it_away_again) {
 TEST(FaultList, finds_nothing_in_the_school) {
     Explorer p(test::our_world("school.map"), nullptr);
     p.tap(Command::Faults);
-    EXPECT_TRUE(p.heard("Nothing needs mending here.")) << p.all_heard(0);
+    EXPECT_TRUE(p.heard("No problems found here.")) << p.all_heard(0);
     EXPECT_FALSE(p.app().dialogue().is_open());
 }
 

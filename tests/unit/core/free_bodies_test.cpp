@@ -105,7 +105,7 @@ TEST(FreeBodies, keys_take_move_lift_and_drop_a_crate) {
     EXPECT_NEAR(walk.at("Crate").z, 0.5, 0.01) << "lifted by a quarter of a metre";
     const int knocks = walk.count(SoundKind::Contact);
     walk.tap(Command::Use, 2.0);
-    EXPECT_TRUE(walk.heard("Crate let go."));
+    EXPECT_TRUE(walk.heard("Crate released."));
     EXPECT_NEAR(walk.at("Crate").z, 0.25, 2e-3) << "it has fallen";
     EXPECT_GT(walk.count(SoundKind::Contact), knocks) << "and landed";
     walk.walk(0.5);

@@ -165,7 +165,7 @@ TEST(Marks, of_an_edited_world_that_no_longer_fit_are_told) {
     EXPECT_FALSE(same.heard("no longer fit")) << "edited elsewhere; what the marks stand by is where it was";
     Person p(false, settings);
     p.enter(world, room(4.5));
-    EXPECT_TRUE(p.heard("This world has changed since you set marks. 1 of 2 no longer fits: Mark 1, near Table."))
+    EXPECT_TRUE(p.heard("This world has changed since you set marks. 1 of 2 marks no longer fits it: Mark 1, near Table."))
         << testing::PrintToString(p.said);
     EXPECT_EQ(p.app.world().marks.size(), 2U);
     p.tap(Command::Marks);
@@ -380,7 +380,7 @@ TEST(WarmerTest, is_told_ticks_for_hand_or_body_and_is_off_when_asked_again) {
         away(4.0);
         EXPECT_EQ(ticks(), 0) << "not asked for";
         ASSERT_NO_FATAL_FAILURE(seek(p, "Radiator", "Warmer and colder"));
-        EXPECT_TRUE(p.heard("Radiator: the faster it ticks, the nearer")) << testing::PrintToString(p.said);
+        EXPECT_TRUE(p.heard("Radiator: faster ticking means you are nearer")) << testing::PrintToString(p.said);
         int before = 0;
         for (const double metres : {4.0, 2.8, 2.0, 1.4}) {
             away(metres);
@@ -525,7 +525,7 @@ TEST(TakeMe, is_told_a_second_before_the_servo_knows_of_it_and_only_one_is_known
     EXPECT_NE(p.app.guide().path().number, 0U);
     EXPECT_EQ(p.app.guide().path().points_m[p.app.guide().path().count - 1].x, 5.8);
     p.tap(Command::TakeMe);
-    EXPECT_TRUE(p.heard("Let go"));
+    EXPECT_TRUE(p.heard("Guiding stopped"));
     EXPECT_EQ(p.app.guide().path().number, 0U);
 }
 
@@ -537,10 +537,10 @@ TEST(TakeMe, says_why_the_hand_is_led_no_longer) {
     };
     const Case cases[] = {
         {[](Person& p) { p.tool.fault = Fault::Stalled; },
-         "No longer guided. The computer stopped for a moment. The force comes back slowly."},
+         "You are no longer guided. The computer stopped for a moment. The force comes back slowly."},
         {[](Person& p) { p.tool.pause = Fault::ButtonReleased; },
-         "No longer guided. Button released. The force is off until you hold it."},
-        {[](Person&) {}, "No longer guided. The force was off for a moment. H leads you again."},
+         "You are no longer guided. Button released. The force is off until you hold the button again."},
+        {[](Person&) {}, "You are no longer guided. The force was off for a moment. Use H to be guided again."},
     };
     for (const Case& one : cases) {
         SCOPED_TRACE(one.said);
@@ -665,7 +665,7 @@ TEST(TakeMe, without_a_device_tells_the_way_follows_it_and_stops_when_asked_agai
     EXPECT_TRUE(p.heard("To Radiator. ")) << testing::PrintToString(p.said);
     EXPECT_TRUE(p.heard("steps in all.")) << testing::PrintToString(p.said);
     p.tap(Command::TakeMe);
-    EXPECT_TRUE(p.heard("You no longer follow a route."));
+    EXPECT_TRUE(p.heard("You are no longer following a route."));
     EXPECT_FALSE(p.app.guide().beacon().on());
     p.tap(Command::TakeMe);
     EXPECT_TRUE(p.heard("To Radiator. "));

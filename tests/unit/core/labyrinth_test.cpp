@@ -70,11 +70,11 @@ TEST(Labyrinth, a_hole_swallows_the_ball_and_all_is_back_at_the_start) {
     player.tap(Command::Use, 0.5);
     player.taps(Command::TurnRight, 2);
     player.run(3.0);
-    EXPECT_TRUE(player.heard("In the hole."));
+    EXPECT_TRUE(player.heard("The ball fell into the hole."));
     EXPECT_TRUE(player.heard("Back at the start."));
     EXPECT_FALSE(player.heard("Finished"));
     const std::string news = player.news();
-    EXPECT_EQ(news.find("Ball moved.", news.find("In the hole.")), std::string::npos) << news;
+    EXPECT_EQ(news.find("Ball moved.", news.find("The ball fell into the hole.")), std::string::npos) << news;
     const Vec3 ball = player.app.thing_at("Ball").value_or(Placement{}).position_m;
     EXPECT_NEAR(ball.x, 1.25, 1e-3);
     EXPECT_NEAR(ball.z, 0.55, 2e-3);
@@ -111,7 +111,7 @@ TEST(Labyrinth, corridors_are_a_list_with_what_lies_in_them_and_where_they_lead)
     Player player("labyrinth2.map");
     player.tap(Command::Overview, 0.5);
     EXPECT_TRUE(
-        player.heard("3 corridors. Corridor 1, 7.5 rolls from west to east, Plank after 1 roll, Ball after 2.5 "
+        player.heard("3 corridors. Corridor 1, running west to east, 7.5 rolls long, Plank after 1 roll, Ball after 2.5 "
                      "rolls, hole after 4 rolls, corridor 2 to the north after 7 rolls, 1 of 3"))
         << player.news();
     for (int i = 0; i < 2; ++i) {
@@ -119,10 +119,10 @@ TEST(Labyrinth, corridors_are_a_list_with_what_lies_in_them_and_where_they_lead)
         player.run(0.1);
     }
     EXPECT_TRUE(
-        player.heard("Corridor 2, 3 rolls from south to north, corridor 1 to the south at the beginning, "
+        player.heard("Corridor 2, running south to north, 3 rolls long, corridor 1 to the south at the beginning, "
                      "corridor 3 to the north at the end"));
     EXPECT_TRUE(
-        player.heard("Corridor 3, 7.5 rolls from west to east, goal at the beginning, corridor 2 to the south "
+        player.heard("Corridor 3, running west to east, 7.5 rolls long, goal at the beginning, corridor 2 to the south "
                      "after 7 rolls"));
 }
 
@@ -173,13 +173,13 @@ TEST(Labyrinth, second_level_is_finished_over_the_plank_and_again_after_starting
         EXPECT_TRUE(player.heard("Plank held, 0.4 kilograms."));
         EXPECT_TRUE(player.heard("The hole is covered."));
         EXPECT_TRUE(player.heard("Ball stopped by Border, wood."));
-        EXPECT_TRUE(player.heard("That is the first time recorded here.")) << player.news();
-        EXPECT_EQ(player.ask(Command::PutBack), "All back at the start.");
+        EXPECT_TRUE(player.heard("That is the first result recorded here.")) << player.news();
+        EXPECT_EQ(player.ask(Command::PutBack), "Everything is back at the start.");
         player.said.clear();
         player.run(0.5);
         EXPECT_NE(player.stands().find("A hole is 1.5 rolls east."), std::string::npos);
         const std::string before = player.stands();
-        EXPECT_EQ(player.ask(Command::RepeatLeg), "You have no route.") << "who asks for a leg loses no game";
+        EXPECT_EQ(player.ask(Command::RepeatLeg), "You are not following a route.") << "who asks for a leg loses no game";
         EXPECT_EQ(player.stands(), before);
     }
     EXPECT_TRUE(std::filesystem::exists(options.records_in / "labyrinth.handrail.toml"));
@@ -222,7 +222,7 @@ TEST(Labyrinth, begun_anew_goes_with_the_same_bits_as_in_another_run) {
     // The ball has gone somewhere, and the plank too.
     EXPECT_GT(glm::length(once.back().position_m - once[1].position_m), 0.3);
     EXPECT_GT(glm::length(once[once.size() - 2].position_m - once[0].position_m), 0.3);
-    for (Player* player : {&first, &second}) EXPECT_EQ(player->ask(Command::PutBack), "All back at the start.");
+    for (Player* player : {&first, &second}) EXPECT_EQ(player->ask(Command::PutBack), "Everything is back at the start.");
     const std::vector<Placement> again = course_of(first);
     EXPECT_EQ(again, course_of(second));
 }

@@ -175,7 +175,7 @@ TEST(GoOnAtLastPlace, puts_the_body_there_and_home_stays_home) {
     ASSERT_TRUE(wanted);
     EXPECT_FALSE(session.app.requests().take_last_place());
     session.app.apply(WentOnAt{*wanted}, session.now);
-    EXPECT_THAT(session.news(), HasSubstr("Back where you were. "));
+    EXPECT_THAT(session.news(), HasSubstr("You are back where you were. "));
     EXPECT_LT(glm::length(session.app.feet_m() - last.feet_m), 0.05);
     EXPECT_NEAR(session.app.heading_rad(), 1.0, 1e-9);
     session.ask(Command::Home);

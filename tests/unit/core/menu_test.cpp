@@ -53,8 +53,8 @@ struct Person : test::AppSession {
 
 TEST(Menu, leads_to_every_command_by_topic_each_with_its_key) {
     Person p;
-    EXPECT_THAT(p.key("Tab"), HasSubstr("What I can do"));
-    p.line("what i can do");
+    EXPECT_THAT(p.key("Tab"), HasSubstr("What you can do"));
+    p.line("what you can do");
     const std::string topics = p.line("list");
     EXPECT_THAT(topics, HasSubstr("Questions and speech"));
     std::set<std::string> told;
@@ -77,10 +77,10 @@ TEST(Rebinding, takes_the_key_that_is_pressed_and_saves_it) {
     Person p;
     p.key("Tab");
     p.line("keys");
-    p.line("all of it");
-    EXPECT_THAT(p.line("which way do i face"), HasSubstr("Another key instead"));
+    p.line("all topics");
+    EXPECT_THAT(p.line("say which way you face"), HasSubstr("Replace with another key"));
     EXPECT_THAT(p.line("another key"), HasSubstr("Press the new key"));
-    EXPECT_THAT(p.key("Control+Shift+J"), HasSubstr("Which way do I face has Control+Shift+J."));
+    EXPECT_THAT(p.key("Control+Shift+J"), HasSubstr("Say which way you face: now on Control+Shift+J."));
     EXPECT_EQ(p.saved()["keys.heading"], "Control+Shift+J");
     p.key("Escape");
     p.key("Escape");
@@ -95,15 +95,15 @@ TEST(Rebinding, tells_conflicts_and_lets_the_person_decide_and_gives_the_built_i
     const auto ask_for = [&](const std::string& what) {
         p.key("Tab");
         p.line("keys");
-        p.line("all of it");
-        p.line("which way do i face");
+        p.line("all topics");
+        p.line("say which way you face");
         p.line(what);
     };
     const auto leave = [&] {
         while (p.app.dialogue().is_open()) p.key("Escape");
     };
     ask_for("one more");
-    EXPECT_THAT(p.key("E"), HasSubstr("E already means: What is the hand touching"));
+    EXPECT_THAT(p.key("E"), HasSubstr("E is already used for: What is the hand touching"));
     EXPECT_THAT(p.line("leave it"), HasSubstr("Left as it is."));
     EXPECT_EQ(p.app.keys().find("E"), Command::WhatIsThis);
     leave();

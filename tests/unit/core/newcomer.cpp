@@ -15,7 +15,7 @@ bool begins(const std::string& text, const std::string& with) {
            (text.size() == with.size() || std::isalnum(static_cast<unsigned char>(text[with.size()])) == 0);
 }
 
-// "Kitchen" of "Route to. Kitchen, 12 steps, 1 of 5" and of "Kitchen, 12 steps, 1 of 5".
+// "Kitchen" of "Route to which room. Kitchen, 12 steps, 1 of 5" and of "Kitchen, 12 steps, 1 of 5".
 std::string entry_of(std::string spoken) {
     static const std::regex count(", \\d+ of \\d+\\s*$");
     return std::regex_replace(spoken, count, "");
@@ -192,7 +192,7 @@ std::string Newcomer::choose(const std::string& key, const std::string& begin) {
         if (begins(spoken, begin)) {
             const std::string answer = ask("Enter", 0.8);
             // Several of that name: the nearest.
-            return answer.find(": which one") == std::string::npos ? answer : ask("Enter", 0.8);
+            return answer.find(": which one?") == std::string::npos ? answer : ask("Enter", 0.8);
         }
         if (spoken == before || spoken.empty()) break;
         before = spoken;

@@ -183,7 +183,7 @@ TEST(ScaleBar, is_five_steps_under_a_roof_and_25_metres_outdoors_with_north) {
     Telling how;
     how.heading_rad = kPi / 2.0;
     EXPECT_EQ(scale_bar_words(false, how, 60.0, 0.0),
-              "5 steps, 3.5 metres, are 5.8 centimetres under your hand. North is away from you for your hand, and "
+              "5 steps or 3.5 metres are 5.8 centimetres under your hand. North is away from you for your hand, and "
               "left for your feet.");
     EXPECT_EQ(scale_bar_words(true, how, 0.0, 0.0), "25 metres, 36 steps. North is left.");
     how.directions = DirectionChoice::Clock;

@@ -96,10 +96,10 @@ TEST(NamesOfRooms, may_have_200_bytes_and_no_more_and_are_not_given_twice) {
     EXPECT_THAT(p.said.back(), HasSubstr("as long as it can be"));
     p.app.apply(KeyTapped{"Escape"}, p.now);
     p.listen();
-    EXPECT_EQ(p.said.back(), "The name stays.");
+    EXPECT_EQ(p.said.back(), "The name was not changed.");
     p.app.apply(Placed{{9.0, 2.5, 0.0}, 0.0}, p.now);
     p.run(0.1);
-    EXPECT_THAT(p.name(std::string(200, 'A')), HasSubstr("Another room is called"));
+    EXPECT_THAT(p.name(std::string(200, 'A')), HasSubstr("Another room is already called"));
     EXPECT_THAT(p.ask(Command::WhereAmI), testing::StartsWith("Room, east, "));
 }
 
@@ -132,7 +132,7 @@ TEST(NamesOfRooms, of_a_world_that_was_edited_are_told_where_they_no_longer_fit)
     world.write(two_rooms(160.0));
     {
         Person p(world.path);
-        EXPECT_TRUE(p.heard("This world has changed since you named rooms. 2 of 2 names no longer fit: Shop; Larder."));
+        EXPECT_TRUE(p.heard("This world has changed since you named rooms. 2 of 2 names no longer fit it: Shop; Larder."));
         EXPECT_THAT(p.ask(Command::WhereAmI), testing::Not(HasSubstr("Shop")));
     }
     // They are still kept for the day when the wall is back.
@@ -159,7 +159,7 @@ TEST(NamesOfRooms, that_are_damaged_are_kept_aside_said_and_started_empty) {
     EXPECT_TRUE(
         p.heard("flat.map.handrail.toml, line 4: the name of a room Attic needs place_m with three decimal numbers, "
                 "such as [1.0, 2.5, 0.0]. Write them, or "
-                "delete the entry. 1 more name of a room cannot be read."))
+                "delete the entry. 1 more room name cannot be read."))
         << testing::PrintToString(p.said);
     EXPECT_THAT(p.ask(Command::WhereAmI), testing::StartsWith("Shop, "));
     p.name("Store");

@@ -89,7 +89,7 @@ TEST(RoomsInASession, lead_to_another_room_in_words_and_along_the_way) {
     s.app.apply(WorldEntered{make_ready(house())}, 0.0);
     s.run(0.1);
     s.ask(Command::Routes);
-    EXPECT_TRUE(s.said.back().starts_with("Route to")) << s.said.back();
+    EXPECT_TRUE(s.said.back().starts_with("Route to which room")) << s.said.back();
     ASSERT_TRUE(s.app.apply(LineTyped{"Music room"}, s.now));
     s.listen();
     const std::string words = s.said.back();
@@ -114,7 +114,7 @@ TEST(RoomsInASession, lead_to_another_room_in_words_and_along_the_way) {
     s.ask(Command::Routes);
     ASSERT_TRUE(s.app.apply(LineTyped{"Stop following the route"}, s.now));
     s.listen();
-    EXPECT_EQ(s.said.back(), "You no longer follow a route.");
+    EXPECT_EQ(s.said.back(), "You are no longer following a route.");
 }
 
 TEST(RoomsInASession, say_plainly_where_there_is_no_way) {
@@ -162,7 +162,7 @@ TEST(RoomsInASession, say_plainly_where_there_is_no_way) {
     ASSERT_TRUE(s.app.apply(LineTyped{"Balcony"}, s.now));
     s.listen();
     EXPECT_TRUE(s.heard("No walking way found to Balcony. The nearest place you can reach is in ")) << s.news();
-    EXPECT_EQ(s.said.back(), "Give it a door, or stairs or a lift to its storey.");
+    EXPECT_EQ(s.said.back(), "Give the room a door, or add stairs or a lift to its storey.");
 }
 
 TEST(RoomsInASession, are_found_on_a_thread_while_everything_goes_on) {
@@ -196,7 +196,7 @@ struct LateRooms {
     Arrivals arrivals;
     test::AppSession session{{}, {}, options()};
     const std::string waited_for = "Rooms and routes are still being worked out. Everything else works.",
-                      there = "Rooms and routes are known now.";
+                      there = "Rooms and routes have been worked out.";
 };
 
 TEST(RoomsInASession, that_take_long_are_told_of_once_and_again_when_they_are_there) {

@@ -217,11 +217,11 @@ TEST(Session, map_frame_never_turns_the_felt_world_and_walk_frame_does) {
     const std::uint32_t jump = s.app.hand().pose.jump;
     s.tap(Command::SwitchFrame);
     s.run(0.1);
-    EXPECT_EQ(s.said().back(), "Walk, turning with you");
+    EXPECT_EQ(s.said().back(), "Walk: the workspace turns with you");
     EXPECT_NE(s.app.hand().pose.jump, jump);
     EXPECT_NEAR(degrees_from_radians(s.app.hand().pose.heading_rad), 22.5, 1e-9);
     s.tap(Command::SwitchFrame);
-    EXPECT_EQ(s.said().back(), "Map, north up");
+    EXPECT_EQ(s.said().back(), "Map: north stays up");
     EXPECT_EQ(s.app.take_setting_changes().back().second, "map");
 }
 
@@ -311,7 +311,7 @@ TEST(Session, f_says_why_there_is_no_force_yet_and_when_there_may_be) {
     EXPECT_EQ(s.said().back(), "The touch device is not plugged in.");
     s.tool.fault_lasts = false;
     s.run(0.1);
-    EXPECT_EQ(s.said().back(), "The touch device is plugged in again. Press F or the grave key to feel with it.");
+    EXPECT_EQ(s.said().back(), "The touch device is plugged in again. Press F or the grave key to feel again.");
     const std::uint32_t confirm = s.app.hand().tuning.confirm;
     s.tap(Command::ToggleForces);
     EXPECT_NE(s.app.hand().tuning.confirm, confirm);

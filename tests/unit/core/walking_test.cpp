@@ -100,7 +100,7 @@ TEST(Walking, square_up_faces_the_nearest_wall_or_along_it) {
     for (int i = 0; i < 3; ++i) w.tap(Command::TurnRight, 0.5);  // 67.5 degrees
     w.tap(Command::SquareUp);
     EXPECT_NEAR(degrees_from_radians(w.app.heading_rad()), 90.0, 1e-9);
-    EXPECT_TRUE(w.said("Square. Facing east"));
+    EXPECT_TRUE(w.said("Turned square. Facing east"));
 }
 
 TEST(Walking, free_turns_have_no_notches_and_notches_are_as_large_as_they_are_set) {

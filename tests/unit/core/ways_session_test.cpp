@@ -69,7 +69,7 @@ TEST(KeptWays, from_what_was_planned_are_walked_stop_after_stop_after_a_restart)
         p.ask(Command::KeepWay);
         EXPECT_EQ(p.item("The route you planned last"), "The route you planned last, Hall, Living room, Kitchen");
         EXPECT_THAT(p.line("The route you planned last"),
-                    HasSubstr("Hall to Kitchen. Type another name for this route, or press Enter"));
+                    HasSubstr("Hall to Kitchen. Type another name for this route, or press Enter to keep this one"));
         EXPECT_EQ(p.line("To the stove"), "Route To the stove kept");
     }
     const auto text = read_whole_file(house.beside());
@@ -101,7 +101,7 @@ TEST(KeptWays, from_what_was_planned_are_walked_stop_after_stop_after_a_restart)
     EXPECT_EQ(p.item("Stop following"), "");  // it is over
 
     // Backwards, from where it ends.
-    EXPECT_THAT(p.way("To the stove", "Backwards"), HasSubstr("To the stove, backwards"));
+    EXPECT_THAT(p.way("To the stove", "Reverse the route"), HasSubstr("To the stove, backwards"));
     EXPECT_THAT(p.line("Follow it by ear"), StartsWith("To Living room. "));
     p.said.clear();
     ASSERT_TRUE(test::walk_along(
@@ -132,7 +132,7 @@ TEST(KeptWays, are_left_and_found_again_go_on_from_where_one_is_and_stop_when_as
     EXPECT_TRUE(p.heard("To Living room. "));
     p.ask(Command::Routes);
     EXPECT_THAT(p.line("Where the route continues"), HasSubstr("To Living room: "));
-    EXPECT_EQ(p.ask(Command::TakeMe), "You no longer follow a route.");
+    EXPECT_EQ(p.ask(Command::TakeMe), "You are no longer following a route.");
     p.said.clear();
     p.app.apply(Placed{{3.0, 3.5, 0.0}, 0.0}, p.now);
     p.run(0.5);
@@ -152,7 +152,7 @@ TEST(KeptWays, from_the_trail_keep_its_corners_and_lead_along_them) {
         p.ask(Command::KeepWay);
         EXPECT_EQ(p.item("All that"), "");  // nothing has been walked yet
         EXPECT_THAT(p.line("Begin a route here"),
-                    HasSubstr("A route begins here. Control+8 keeps what you walk from here on."));
+                    HasSubstr("A route begins here. Control+8 keeps what you walk from now on."));
         test::steer_along(p.app, detour, [&](double seconds) {
             p.run(seconds);
             return p.now;
@@ -163,7 +163,7 @@ TEST(KeptWays, from_the_trail_keep_its_corners_and_lead_along_them) {
         EXPECT_NE(p.item("What you walked since Gate"), "");
         p.line("What you walked since you began");
         EXPECT_EQ(p.line("Round"), "Route Round kept");
-        EXPECT_EQ(p.keep("All that", "round"), "Another route is called round.");  // nothing is kept twice under one name
+        EXPECT_EQ(p.keep("All that", "round"), "Another route is already called round.");  // nothing is kept twice under one name
     }
     Person p(house.path);
     std::vector<Error> faults;
@@ -201,16 +201,16 @@ TEST(KeptWays, are_renamed_and_deleted_and_the_file_follows) {
         p.line("Kitchen");
         p.keep("The route you planned last", "One");
         p.keep("The route you planned last", "Two");
-        p.way("One", "Another name");
-        EXPECT_EQ(p.line("TWO"), "Another route is called TWO.");
-        p.way("One", "Another name");
+        p.way("One", "Change the name");
+        EXPECT_EQ(p.line("TWO"), "Another route is already called TWO.");
+        p.way("One", "Change the name");
         EXPECT_EQ(p.line("Three"), "Three");
         EXPECT_EQ(p.way("Two", "Delete it"), "Route Two deleted");
         p.ask(Command::KeepWay);
         p.line("The route you planned last");
         p.app.apply(KeyTapped{"Escape"}, p.now);
         p.listen();
-        EXPECT_EQ(p.said.back(), "The route is not kept.");
+        EXPECT_EQ(p.said.back(), "The route was not kept.");
     }
     Person p(house.path);
     p.ask(Command::Ways);
@@ -283,7 +283,7 @@ TEST(KeptWays, tell_by_name_what_no_longer_fits_an_edited_world_on_entering_and_
         const char* told;
     } edits[] = {
         {36.0, 0.0, "To lunch (Table is gone)."},
-        {36.0, 206.0, "To lunch (Table has moved, 2 steps from its stop)."},
+        {36.0, 206.0, "To lunch (Table has moved and is now 2 steps from its stop)."},
         {0.0, 300.0, "To lunch (no walking route from Shop to Table)."},
     };
     for (const auto& edit : edits) {
@@ -296,7 +296,7 @@ TEST(KeptWays, tell_by_name_what_no_longer_fits_an_edited_world_on_entering_and_
         EXPECT_EQ(p.item("To lunch"), "To lunch, may no longer fit");
         const std::string chosen = p.line("To lunch");
         const std::string faults(edit.told + 10, std::strlen(edit.told) - 12);
-        EXPECT_THAT(chosen, HasSubstr("To lunch. This route does not fit this world: " + faults));
+        EXPECT_THAT(chosen, HasSubstr("To lunch. This route does not fit this version of the world: " + faults));
         // Followed all the same, as far as it goes.
         const std::string words = p.line("Follow it by ear");
         EXPECT_THAT(words,
@@ -316,7 +316,7 @@ TEST(KeptWays, tell_by_name_what_no_longer_fits_an_edited_world_on_entering_and_
     write(two_rooms(36.0, 206.0));
     {
         Person p(path);
-        EXPECT_EQ(p.way("To lunch", "Keep it as found here"), "Route To lunch kept");
+        EXPECT_EQ(p.way("To lunch", "Save it for this version of the world"), "Route To lunch kept");
     }
     Person p(path);
     EXPECT_FALSE(p.heard("fit"));

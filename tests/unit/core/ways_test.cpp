@@ -90,7 +90,7 @@ TEST(Ways, that_cannot_be_read_are_told_with_file_line_and_what_to_do_and_stay_i
         std::string entry;
         const char* fault;
     } bad[] = {
-        {"[[way]]\n" + two, "this route has no one-line name. Give it one under name, or delete the entry."},
+        {"[[way]]\n" + two, "this route needs a name that fits on one line. Give it one with the key \"name\", or delete the entry."},
         {"[[way]]\nname = \"Short\"\n[[way.stop]]\nname = \"A\"\nplace_m = [0.0, 0.0, 0.0]\n",
          "the way Short needs 2 to 200 stops"},
         {"[[way]]\nname = \"None\"\nstop = 3\n", "the way None needs 2 to 200 stops"},

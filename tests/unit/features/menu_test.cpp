@@ -55,8 +55,8 @@ TEST_F(MenuAlone, leads_to_commands_and_has_them_performed) {
     EXPECT_FALSE(menu.act(Command::Use, 1.0)) << "another's command";
     EXPECT_TRUE(menu.act(Command::Menu, 1.0));
     EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("Menu")));
-    line("what i can do");
-    line("all of it");
+    line("what you can do");
+    line("all topics");
     line("which way");
     EXPECT_THAT(performed, ElementsAre(Command::Heading));
     EXPECT_FALSE(plain.lists.dialogue.is_open());
@@ -72,7 +72,7 @@ TEST_F(MenuAlone, leads_to_commands_and_has_them_performed) {
 TEST_F(MenuAlone, gives_a_command_another_key) {
     EXPECT_FALSE(menu.commands().take_key("J", 1.0)) << "nobody asked for a key";
     menu.commands().open(true, 1.0);
-    line("all of it");
+    line("all topics");
     line("which way");
     line("another key");
     plain.said();

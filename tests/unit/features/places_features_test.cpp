@@ -233,7 +233,7 @@ TEST(KeptWaysFeature, keep_what_was_walked_under_a_name_of_its_own) {
     ASSERT_EQ(kept.size(), 1U);
     EXPECT_LT(glm::length(kept[0].stops.back().place_m - Vec3(6.0, 0.0, 0.0)), 0.3);
     k.choose("To the east");
-    (void)k.line("Another name");
+    (void)k.line("Change the name");
     EXPECT_THAT(k.line("East"), ElementsAre("East"));
     k.choose("East");
     EXPECT_THAT(k.line("Delete it"), ElementsAre("Route East deleted"));
@@ -246,9 +246,9 @@ TEST(KeptWaysFeature, are_called_kept_only_if_they_are_on_the_disk) {
     Keeper k;
     k.keep("To the east");
     k.saves = false;
-    for (const char* name : {"Another name", "East"}) {
-        k.choose(name == std::string("East") ? "Another name" : "To the east");
-        (void)k.line("Another name");
+    for (const char* name : {"Change the name", "East"}) {
+        k.choose(name == std::string("East") ? "Change the name" : "To the east");
+        (void)k.line("Change the name");
         EXPECT_THAT(k.line(name), ElementsAre("Not saved yet: " + std::string(name)));
     }
     k.choose("East");
@@ -262,14 +262,14 @@ TEST(KeptWaysFeature, hand_their_stops_to_whoever_goes_along_them) {
     k.ways.on_go = [&](const std::vector<Stop>& stops, bool hand, double) { gone = stops, by_hand = hand; };
     k.keep("East");
     k.choose("East");
-    EXPECT_THAT(k.items(), ElementsAre("Hear it", "Follow it by ear", "Have your hand led along it", "Backwards",
-                                       "Add a stop at its end", "Another name", "Delete it"));
+    EXPECT_THAT(k.items(), ElementsAre("Hear it", "Follow it by ear", "Have your hand led along it", "Reverse the route",
+                                       "Add a stop at the end of the route", "Change the name", "Delete it"));
     (void)k.line("Follow it by ear");
     ASSERT_EQ(gone.size(), 2U);
     EXPECT_FALSE(by_hand);
     EXPECT_NEAR(gone.back().place_m.x, 6.0, 0.3);
     k.choose("East");
-    (void)k.line("Backwards");
+    (void)k.line("Reverse the route");
     (void)k.line("Have your hand led along it");
     EXPECT_TRUE(by_hand);
     EXPECT_NEAR(gone.back().place_m.x, 0.0, 0.3);
@@ -312,7 +312,7 @@ TEST(KeptWaysFeature, tell_which_of_them_no_longer_fit_once_the_rooms_are_known)
     k.ways.tell_unfit(1.0);
     EXPECT_THAT(k.said(), ElementsAre(AllOf(HasSubstr("1 of 1 no longer fits"), HasSubstr("Statue is gone"))));
     k.choose("To the statue");
-    EXPECT_THAT(k.line("Keep it as found here"), ElementsAre("Route To the statue kept"));
+    EXPECT_THAT(k.line("Save it for this version of the world"), ElementsAre("Route To the statue kept"));
     k.ways.tell_unfit(3.0);
     EXPECT_THAT(k.said(), IsEmpty());
 }

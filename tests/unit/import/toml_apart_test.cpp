@@ -57,7 +57,7 @@ std::string sentence_of(const Result<TomlValue>& read) {
     EXPECT_EQ(read.error().line, 0) << "nobody knows of any damage";
     return read.error().sentence();
 }
-const std::string kFailed = "The process that was to read this file failed.";
+const std::string kFailed = "The process for reading this file failed.";
 
 TomlValue table_with(const std::string& key, TomlValue value) {
     TomlValue table = TomlValue::empty_table();

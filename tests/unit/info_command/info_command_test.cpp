@@ -103,7 +103,7 @@ TEST(InfoCommand, tells_the_same_in_sentences) {
     EXPECT_EQ(run.status, 0);
     for (const char* said :
          {"A small room, from room.map.\n", "9.0 metres from west to east, 7.0 from south to north, and 4.0 high",
-          "8 things with a name to touch, 1 door, 1 moving part, 1 liquid, 1 start.", "Materials: brick, wood.",
+          "The world contains 8 named things to touch, 1 door, 1 moving part, 1 liquid and 1 starting place.", "Materials: brick, wood.",
           "The hand meets: 7 boxes, 1 movable body, 1 liquid, 1 texture, 3 materials",
           "Not modelled, since nothing here needs it: one-sided sheets, liquid surfaces, ",
           "The material brick was guessed",
@@ -161,7 +161,7 @@ TEST(InfoCommand, says_which_edges_are_rounded_and_which_stay_sharp_and_why) {
     const nlohmann::json json = nlohmann::json::parse(info(file, true, 0.01).out);
     EXPECT_EQ(json["touch_model"]["rounded_solids"], 1);
     EXPECT_EQ(json["simplified"],
-              nlohmann::json({"Edges of 1 solid are felt rounded by 0.09 metres of the world.",
+              nlohmann::json({"Edges of 1 solid feel rounded, by 0.09 metres of the world.",
                               "1 solid keeps sharp edges: too thin to be rounded (Plate).",
                               "2 solids keep sharp edges: a groove would open where they join others (Left, Right)."}));
 }
@@ -180,10 +180,10 @@ TEST(InfoCommand, lists_what_is_too_small_to_feel_at_a_scale_when_asked) {
     const auto [status, truly, nothing] = at("");
     EXPECT_EQ(status, 0);
     const nlohmann::json building = std::get<1>(at("Building"));
-    EXPECT_THAT(building, testing::Contains("Front door: feels 1.7 metres wide, really 1 metre."));
+    EXPECT_THAT(building, testing::Contains("Front door: feels 1.7 metres wide but is really 1 metre."));
     EXPECT_THAT(building, testing::Contains("Coat stand: left out."));
     EXPECT_THAT(building,
-                testing::Contains("Opening between Living room and Kitchen: feels 1.7 metres wide, really 1.6 metres."));
+                testing::Contains("Opening between Living room and Kitchen: feels 1.7 metres wide but is really 1.6 metres."));
     EXPECT_EQ(building.size(), truly.size() + 18) << "11 doors, an opening and 6 things";
     EXPECT_EQ(std::get<1>(at("60")).back(), "Globe's stand: left out.");
     EXPECT_EQ(std::get<1>(at("detail")), truly);

@@ -470,7 +470,7 @@ TEST(Routes, in_a_huge_world_use_larger_cells_and_say_so) {
     coarse.cell_m = 0.4;
     const auto refused = Navigation::make(endless.scene(), coarse);
     ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().message, "This world is too large to find walking routes through it.");
+    EXPECT_EQ(refused.error().message, "This world is too large for routes to be planned through it.");
 
     // One block far away makes a small house no larger.
     SceneBuilder house;
@@ -489,7 +489,7 @@ TEST(Routes, can_be_given_up_while_they_are_prepared) {
     stop.request_stop();
     const auto made = Navigation::make(scene, WalkBody{}, stop.get_token());
     ASSERT_FALSE(made);
-    EXPECT_EQ(made.error().message, "The search for rooms was given up.");
+    EXPECT_EQ(made.error().message, "The search for rooms was abandoned.");
 }
 
 }  // namespace route_test

@@ -91,7 +91,7 @@ TEST(OsmHouse, what_is_guessed_missing_and_left_out_is_told) {
     std::string warnings;
     for (const Diagnostic& warning : scene.report.warnings) warnings += warning.sentence() + "\n";
     EXPECT_THAT(warnings, HasSubstr("not closed: 1"));
-    EXPECT_THAT(warnings, HasSubstr("neither door nor opening: Vault"));
+    EXPECT_THAT(warnings, HasSubstr("neither a door nor an opening: Vault"));
     const HonestReport report = honest_report(scene);
     EXPECT_EQ(report.rooms, 13);
     EXPECT_EQ(report.largest_connected, 12);

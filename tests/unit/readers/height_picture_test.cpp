@@ -215,9 +215,9 @@ TEST(HeightPicture, refuses_what_is_too_large_or_no_png_by_name) {
     EXPECT_EQ(message(""), "This is not a PNG picture.");
     const Samples black = [](int, int, int) { return 0U; };
     EXPECT_EQ(message(png(4097, 1, {0, 1, 1, false}, black)),
-              "This picture is larger than 4096 pixels on a side. Make it smaller.");
+              "This picture is more than 4096 pixels wide or high. Make it smaller.");
     EXPECT_EQ(message(png(1, 4097, {0, 1, 1, false}, black)),
-              "This picture is larger than 4096 pixels on a side. Make it smaller.");
+              "This picture is more than 4096 pixels wide or high. Make it smaller.");
     EXPECT_EQ(message(png(4096, 1, {0, 1, 1, false}, black)), "read");
 }
 

@@ -149,9 +149,9 @@ TEST(MapBodies, of_five_thousand_the_first_are_free_and_the_rest_stay) {
     EXPECT_EQ(reading.scene.bodies.size(), FreeBody::kMost);
     EXPECT_THAT(reading.said,
                 ElementsAre(testing::AllOf(HasSubstr("test.map, line "),
-                                           HasSubstr("more than 2,048 things are free to move: 2,952 more "
+                                           HasSubstr("more than 2,048 things are free to move; there are 2,952 more "
                                                      "from here on."),
-                                           HasSubstr("They stay where they are."))));
+                                           HasSubstr("The others stay where they are."))));
 }
 
 }  // namespace map_bodies_test

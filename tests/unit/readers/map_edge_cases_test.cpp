@@ -128,7 +128,7 @@ TEST(MapEdgeCases, a_face_whose_points_lie_on_a_line_costs_only_that_face) {
         EXPECT_EQ(reading.scene.solids.size(), 1U);
         EXPECT_EQ(reading.scene.report.polygons, 6);
         EXPECT_THAT(reading.said, ElementsAre("test.map, line 10, column 1: warning: the three points of this "
-                                              "face lie on one line. The brush was tried without this face."));
+                                              "face lie on one line. The brush was read without this face."));
     }
 }
 
@@ -166,7 +166,7 @@ TEST(MapEdgeCases, faces_that_lose_their_area_are_dropped_quietly_and_counted) {
     EXPECT_THAT(reading.said, IsEmpty());
     EXPECT_EQ(reading.scene.report.polygons, 6);
     EXPECT_THAT(reading.scene.report.simplified,
-                ElementsAre("One face that repeats another or has no area was dropped."));
+                ElementsAre("One face that repeats another or has no area was left out."));
     EXPECT_EQ(read(entity("worldspawn", {}, box_brush(0, 0, 0, 64, 64, 0.01))).scene.solids.size(), 1U)
         << "nearly flat";
 }
@@ -217,7 +217,7 @@ TEST(MapEdgeCases, a_missing_brace_costs_at_most_one_brush) {
     const std::string whole = entity("worldspawn", {}, kCube + kOther + kThird);
     EXPECT_THAT(read(whole.substr(0, whole.rfind('}'))).said,
                 ElementsAre(HasSubstr("the file ends inside the entity that begins in line 1. A "
-                                      "closing brace is missing. What was complete was kept.")));
+                                      "closing brace is missing. Everything that was complete was kept.")));
     std::string open = whole;
     open.erase(open.find("}\n"), 2);  // the first brush's
     const Reading reading = read(open);
@@ -370,8 +370,8 @@ TEST(MapEdgeCases, fails_only_when_nothing_is_left_and_says_the_first_reason) {
         const Result<Scene> scene = read_quake_map(text, "test.map");
         return scene ? std::string("read") : scene.error().sentence();
     };
-    EXPECT_EQ(sentence(""), "test.map: Nothing to touch was found in this map. It holds no brushes.");
-    EXPECT_EQ(sentence(entity("worldspawn")), "test.map: Nothing to touch was found in this map. It holds no brushes.");
+    EXPECT_EQ(sentence(""), "test.map: Nothing to touch was found in this map. It contains no brushes.");
+    EXPECT_EQ(sentence(entity("worldspawn")), "test.map: Nothing to touch was found in this map. It contains no brushes.");
     EXPECT_THAT(sentence("hello"), testing::StartsWith("test.map, line 1, column 1: Nothing to touch was found in "
                                                        "this map. The problem: expected an opening brace"));
     EXPECT_THAT(sentence(entity("worldspawn", {}, "{\n}\n{\n}\n")),

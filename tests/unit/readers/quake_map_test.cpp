@@ -117,7 +117,7 @@ TEST(ReadQuakeMap, takes_the_nearest_legal_value_and_says_where) {
     std::vector<std::string> said;
     for (const Diagnostic& warning : scene.report.warnings) said.push_back(warning.sentence());
     EXPECT_THAT(said, testing::Contains("test.map, line 14, column 13: warning: the value 1.5 of the key "
-                                        "stiffness is out of range. It takes 0 to 1. 1 was used."));
+                                        "stiffness is out of range. Allowed: 0 to 1. 1 was used instead."));
     EXPECT_THAT(said, testing::Contains(testing::HasSubstr("line 15, column 12: warning: the value \"much\" of "
                                                            "the key friction is no number.")));
     EXPECT_THAT(

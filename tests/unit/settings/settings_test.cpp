@@ -89,7 +89,7 @@ TEST(Settings, name_the_nearest_key_when_one_is_unknown_and_apply_the_rest) {
         folder.write("settings.toml", "[workspace]\nscael = 30\nhand_height_m = 1.5\n"), SettingSource::UserFile);
     EXPECT_THAT(sentences(problems), ElementsAre("settings.toml, line 2, column 9: error: There is no setting "
                                                  "workspace.scael; the nearest is workspace.scale. "
-                                                 "It is not used; the rest applies."));
+                                                 "It is ignored; the rest is used."));
     EXPECT_EQ(store.values().workspace.hand_height_m, 1.5);
 }
 
@@ -120,7 +120,7 @@ TEST(Settings, say_the_legal_range_and_ignore_the_value_when_it_is_outside_or_of
         SettingSource::UserFile);
     ASSERT_THAT(sentences(problems), SizeIs(9));
     EXPECT_THAT(problems[6].message,
-                "The setting haptic.device is a list or a date, but must be auto, none or a device's name.");
+                "The setting haptic.device is a list or a date, but must be auto, none or the name of a device.");
     EXPECT_THAT(problems[0].message,
                 "The setting workspace.scale is 900, but must be 1 to 500 world metres per hand metre.");
     EXPECT_THAT(problems[1].message, HasSubstr("a whole number, 80 to 450"));

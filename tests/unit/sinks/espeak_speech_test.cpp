@@ -104,7 +104,7 @@ TEST_F(EspeakSpeechTest, rate_and_voice_follow_the_settings) {
     settings.voice = "no-such-voice";
     speech->set_speech(settings);
     EXPECT_GT(hear(text).length_s(), 0.5) << "English instead";
-    EXPECT_EQ(speech->news(), "There is no voice named no-such-voice; English is used.");
+    EXPECT_EQ(speech->news(), "There is no voice named no-such-voice; an English voice is used instead.");
     settings.voice = "en-gb";
     speech->set_speech(settings);
     hear(text);

@@ -362,7 +362,7 @@ void WholeLesson::whole(const Building& at) {
     EXPECT_EQ(value_of(*rows, "3", "ask How sure", "answer"), 6.0);
     for (const char* measure : {"time", "contacts_hand", "help_asked", "pauses", "path_ratio", "turns_missed"})
         value_of(*rows, "3", go.substr(1), measure);
-    EXPECT_THAT(content_of(page), HasSubstr("A door was blocked, and you found another way."));
+    EXPECT_THAT(content_of(page), HasSubstr("A door was blocked, and you found another route."));
 
     // Nothing of the pupil is left, and the instructor's lesson is.
     std::istringstream nobody;

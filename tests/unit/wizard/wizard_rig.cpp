@@ -139,7 +139,7 @@ void BriskPerson::answer_one() {
         wait(0.1);
         return held_->button(false);
     }
-    if (rig_.asks("Now a wall")) {
+    if (rig_.asks("Now you will feel a wall")) {
         go({-0.2, -0.3, 0.0});
         go({-0.2, 0.6, 0.0});
         wait(1.0);

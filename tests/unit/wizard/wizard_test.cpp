@@ -49,16 +49,16 @@ TEST(WizardFromStartToEnd, with_a_simulated_touch_takes_a_brisk_person_less_than
                                  "Which hand",
                                  "Left hand.",
                                  "I will press",
-                                 "Felt at 0.",
-                                 "Now a wall",
+                                 "You felt it at 0.",
+                                 "Now you will feel a wall",
                                  "Normal, 2.5 newtons",
                                  "with more than 2.5 newtons",
                                  "as far as is comfortable",
-                                 "Your hand reaches",
-                                 "Your reach spans",
+                                 "The reach of your hand is",
+                                 "Your reach covers",
                                  "Your step is",
                                  "65 centimetres",
-                                 "You are set up."});
+                                 "The set-up is complete."});
     const DeviceProfile profile = rig.profile();
     EXPECT_NEAR(profile.gentlest_n.value(), 0.4, 0.1);
     EXPECT_EQ(profile.ceiling_n, 2.5);
@@ -88,7 +88,7 @@ TEST(WizardFromStartToEnd, with_a_falcon_wakes_and_homes_it_by_voice) {
     expect_in_order(rig.said(),
                     {"looking for a touch device", "needs waking, this may take three tries. Try 1", "Try 2",
                      "The Falcon is ready.", "Pull it all the way towards you.", "Good.", "Push it in", "Good.",
-                     "Left hand.", "Felt at 0.", "with more than 2.5 newtons", "Your hand reaches", "You are set up."});
+                     "Left hand.", "You felt it at 0.", "with more than 2.5 newtons", "The reach of your hand is", "The set-up is complete."});
     EXPECT_GE(rig.clicks(), 3) << "one for each leg that found its zero";
     EXPECT_EQ(held.emulator.frames_before_homed_with_force, 0U);
     EXPECT_LE(held.emulator.largest_force_n, 2.5 + 0.05);
@@ -105,7 +105,7 @@ TEST(WizardFromStartToEnd, with_no_device_says_so_and_does_the_rest) {
     std::printf("a brisk person without a device: %.1f s\n", rig.now_s() - begun_s);
     expect_in_order(rig.said(),
                     {"bell on your left", "And now on your right",
-                     "No touch device. Everything works with keyboard and sound", "Your step is", "You are set up."});
+                     "There is no touch device. Everything works with keyboard and sound", "Your step is", "The set-up is complete."});
     EXPECT_FALSE(rig.has_said("Take the grip"));
     EXPECT_EQ(rig.store.values().walk.step_length_m, 0.65);
     EXPECT_TRUE(rig.store.values().profiles.empty());
@@ -146,7 +146,7 @@ TEST(WizardFromStartToEnd, by_lines_of_a_script) {
         },
         120.0));
     rig.run(5.0);
-    EXPECT_TRUE(rig.has_said("You are set up.")) << joined(rig.said());
+    EXPECT_TRUE(rig.has_said("The set-up is complete.")) << joined(rig.said());
     EXPECT_EQ(rig.profile().hand, HoldingHand::Left);
     EXPECT_EQ(rig.profile().ceiling_n, 2.5);
     EXPECT_GT(rig.profile().gentlest_n.value(), 0.2);
@@ -262,7 +262,7 @@ TEST(Wizard, an_answer_before_anything_can_be_felt_keeps_the_default) {
 TEST(Wizard, chooses_the_ceiling_in_three_steps_and_finely_and_raises_what_stands_in_its_way) {
     HeldSimulated held;
     WizardRig rig("strongest", &held);
-    ASSERT_TRUE(rig.run_until([&] { return rig.asks("Now a wall"); }));
+    ASSERT_TRUE(rig.run_until([&] { return rig.asks("Now you will feel a wall"); }));
     EXPECT_THAT(std::string(rig.wizard().question()), HasSubstr("Force: light, 1.2 newtons"));
     for (const char* key : {"Up", "Up", "Up", "Left", "Left"}) {
         rig.key(key);
@@ -332,7 +332,7 @@ TEST(Wizard, goes_on_without_a_device_that_is_unplugged_and_without_its_force) {
     EXPECT_TRUE(rig.asks("Your step is"));
     EXPECT_EQ(rig.force_n(), 0.0);
     EXPECT_TRUE(
-        rig.run_until([&] { return rig.has_said("The touch device was unplugged. I go on without it."); }, 10.0))
+        rig.run_until([&] { return rig.has_said("The touch device was unplugged. I will go on without it."); }, 10.0))
         << "after the alarm";
 }
 
