@@ -96,25 +96,20 @@ DoorTrial DoorTrials::walk(const WallGap& gap, double x_m, bool back) const {
     const double level_m = gap.axes.at({x_m, 0.0, gap.least_m.z}).z;
     const double from_m = gap.least_m.y - kStandsAway_m, to_m = gap.most_m.y + kStandsAway_m;
     const Reach height{level_m - kBodyDrop_m - kBodyTall_m, level_m + kBodyTall_m + 2.0 * kBodyDrop_m};
-    const auto floor_below = [&](double y_m, double half_m, double from_z_m, double& floor_m) {
-        bool carried = false;
-        for (const Stretch& one : column(gap.axes, x_m, y_m, half_m, height)) {
-            if (one.high_m > from_z_m + kBodyStep_m + kOnlyTouch_m || one.high_m < from_z_m - kBodyDrop_m) continue;
-            floor_m = carried ? std::max(floor_m, one.high_m) : one.high_m;
-            carried = true;
-        }
-        return carried;
-    };
     const int paces = std::max(1, static_cast<int>(std::ceil((to_m - from_m) / kTrialPace_m)));
     double feet_m = level_m;
     for (int i = 0; i <= paces; ++i) {
         const double part = static_cast<double>(back ? paces - i : i) / paces;
         const double y_m = from_m + part * (to_m - from_m);
-        double floor_m = feet_m;
-        if (!floor_below(y_m, kBodyHalf_m - kOnlyTouch_m, feet_m, floor_m)) return {DoorTrialEnd::NoFloor, {}, 0.0};
+        const std::vector<Stretch> here = column(gap.axes, x_m, y_m, kBodyHalf_m - kOnlyTouch_m, height);
+        double floor_m = -1e300;
+        for (const Stretch& one : here)
+            if (one.high_m <= feet_m + kBodyStep_m + kOnlyTouch_m && one.high_m >= feet_m - kBodyDrop_m)
+                floor_m = std::max(floor_m, one.high_m);
+        if (floor_m == -1e300) return {DoorTrialEnd::NoFloor, {}, 0.0};
         feet_m = floor_m;
         DoorTrial met{DoorTrialEnd::InTheWay, {}, 0.0};
-        for (const Stretch& one : column(gap.axes, x_m, y_m, kBodyHalf_m - kOnlyTouch_m, height))
+        for (const Stretch& one : here)
             if (one.high_m > feet_m + kOnlyTouch_m && one.low_m < feet_m + kBodyTall_m - kOnlyTouch_m) {
                 met.lines.push_back(one.line);
                 // What one could stand on under the lintel, were it lower.
