@@ -108,8 +108,8 @@ std::vector<std::string> said_of(const WalkSpace& space, const WalkBody& asked);
 // walls without furniture, no rooms that nothing leads to, no mark of stairs and nothing about what is nearest.
 struct WalkTrial {
     bool clearance = false;  // WalkSpan::clearance_m is measured too
-    // Where given, the body starts at `from_m` and stays in the box; only what touches the box is looked at, and there
-    // are no lifts, teleporters or stairs in one go.
+    // If set, the body starts at `from_m` and stays in the box. Only what touches the box is considered, and lifts,
+    // teleporters and stairs in one go are left out.
     struct Stretch {
         Vec3 from_m{0.0};
         Aabb box_m;

@@ -37,13 +37,13 @@ class OutlineIndex {
 public:
     explicit OutlineIndex(const std::vector<PlanSpace>& spaces) : index_(boxes_of(spaces)) {}
 
-    // The spaces that a door at `at` is in the wall of, rising: the nearest one, and those that it faces across that
-    // wall. A room whose corner is beside the door, along the wall, is not joined. Costs the edges of the outlines
-    // whose boxes hold the place.
     struct Beside {
+        // The spaces that share the wall of a door, in rising order. A room that only has a corner next to the door is
+        // not among them.
         std::vector<std::size_t> spaces;
         std::size_t nearest = static_cast<std::size_t>(-1);
     };
+    // Looks at each edge of the outlines whose boxes contain `at`.
     Beside spaces_at(const FloorPlan& plan, const Vec2& at) const {
         std::vector<std::uint32_t> near;
         index_.find({Vec3(at, 0.0), Vec3(at, 0.0)}, near);
@@ -403,8 +403,8 @@ void OsmPlan::add_doors() {
         }
         OsmLevels levels = levels_of(tags["level"], tags["repeat_on"]);
         odd_levels_ += levels.damaged ? 1 : 0;
-        // A door without a level is on those of the outlines that it is part of. Walls of other storeys often pass by
-        // the same place.
+        // A door that states no level is on the levels of its own outlines, or of the nearest one. Walls of other
+        // storeys often pass by the same place.
         const auto part_of = spaces_of_.find(n);
         if (levels.levels.empty())
             for (const std::size_t s : part_of != spaces_of_.end() ? part_of->second : std::vector{nearest})

@@ -91,7 +91,7 @@ std::vector<OsmPlan::Walked> OsmPlan::find_walked() {
     return walked;
 }
 
-// Levels that only ways have are storeys too.
+// A level that has only ways is a storey too.
 void OsmPlan::add_levels(const std::vector<Walked>& walked) {
     std::vector<PlanLevel> levels = plan_.levels;
     for (const Walked& way : walked) {

@@ -182,13 +182,18 @@ std::shared_ptr<const Scene> corridor_with_closet() {
     return std::make_shared<const Scene>(std::move(*scene));
 }
 
-TEST(OpenDoors, whose_leaf_leaves_no_way_beside_it_are_announced_and_can_be_shut) {
-    test::AppSession p;
+// Enters that world and opens the closet from the corridor.
+void open_the_closet(test::AppSession& p) {
     p.app.apply(WorldEntered{make_ready(corridor_with_closet())}, 0.0);
     p.run(0.1);
     p.app.apply(Placed{{5.0, 2.3, 0.0}, 0.0}, p.now);
     p.tap(Command::Use, 2.0);
     ASSERT_TRUE(p.heard("Closet opens"));
+}
+
+TEST(OpenDoors, whose_leaf_leaves_no_way_beside_it_are_announced_and_can_be_shut) {
+    test::AppSession p;
+    open_the_closet(p);
     p.app.apply(Placed{{1.5, 2.43, 0.0}, 0.5 * kPi}, p.now);
     p.run(0.2);
     p.ask(Command::Routes);
@@ -206,11 +211,7 @@ TEST(OpenDoors, whose_leaf_leaves_no_way_beside_it_are_announced_and_can_be_shut
 // From the side of its hinge the leaf stands across the way before the doorway that the way leads through.
 TEST(OpenDoors, that_the_way_leads_through_are_in_the_way_where_one_comes_to_their_leaf_first) {
     test::AppSession p;
-    p.app.apply(WorldEntered{make_ready(corridor_with_closet())}, 0.0);
-    p.run(0.1);
-    p.app.apply(Placed{{5.0, 2.3, 0.0}, 0.0}, p.now);
-    p.tap(Command::Use, 2.0);
-    ASSERT_TRUE(p.heard("Closet opens"));
+    open_the_closet(p);
     const BodySize size = body_size(*p.app.scene(), p.app.settings().walk.body_radius_m);
     const Vec3 doorway_m(5.0, 2.95, 0.0);
     const auto across = leaf_across(p.app.world(), size, {3.2, 2.25, 0.0}, doorway_m);
