@@ -232,7 +232,7 @@ int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream
     const auto scene = std::make_shared<const Scene>(std::move(*read));
     progress.at(phrase("progress.rooms"));
     const BodySize size = body_size(*scene, Settings{}.walk.body_radius_m);
-    RoomsOfWorld rooms(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), true);
+    RoomsOfWorld rooms(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), at_once());
     if (!rooms.ready() || !rooms.found())
         return failed({world.string(), 0, 0, rooms.problem().empty() ? phrase("export.no_rooms") : rooms.problem()}, 1);
     const WalkSpace& space = rooms.navigation().space();

@@ -287,7 +287,8 @@ void tell(const Scene& scene, const TouchModel& touch, const Cost& cost, std::os
 RoomGraph rooms_of(const std::shared_ptr<const Scene>& scene, std::string& unreachable,
                    std::vector<std::string>& left_out) {
     const BodySize size = body_size(*scene, Settings{}.walk.body_radius_m);
-    RoomsOfWorld rooms(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), true, ways_in_cache());
+    RoomsOfWorld rooms(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), at_once(),
+                       ways_in_cache());
     if (!rooms.ready() || !rooms.found()) {
         if (!rooms.problem().empty()) left_out.push_back(rooms.problem());
         return {};

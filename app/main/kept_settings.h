@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/core/kept/background_writer.h"
 #include "app/core/kept/save_soon.h"
-#include "app/core/kept/write_beside.h"
 #include "app/main/session_voice.h"
 #include "settings/settings.h"
 #include "worlds/base/clock.h"
@@ -35,7 +35,7 @@ private:
     Clock& clock_;
     const SessionVoice& say_;
     SaveSoon save_;
-    WriteBeside writer_{write_named_file_atomically};
+    BackgroundWriter writer_{on_threads(), write_named_file_atomically};
 };
 
 }  // namespace handrail

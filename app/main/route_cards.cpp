@@ -59,7 +59,11 @@ public:
         // Until the body stands.
         for (int i = 0; i < 30 && (i < 2 || !session_.standing()); ++i)
             session_.tick(now_s_ += 1.0 / 60.0, ToolState{});
-        std::vector<std::string> legs = session_.guide().legs_to(to.at_m, to.name, to.room, now_s_);
+        const bool leads = session_.guide().follow_to(to.at_m, to.name, to.room, now_s_);
+        for (int i = 0; i < 10 && leads && session_.guide().plans_legs(); ++i)
+            session_.tick(now_s_ += 1.0 / 60.0, ToolState{});
+        std::vector<std::string> legs = session_.guide().take_legs();
+        if (!leads) legs.clear();
         session_.take_cues();
         session_.take_events();
         return legs;
@@ -97,14 +101,19 @@ Result<CardWays> card_ways(const std::shared_ptr<const Scene>& scene, const Room
     const std::vector<CardPlace> places = places_of(*scene, graph);
     const Result<CardPlace> from = wish.from ? place_named(places, *wish.from) : base_of(*scene);
     if (!from) return tl::unexpected(from.error());
+    const std::uint32_t begins_in =
+        room_at(graph, navigation.space(), navigation.nearest_place(from->at_m).value_or(from->at_m));
     std::vector<CardPlace> goals;
     if (wish.to) {
         const Result<CardPlace> to = place_named(places, *wish.to);
         if (!to) return tl::unexpected(to.error());
+        if (to->room && begins_in != kNothing && room_at(graph, navigation.space(), to->at_m) == begins_in)
+            return fail(phrase("export.begins_there", {{"room", to->name}}));
         goals.push_back(*to);
     } else {
         for (const StoreyRoom& room : storey.rooms)
-            goals.push_back({room.name, graph.rooms[room.room].middle_m, std::nullopt, true});
+            if (room.room != begins_in)
+                goals.push_back({room.name, graph.rooms[room.room].middle_m, std::nullopt, true});
         std::sort(goals.begin(), goals.end(), [](const CardPlace& a, const CardPlace& b) { return a.name < b.name; });
     }
     AtStart at_start(scene, wish.settings);

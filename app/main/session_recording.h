@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "app/core/session/session.h"
-#include "app/core/world/arrivals.h"
 #include "app/main/commands.h"
 #include "app/record/recorded_sinks.h"
 #include "app/record/recorder.h"
 #include "audio-cues/sinks/audio_thread.h"
 #include "audio-cues/sinks/sound_outputs.h"
+#include "worlds/base/arrivals.h"
 #include "worlds/base/clock.h"
 
 namespace handrail {

@@ -120,15 +120,16 @@ public:
 
 private:
     SessionOptions options() {
-        SessionOptions options;
-        options.records_in = aside_.path();
+        const bool threads = !recording_.head.virtual_time;
+        SessionOptions options{.executor = threads ? on_threads() : at_once(),
+                               .records_in = aside_.path(),
+                               .languages_in = {},
+                               .bodies = {},
+                               .arrivals = threads ? &arrivals_ : nullptr};
         if (bodies_.recorded())
             options.bodies.played = [this](std::shared_ptr<const DynamicsScene> scene, double begin_s) {
                 return bodies_.make(std::move(scene), begin_s);
             };
-        if (recording_.head.virtual_time) return options;
-        options.rooms_beside = options.touch_beside = true;
-        options.arrivals = &arrivals_;
         return options;
     }
 

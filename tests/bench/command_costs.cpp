@@ -62,7 +62,7 @@ private:
         HandFacts hand;
         hand.present = hand.simulated = true;
         hand.spec = *find_device_spec("sim-t");
-        app_.emplace(Settings{}, hand, SessionOptions{.rooms_beside = true, .touch_beside = true});
+        app_.emplace(Settings{}, hand, SessionOptions{.executor = on_threads()});
         app_->apply(WorldEntered{make_ready_to_touch(scene_)}, now_s_);
         settle();
     }
@@ -74,7 +74,7 @@ private:
         return took_ms;
     }
     void settle() {
-        for (int i = 0; i < 120'000 && app_->works_beside(); ++i) {
+        for (int i = 0; i < 120'000 && app_->works_in_background(); ++i) {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
             tick();
         }

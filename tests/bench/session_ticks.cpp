@@ -43,7 +43,7 @@ public:
         HandFacts hand;
         hand.present = hand.simulated = true;
         hand.spec = *find_device_spec("sim-t");
-        Session app(Settings{}, hand, {.rooms_beside = true, .touch_beside = true});
+        Session app(Settings{}, hand, {.executor = on_threads()});
         const double enter_ms = timed([&] { app.apply(WorldEntered{std::move(ready)}, now_s_); });
         const double touch_s = since_begin();
         until_made(app);
@@ -105,7 +105,7 @@ private:
     }
     void until_made(Session& app) {
         ticks(app, 3);
-        for (int i = 0; i < 60000 && app.works_beside(); ++i) {
+        for (int i = 0; i < 60000 && app.works_in_background(); ++i) {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
             ticks(app, 1);
         }

@@ -39,7 +39,7 @@ public:
         climbs_ = 0;
         ask(Command::Routes);
         app_.apply(LineTyped{room}, now_s_);
-        listen();
+        run(0.05);
         if (heard("No walking way", 0)) return give_up(End::NoWay);
         std::string leg = ask(Command::RepeatLeg);
         for (int legs = 0, idle = 0; legs < kMostLegs && climbs_ < kMostClimbs; ++legs) {
@@ -116,6 +116,7 @@ private:
         app_.apply(CommandDown{command}, now_s_);
         app_.apply(CommandUp{command}, now_s_);
         listen();
+        for (int i = 0; i < 600 && said_.size() > before && said_.back() == phrase("leg.looks"); ++i) tick();
         return said_.size() > before ? said_.back() : std::string();
     }
     void press(Command command, int times = 1) {

@@ -18,6 +18,7 @@
 #include "app/core/world/body_state.h"
 #include "app/core/world/world_state.h"
 #include "worlds/base/contract.h"
+#include "worlds/base/executor.h"
 #include "worlds/base/language.h"
 #include "worlds/base/result.h"
 
@@ -50,6 +51,7 @@ struct SessionContext {
     SideFile& additions;  // to the world one is in: each topic writes lists and tables of its own
     Events& events;
     OwnerRequests& requests;
+    const Executor& executor;  // of background tasks
     SessionAsks asks = {};
     double tick_s = -1.0;  // of the last tick: when what a list or a question leads to happens
 

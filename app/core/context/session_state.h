@@ -10,7 +10,9 @@
 namespace handrail {
 
 struct SessionState {
-    explicit SessionState(const Settings& settings, const HandFacts& hand = {}) : person(settings) {
+    explicit SessionState(const Settings& settings, const HandFacts& hand = {}, const Executor& executor = at_once())
+        : person(settings), context{person.settings, person.keys, world,  body,     hands,   cues,
+                                    lists,           additions,   events, requests, executor} {
         hands.right = hand;
     }
     SessionState(const SessionState&) = delete;  // the context refers to it
@@ -26,7 +28,7 @@ struct SessionState {
     std::optional<double> additions_due_s;  // what could not be saved is tried again then
     Events events;
     OwnerRequests requests;
-    SessionContext context{person.settings, person.keys, world, body, hands, cues, lists, additions, events, requests};
+    SessionContext context;
 };
 
 }  // namespace handrail

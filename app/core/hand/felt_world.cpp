@@ -4,6 +4,8 @@
 
 #include "app/core/context/workspace_scale.h"
 #include "haptic/compile/compile_haptic.h"
+#include "haptic/render/validate_scene.h"
+#include "worlds/base/contract.h"
 
 namespace handrail {
 
@@ -33,6 +35,7 @@ FeltWorld make_felt(const FeltOrder& order, const FeltWorld& before, const std::
     options.stop = stop;
     felt.haptic = felt.plan.changes_nothing() ? compile_haptic(*order.scene, options)
                                               : compile_haptic(simplified(*order.scene, felt.plan), options);
+    contract_valid(validate(*felt.haptic));
     return felt;
 }
 

@@ -1,5 +1,5 @@
 // What a hand feels of a world at a scale: planned, simplified, rounded and compiled. Pure functions; any thread.
-// Beside the session it may take seconds; until it is there the hand feels what there was.
+// It may take seconds, so it is a background task; until it is there the hand feels what there was.
 #pragma once
 
 #include <memory>

@@ -19,64 +19,36 @@ void TouchView::enter_world(std::shared_ptr<const HapticScene> sharp, double now
     ++edits_;
     ordered_.reset();
     told_.clear();
-    if (beside_) {
-        planned_ = compiled_ = {};
-        rounded_m_ = 0.0;
-        haptic_ = sharp ? std::move(sharp) : compile_haptic(*world_.scene, exploring(0.0));
-        retune();
-        (void)adapt(now_s);
-    } else {
-        retune();
-        compile(0);
-    }
+    plan_ = {};
+    rounded_m_ = 0.0;
+    haptic_ = sharp ? std::move(sharp) : compile_haptic(*world_.scene, exploring(0.0));
+    retune();
+    adapt();
     world_.felt = haptic_->world;
-    world_.things.enter(*world_.scene, *haptic_, compiled_, now_s);
+    world_.things.enter(*world_.scene, *haptic_, plan_, now_s);
 }
 
 void TouchView::change_world(double now_s) {
     felt_.give_up();
     ++edits_;
     retune();
-    feel_scene(now_s);
-    if (beside_) (void)adapt(now_s);
-}
-
-double TouchView::rounding_m() const {
-    return felt_rounding_m(context_.settings.haptic.edge_rounding_mm, hands_.tuning.touch.world_m_per_hand_m,
-                           hands_.tuning.touch.radius_m);
-}
-
-bool TouchView::adapt(double now_s) {
-    if (beside_) {
-        if (!stale()) return false;
-        ordered_ = order();
-        felt_.begin([order = *ordered_, before = FeltWorld{nullptr, compiled_, {}, rounded_m_}](
-                        const std::stop_token& stop) { return make_felt(order, before, stop); });
-        return false;
-    }
-    if (!stale()) return false;
-    world_.scene = std::make_shared<const Scene>(world_now(world_));
-    feel_scene(now_s);
-    return true;
-}
-
-// What of the scene a hand can touch, by the plan of retune(). world: see HapticScene::world.
-void TouchView::compile(std::uint32_t world) {
-    rounded_m_ = rounding_m();
-    compiled_ = planned_;
-    const CompileOptions options = exploring(rounded_m_, world);
-    haptic_ = compiled_.changes_nothing() ? compile_haptic(*world_.scene, options)
-                                          : compile_haptic(simplified(*world_.scene, compiled_), options);
+    const CompileOptions options = exploring(rounded_m_, haptic_->world);
+    haptic_ = plan_.changes_nothing() ? compile_haptic(*world_.scene, options)
+                                      : compile_haptic(simplified(*world_.scene, plan_), options);
     contract_valid(validate(*world_.scene));
     contract_valid(validate(*haptic_));
-}
-
-// Makes anew what is felt and walked of the scene.
-void TouchView::feel_scene(double now_s) {
-    compile(haptic_->world);
-    world_.things.enter(*world_.scene, *haptic_, compiled_, now_s);
+    world_.things.enter(*world_.scene, *haptic_, plan_, now_s);
     world_.movers.follow(world_.scene->movers);
     rebuild_solids(world_, body_);
+    adapt();
+}
+
+void TouchView::adapt() {
+    if (!stale()) return;
+    ordered_ = order();
+    felt_.begin([order = *ordered_, before = FeltWorld{nullptr, plan_, {}, rounded_m_}](const std::stop_token& stop) {
+        return make_felt(order, before, stop);
+    });
 }
 
 void TouchView::retune() {
@@ -84,9 +56,8 @@ void TouchView::retune() {
     ServoTuning& tuning = hands_.tuning;
     tuning.touch = TouchTuning{};
     tuning.touch.world_m_per_hand_m = scale(context_);
-    if (!beside_) planned_ = plan_for_scale();
     tuning.touch.radius_m =
-        ball_radius_m(*world_.scene, settings.haptic.ball_diameter_mm * 1e-3, scale(context_), planned_);
+        ball_radius_m(*world_.scene, settings.haptic.ball_diameter_mm * 1e-3, scale(context_), plan_);
     tuning.touch.default_stiffness_fraction = settings.haptic.stiffness_fraction;
     tuning.touch.damping_ns_per_m = settings.haptic.damping_ns_per_m;
     tuning.button_to_feel = settings.haptic.button_to_feel;
@@ -136,12 +107,6 @@ TouchView::Wish TouchView::wish() {
     return wish;
 }
 
-Simplification TouchView::plan_for_scale() {
-    Wish asked = wish();
-    portals_ = std::move(asked.portals);
-    return asked.simplify ? plan_simplification(*world_.scene, *asked.simplify) : Simplification{};
-}
-
 FeltOrder TouchView::order() {
     Wish asked = wish();
     FeltOrder order;
@@ -157,32 +122,29 @@ FeltOrder TouchView::order() {
     return order;
 }
 
-bool TouchView::stale() {
-    if (!beside_) return rounding_m() != rounded_m_ || !(planned_ == compiled_);
-    return !ordered_ || !ordered_->same_as(order());
-}
+bool TouchView::stale() { return !ordered_ || !ordered_->same_as(order()); }
 
 bool TouchView::take_made(double now_s) {
     std::optional<FeltWorld> felt = felt_.take();
     if (!felt) return false;
     portals_ = std::move(felt->portals);
     if (!felt->haptic) return false;
-    planned_ = compiled_ = std::move(felt->plan);
+    plan_ = std::move(felt->plan);
     rounded_m_ = felt->rounding_m;
     haptic_ = std::move(felt->haptic);
     retune();
-    world_.things.feel_as(*world_.scene, *haptic_, compiled_, now_s);
+    world_.things.feel_as(*world_.scene, *haptic_, plan_, now_s);
     return true;
 }
 
-bool TouchView::widen_openings(bool rooms_known, double now_s) {
-    if (!openings_awaited_ || !rooms_known) return false;
+void TouchView::widen_openings(bool rooms_known) {
+    if (!openings_awaited_ || !rooms_known) return;
     retune();
-    return adapt(now_s);
+    adapt();
 }
 
 std::string TouchView::news() {
-    std::string sentence = simplified_sentence(compiled_);
+    std::string sentence = simplified_sentence(plan_);
     if (sentence == std::exchange(told_, sentence)) return {};
     return sentence.empty() ? phrase("simplify.nothing") : sentence;
 }

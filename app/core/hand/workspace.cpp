@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "app/core/context/telling.h"
@@ -145,8 +146,7 @@ void Workspace::take_hand() {
 
 void Workspace::take_settings(double now_s) {
     touch_.retune();
-    if (touch_.adapt(now_s) && hands_.tool.ticks > 0)
-        shift_m_ += hands_out_of_solids_m(origin_m() + shift_m_ + shift_by_hand_m());
+    touch_.adapt();
     publish(now_s, PoseChange::Moved);
 }
 
@@ -162,7 +162,7 @@ void Workspace::change_under_hand(const std::function<bool()>& change, double no
     const Vec3 place_m = hands_.tool.proxy_m;
     const bool keeps_place = change() && known;
     touch_.retune();
-    (void)touch_.adapt(now_s);
+    touch_.adapt();
     const auto hand_m = [&](const Vec3& origin_m) {
         return frame_of(origin_m, workspace_heading_rad(context_)).to_world(hands_.tool.hand_m, scale(context_));
     };
@@ -180,10 +180,9 @@ void Workspace::zoom(NamedScale scale_name, double now_s) {
             return scale_name != NamedScale::Building;  // that has its own place, round the whole building
         },
         now_s);
-    const std::string words = scale_sentence(scale_name, scale(context_), hands_.right.spec.workspace_radius_m,
-                                             distances(context_)),
-                      news = touch_.news();
-    context_.answer(news.empty() ? words : words + ". " + news, now_s);
+    scale_asked_s_ = now_s;
+    context_.answer(
+        scale_sentence(scale_name, scale(context_), hands_.right.spec.workspace_radius_m, distances(context_)), now_s);
 }
 
 void Workspace::turn(double by_deg, double now_s) {
@@ -240,16 +239,15 @@ std::string Workspace::words() const {
 }
 
 void Workspace::take_touch(bool rooms_known, bool quietly, double now_s) {
-    const auto tell = [&] {
-        if (std::string news = touch_.news(); !news.empty()) context_.say(std::move(news), SpeechClass::Ambient, now_s);
-    };
-    if (touch_.widen_openings(rooms_known, now_s)) {
-        bring_hands_out(now_s);
-        tell();
-    }
+    touch_.widen_openings(rooms_known);
     if (!touch_.take_made(now_s)) return;
     bring_hands_out(now_s);
-    if (!quietly) tell();
+    if (quietly) return;
+    const std::optional<double> asked_s = std::exchange(scale_asked_s_, std::nullopt);
+    std::string news = touch_.news();
+    if (news.empty()) return;
+    if (asked_s) context_.answer(std::move(news), *asked_s);
+    else context_.say(std::move(news), SpeechClass::Ambient, now_s);
 }
 
 // Out of what has come to be where they are.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "app/core/context/session_part.h"
@@ -56,6 +57,8 @@ public:
     // The hand feels what was made or found out since, and is brought out of what has come to be where it is.
     // quietly: without a word about what is simplified.
     void take_touch(bool rooms_known, bool quietly, double now_s);
+    // Another command: the answer to the one before does not go on any more.
+    void note_command() { scale_asked_s_.reset(); }
     // The hand cannot be moved, so the workspace is: to where the ball fits, as near as there is room. Says how far;
     // empty: it fits already. middle_was_m: of the workspace when the hand told where it is. with_body: the body has
     // just been brought out of something too, which brings out a hand that goes through what it is in.
@@ -103,6 +106,7 @@ private:
     Vec3 push_tap_{0.0};  // by a tap of a key: which way and until when
     double push_until_s_ = -1.0;
     WorkspaceMotion motion_told_ = WorkspaceMotion::Still;
+    std::optional<double> scale_asked_s_;  // its answer goes on once the hand feels the scale
     bool limit_told_ = false;
     Vec3 seen_from_m_{0.0};  // the feet, when the body was in sight of the hand last
     double left_behind_s_ = 0.0;

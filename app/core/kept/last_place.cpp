@@ -16,10 +16,10 @@
 #include <sstream>
 #include <vector>
 
+#include "app/core/kept/background_writer.h"
 #include "app/core/kept/crash_notes.h"
 #include "app/core/kept/folder_lock.h"
 #include "app/core/kept/world_shelf.h"
-#include "app/core/kept/write_beside.h"
 #include "settings/parse_toml.h"
 #include "worlds/base/descriptor.h"
 #include "worlds/base/files.h"
@@ -87,7 +87,7 @@ Result<LastPlace> read_last_place(const std::string& text) {
 struct SessionTrace::State {
     fs::path own;  // without its ending; empty: nothing is kept
     std::optional<Descriptor> held;
-    WriteBeside writer, report_writer;
+    BackgroundWriter writer{on_threads()}, report_writer{on_threads()};
     fs::path report;
     double next_report_s = -std::numeric_limits<double>::infinity();
     bool crashed = false;

@@ -68,15 +68,16 @@ void FaultList::tell_unreadable(double now_s) const {
 void FaultList::open(double now_s) {
     // Where there are no rooms and ways, what keeps them from being there is what should be mended.
     const bool known = rooms_.known();
-    if (known || rooms_.awaited() || !rooms_.looked_for())
+    if (known || rooms_.awaited())
         if (!rooms_.have(now_s)) return;
     std::vector<bool> landmarks;
     for (const Feature& feature : world_.scene->features) landmarks.push_back(feature.landmark);
-    Beside<std::shared_ptr<const Found>>::Work work = [file = rooms_.file_scene(),
-                                                       navigation = known ? rooms_.navigation_kept() : nullptr,
-                                                       graph = known ? rooms_.graph() : RoomGraph(),
-                                                       landmarks = std::move(landmarks),
-                                                       feet_m = context_.body.feet_m()](const std::stop_token&) {
+    BackgroundTask<std::shared_ptr<const Found>>::Work work = [file = rooms_.file_scene(),
+                                                               navigation = known ? rooms_.navigation_kept() : nullptr,
+                                                               graph = known ? rooms_.graph() : RoomGraph(),
+                                                               landmarks = std::move(landmarks),
+                                                               feet_m =
+                                                                   context_.body.feet_m()](const std::stop_token&) {
         auto found = std::make_shared<Found>();
         found->scene = with_landmarks_of(file, landmarks);
         found->faults = navigation ? find_faults(*found->scene, &navigation->space(), &graph)
@@ -89,7 +90,6 @@ void FaultList::open(double now_s) {
         }
         return std::shared_ptr<const Found>(std::move(found));
     };
-    if (!rooms_.beside()) return show(work({}), now_s);
     context_.answer(phrase("faults.looking"), now_s);
     looking_.begin(std::move(work));
 }

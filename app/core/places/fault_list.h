@@ -1,7 +1,6 @@
 // What should be mended in the world one is in (worlds/check), as a list: from one fault to the next, to its place, and
-// mended there where a name, a landmark, a door or a unit is all that is missing. Found on a thread beside everything
-// else where rooms are; what is mended is kept in the side file, and doors that were made can be taken away again in
-// the list. App thread only.
+// mended there where a name, a landmark, a door or a unit is all that is missing. Found in the background; what is
+// mended is kept in the side file, and doors that were made can be taken away again in the list. App thread only.
 #pragma once
 
 #include <functional>
@@ -12,7 +11,7 @@
 #include "app/core/context/session_part.h"
 #include "app/core/wayfinding/stops.h"
 #include "app/core/whereabouts/rooms.h"
-#include "app/core/world/beside.h"
+#include "worlds/base/background_task.h"
 #include "worlds/check/faults.h"
 #include "worlds/check/missing_doors.h"
 
@@ -52,7 +51,7 @@ private:
     WorldState& world_;
     Rooms& rooms_;
     std::vector<Error> unreadable_;
-    Beside<std::shared_ptr<const Found>> looking_;
+    BackgroundTask<std::shared_ptr<const Found>> looking_{context_.executor, "faults"};
 };
 
 }  // namespace handrail

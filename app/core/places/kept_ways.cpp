@@ -43,11 +43,6 @@ void KeptWays::enter_world(double now_s) {
     std::vector<Error> faults;
     ways_ = read_ways(context_.additions, faults);
     if (!faults.empty()) context_.say(unreadable_words("ways.unreadable", faults), SpeechClass::Answer, now_s);
-    // Where nobody looks for the rooms beside, a way that may not fit is the reason to look now.
-    const bool doubtful = std::any_of(ways_.begin(), ways_.end(), [&](const SavedWay& way) {
-        return way.world != context_.additions.world_checksum();
-    });
-    if (doubtful && !rooms_.beside() && rooms_.known()) rooms_.notice(now_s, true);
 }
 
 void KeptWays::take_again() {

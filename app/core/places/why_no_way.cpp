@@ -5,18 +5,16 @@
 
 namespace handrail {
 
-void WhyNoWay::look(std::uint32_t room, double now_s) {
+void WhyNoWay::look(std::uint32_t room) {
     contract_pre(rooms_.found() && room < rooms_.graph().rooms.size());
-    Beside<std::string>::Work work = [scene = rooms_.file_scene(), navigation = rooms_.navigation_kept(),
-                                      graph = rooms_.graph(), room](const std::stop_token& stop) {
+    looking_.begin([scene = rooms_.file_scene(), navigation = rooms_.navigation_kept(), graph = rooms_.graph(),
+                    room](const std::stop_token& stop) {
         const std::optional<WorldFault> fault = why_out_of_reach(*scene, navigation->space(), graph, room, stop);
         if (!fault) return std::string();
         // That there is no way has been said.
         const bool known = fault->lack != Lack::Nothing || !fault->other.empty();
         return (known ? fault_words(*scene, *fault) + " " : std::string()) + fault_advice(*scene, *fault);
-    };
-    if (rooms_.beside()) return looking_.begin(std::move(work));
-    if (std::string why = work({}); !why.empty()) context_.say(std::move(why), SpeechClass::Answer, now_s);
+    });
 }
 
 void WhyNoWay::tick(double now_s) {

@@ -24,11 +24,9 @@ constexpr double kAnswerFollows_s = 60.0;  // so long what is typed next waits f
 }  // namespace
 
 Session::Session(const Settings& settings, const HandFacts& hand, const SessionOptions& options)
-    : state_(settings, hand) {
+    : state_(settings, hand, options.executor) {
     watched_.arrivals = options.arrivals;
     wire();
-    if (options.rooms_beside) where_.rooms.find_beside();
-    if (options.touch_beside) hand_.touch_view.make_beside();
     bodies_.make_engines(options.bodies);
     if (!options.records_in.empty()) {
         learn_.hunt.keep_records_in(options.records_in);
@@ -44,13 +42,12 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     settled_.give_up();
     keep_learnt(now_s);
     state_.body.walker.reset();
-    // The world one leaves is let go of beside everything else.
+    // The world that is left is freed in the background.
     std::shared_ptr<RoomsOfWorld> rooms_left = where_.rooms.enter_world(std::move(world.file), std::move(world.ways));
     auto left = std::make_shared<
         std::tuple<std::shared_ptr<RoomsOfWorld>, std::shared_ptr<const Scene>, std::shared_ptr<const BodyWorld>>>(
         std::move(rooms_left), std::move(state_.world.scene), std::move(state_.world.solids));
-    if (hand_.touch_view.beside())
-        settled_.begin([left = std::move(left)](const std::stop_token&) { return std::shared_ptr<const Scene>(); });
+    settled_.begin([left = std::move(left)](const std::stop_token&) { return std::shared_ptr<const Scene>(); });
     state_.world.scene = std::move(world.scene);
     state_.world.building_m = building_bounds_m(*state_.world.scene);
     state_.world.thing_of_mover = std::move(world.thing_of_mover);
@@ -93,8 +90,6 @@ void Session::enter_world(EnteringWorld world, double now_s) {
         if (std::string crowded = crowded_view(*state_.world.scene); !crowded.empty())
             say(std::move(crowded), SpeechClass::Answer, now_s);
     tell_additions(now_s);
-    if (std::string news = greeting_waits() ? std::string() : hand_.touch_view.news(); !news.empty())
-        say(std::move(news), SpeechClass::Ambient, now_s);
     if (std::string game = labyrinth_.opening_words(); !game.empty()) say(std::move(game), SpeechClass::Answer, now_s);
     learn_.hunt.begin_awaited(now_s);
 }
@@ -136,6 +131,7 @@ void Session::press(Command command, double now_s, int times) {
         command != Command::StopSpeech && command != Command::StopEverything)
         quiet(now_s);
     if (command != Command::Repeat && command != Command::StopSpeech) too_early_.reset();
+    hand_.workspace.note_command();
     if (lesson_session_.takes(command, now_s)) return;
     lesson_session_.note(command);
     if (info(command).hold && !bodies_.keeps(command)) walk_.keys_held.press(command);
@@ -211,16 +207,11 @@ void Session::change_world(Scene scene, double now_s) {
 
 // Everything has come to rest: where it is now is where it is found, drawn and led to. The walls that a body meets are
 // there already.
-void Session::settle(double) {
-    if (hand_.touch_view.beside()) {
-        settled_.begin([scene = state_.world.scene,
-                        now = things_now(state_.world)](const std::stop_token&) -> std::shared_ptr<const Scene> {
-            return std::make_shared<const Scene>(with_things(*scene, now));
-        });
-        return;
-    }
-    state_.world.scene = std::make_shared<const Scene>(world_now(state_.world));
-    state_.world.movers.follow(state_.world.scene->movers);
+void Session::settle() {
+    settled_.begin([scene = state_.world.scene,
+                    now = things_now(state_.world)](const std::stop_token&) -> std::shared_ptr<const Scene> {
+        return std::make_shared<const Scene>(with_things(*scene, now));
+    });
 }
 
 bool Session::anything_moves() const {
@@ -300,7 +291,7 @@ void Session::tick(double now_s, const ToolState& tool, const ToolState& left_to
     const bool mover_arrived = movers_.doors.take_arrived(), bodies_rest = bodies_.take_rested();
     if (state_.world.things.tick(now_s, dt_s) || mover_arrived || bodies_rest) {
         // From now on it is seen where it is, as soon as everything stands still again.
-        if (!anything_moves()) settle(now_s);
+        if (!anything_moves()) settle();
         rebuild_solids(state_.world, state_.body);
     } else if (anything_moves() || state_.world.movers.any_endless()) {
         rebuild_solids(state_.world, state_.body);

@@ -28,10 +28,10 @@
 #include "app/core/session/session_input.h"
 #include "app/core/session/session_options.h"
 #include "app/core/wayfinding/guide.h"
-#include "app/core/world/beside.h"
 #include "audio-cues/plan/cue_planner.h"
 #include "haptic/servo/servo_tick.h"
 #include "settings/settings.h"
+#include "worlds/base/background_task.h"
 
 namespace handrail {
 
@@ -85,7 +85,7 @@ public:
     // Its `entered` rises when another world was entered; scene() may be another one without that, when something was
     // added, moved or removed.
     const WorldState& world() const { return state_.world; }
-    // Not const for who asks it for a way (Guide::legs_to).
+    // Not const: an owner may follow a route (Guide::follow_to).
     Guide& guide() { return guide_; }
     const Bodies& free_bodies() const { return bodies_; }
     // What is free to move goes on, in virtual time: each millisecond where a hand feels it.
@@ -116,8 +116,8 @@ public:
     // Free space across the way, at the height of the waist; 0 where a side is open.
     double passage_width_m() const { return walk_.walking.passage_width_m(); }
 
-    // What is done beside has not come to its end.
-    bool works_beside() const { return hand_.touch_view.busy() || settled_.busy(); }
+    // Something is being made in the background.
+    bool works_in_background() const { return hand_.touch_view.busy() || settled_.busy(); }
 
     // The answer to "where am I", also used on entering.
     std::string where_am_i() const { return where_.asking.where_am_i(); }
@@ -165,7 +165,7 @@ private:
     void bring_out(double now_s);
     // The world as it changes.
     void change_world(Scene scene, double now_s);
-    void settle(double now_s);
+    void settle();
     void take_settled();
     void tell_changes(double now_s);
     bool anything_moves() const;  // and comes to rest by itself
@@ -195,7 +195,8 @@ private:
     LessonSession lesson_session_{state_.context, asked_to_leave_};
     Menu menu_{state_.context};
     SimplifiedList simplified_list_{state_.context, where_.rooms};
-    Beside<std::shared_ptr<const Scene>> settled_;  // the world with its things where they have come to rest
+    // The world with its things where they have come to rest.
+    BackgroundTask<std::shared_ptr<const Scene>> settled_{state_.context.executor, "settle"};
     PlacesFeatures places_{state_, where_.rooms, guide_.planned()};
     Soundscape soundscape_;
     LearningFeatures learn_{state_, where_.rooms, soundscape_};

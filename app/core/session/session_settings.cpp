@@ -17,7 +17,6 @@ enum class Follows : std::uint8_t {
     Tuning,     // the servo is tuned otherwise, and force ramps in again
     UnderHand,  // the workspace turns about the place under the hand
     Scale,      // it grows about that place, and no named scale is in force any more
-    Felt,       // what the hand feels is made anew, and what is simplified is said
     Keys,       // keys stand for other commands
     Language,   // the names of things are others
 };
@@ -42,10 +41,10 @@ constexpr std::array kConsequences{
     Consequence{"haptic.button_to_feel", Follows::Tuning},
     Consequence{"desk.use", Follows::Tuning},
     Consequence{"dynamics.strength_n", Follows::Tuning},
-    Consequence{"haptic.ball_diameter_mm", Follows::Felt},
-    Consequence{"haptic.edge_rounding_mm", Follows::Felt},
-    Consequence{"haptic.simplify", Follows::Felt},
-    Consequence{"walk.body_radius_m", Follows::Felt},
+    Consequence{"haptic.ball_diameter_mm", Follows::UnderHand},
+    Consequence{"haptic.edge_rounding_mm", Follows::UnderHand},
+    Consequence{"haptic.simplify", Follows::UnderHand},
+    Consequence{"walk.body_radius_m", Follows::UnderHand},
     Consequence{"keyboard.hand", Follows::Keys},
     Consequence{"keys.", Follows::Keys},
     Consequence{"speech.language", Follows::Language},
@@ -101,13 +100,8 @@ void Session::follow(std::string_view key, Settings changed, double now_s) {
         return true;
     };
     const bool moves = state_.world.scene && !at_desk();  // a workspace that jumps would end a visit at the desk
-    const bool under_hand = follows == Follows::UnderHand || follows == Follows::Scale || follows == Follows::Felt;
-    if (under_hand && moves) {
-        hand_.workspace.change_under_hand(take, now_s);
-        if (std::string news = follows == Follows::Felt ? hand_.touch_view.news() : std::string(); !news.empty())
-            say(std::move(news), SpeechClass::Ambient, now_s);
-        return;
-    }
+    const bool under_hand = follows == Follows::UnderHand || follows == Follows::Scale;
+    if (under_hand && moves) return hand_.workspace.change_under_hand(take, now_s);
     take();
     if (follows == Follows::Keys)
         state_.person.keys = KeyMap(state_.person.settings.keys, state_.person.settings.keyboard.hand);

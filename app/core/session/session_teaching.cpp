@@ -62,7 +62,7 @@ void Session::lead_in_lesson(const TeacherActed& act, double now_s) {
 
 // Ways lead round the doors that are blocked, once there are ways.
 void Session::lay_blocked() {
-    if (!where_.rooms.look()) return;
+    if (!where_.rooms.found()) return;
     std::vector<Aabb> boxes;
     for (const FeatureId door : learn_.teaching.blocked)
         for (const Aabb& box : door_boxes(*where_.rooms.file_scene(), where_.rooms.graph(), door)) boxes.push_back(box);

@@ -66,7 +66,7 @@ void Session::wire() {
     state_.events.on_told = [this](const SessionEvent& event) { learn_.ways.see(event); };
     guide_.on_face = [this](double heading_rad, double now_s) { walk_.walking.face(heading_rad, now_s); };
     where_.climbs.on_way = [this] { return guide_.climb_here(); };
-    guide_.on_no_way = [this](std::uint32_t room, double now_s) { places_.why_no_way.look(room, now_s); };
+    guide_.on_no_way = [this](std::uint32_t room, double) { places_.why_no_way.look(room); };
     walk_.walking.line_up_m = [this](const Vec3& feet_m, double heading_rad) {
         return guide_.line_up_m(feet_m, heading_rad);
     };
@@ -99,9 +99,9 @@ void Session::wire() {
         if (!lock_words(state_.context, feature).empty()) movers_.doors.tell_shut(feature, now_s);
     };
     hand_.touch_view.openings = [this] {
-        if (where_.rooms.beside() && !where_.rooms.looked_for()) return KnownOpenings{{}, true};
+        if (where_.rooms.awaited()) return KnownOpenings{{}, true};
         // Not known(): on entering a world its movers are not known yet, nor where their leaves stand.
-        return KnownOpenings{where_.rooms.look() ? open_portals(where_.rooms.graph()) : OpenPortals{}, false};
+        return KnownOpenings{where_.rooms.found() ? open_portals(where_.rooms.graph()) : OpenPortals{}, false};
     };
     hand_.workspace.in_room_of_body = [this](const Vec3& place_m) {
         if (!where_.rooms.found()) return false;

@@ -69,17 +69,18 @@ bool Guide::act(Command command, double now_s) {
     return true;
 }
 
-std::vector<std::string> Guide::legs_to(const Vec3& goal_m, const std::string& name, bool by_room, double now_s) {
-    if (!rooms_.known()) return {};
-    bool leads = false;
+bool Guide::follow_to(const Vec3& goal_m, const std::string& name, bool by_room, double now_s) {
+    if (!rooms_.known()) return false;
     if (by_room) {
         const std::uint32_t room = room_at(rooms_.graph(), rooms_.space(), goal_m);
-        leads = room != kNothing && ear_.follow_to_room(room, {}, now_s);
-    } else {
-        ear_.follow_to(goal_m, name, {}, now_s);
-        leads = ear_.following() && !ear_.to_nearest();
+        return room != kNothing && ear_.follow_to_room(room, {}, now_s);
     }
-    std::vector<std::string> legs = leads ? ear_.rest_of_way() : std::vector<std::string>{};
+    ear_.follow_to(goal_m, name, {}, now_s);
+    return ear_.following() && !ear_.to_nearest();
+}
+
+std::vector<std::string> Guide::take_legs() {
+    std::vector<std::string> legs = ear_.following() ? ear_.rest_of_way() : std::vector<std::string>{};
     ear_.stop();
     return legs;
 }

@@ -44,10 +44,13 @@ public:
     // Along the stops of a kept way, from the first on or to it first; by the hand or by ear.
     void go_along(const std::vector<Stop>& stops, bool by_hand, double now_s);
     void go_to_room(std::uint32_t room, double now_s);
-    // The way from where the body stands to a place, as RestOfWay tells it where it is followed: a leg each. To the
-    // room around it where `by_room`, else to a thing of that name there. Empty: no way leads there. Guidance
-    // ends before this returns. What it said meanwhile stands among the session's cues.
-    std::vector<std::string> legs_to(const Vec3& goal_m, const std::string& name, bool by_room, double now_s);
+    // Follows the route from where the body stands to a place: to the room around it if `by_room`, else to a thing of
+    // that name there. False: no route leads there.
+    bool follow_to(const Vec3& goal_m, const std::string& name, bool by_room, double now_s);
+    // What is followed is still being planned; a later tick has it.
+    bool plans_legs() const { return ear_.plans_legs(); }
+    // The legs that RestOfWay announces, one each; guidance ends. Empty: there is no route.
+    std::vector<std::string> take_legs();
     // Whether a room is called so that one may choose a way to.
     bool leads_to(std::string_view typed) const;
     // The ways to find a thing, in a list.

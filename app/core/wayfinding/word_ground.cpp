@@ -10,7 +10,6 @@ void WordGround::enter_world() {
 }
 
 void WordGround::tick() {
-    if (!rooms_.beside()) return;
     // Whoever has given their steps another length since is told as many as they are by now.
     if (floor_ && floor_->step_m != context_.settings.walk.step_length_m) floor_.reset();
     (void)floor();
@@ -20,14 +19,12 @@ std::shared_ptr<const WordFloor> WordGround::floor() {
     if (floor_ || !rooms_.found() || !context_.world.scene) return floor_;
     if (auto made = making_.take()) return floor_ = std::move(*made);
     if (making_.busy()) return nullptr;
-    const auto make = [ways = rooms_.navigation_kept(), rooms = rooms_.graph().room_of_span,
-                       scene = context_.world.scene, things = context_.world.thing_of_mover,
-                       step_m = context_.settings.walk.step_length_m](const std::stop_token&) {
+    making_.begin([ways = rooms_.navigation_kept(), rooms = rooms_.graph().room_of_span, scene = context_.world.scene,
+                   things = context_.world.thing_of_mover,
+                   step_m = context_.settings.walk.step_length_m](const std::stop_token&) {
         return std::shared_ptr<const WordFloor>(
             std::make_shared<const WordFloor>(ways, rooms, word_doors(*scene, things), step_m));
-    };
-    if (!rooms_.beside()) return floor_ = make({});
-    making_.begin(make);
+    });
     return nullptr;
 }
 

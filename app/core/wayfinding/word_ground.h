@@ -1,5 +1,5 @@
 // The floor of the world one is in as somebody finds it who walks by words, and what plans routes on it: made once the
-// rooms are known, on a thread beside everything else where rooms are found so, else when it is first asked for. App
+// rooms are known, in the background. App
 // thread only; what it hands out is immutable and for any thread. World metres.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 #include "app/core/context/session_part.h"
 #include "app/core/whereabouts/rooms.h"
-#include "app/core/world/beside.h"
+#include "worlds/base/background_task.h"
 #include "worlds/navigation/word_route.h"
 
 namespace handrail {
@@ -51,7 +51,7 @@ public:
 private:
     Rooms& rooms_;
     std::shared_ptr<const WordFloor> floor_;
-    Beside<std::shared_ptr<const WordFloor>> making_;
+    BackgroundTask<std::shared_ptr<const WordFloor>> making_{context_.executor, "word-floor"};
 };
 
 }  // namespace handrail

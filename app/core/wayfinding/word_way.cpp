@@ -59,8 +59,8 @@ void WordWay::plan() {
     planned.from_m = context_.body.feet_m();
     planned.notch = nearest_notch(context_.body.heading_goal_rad);
     planned.open = ground_.open_now(*floor);
-    auto work = [planned = std::move(planned), room = room_, middle_m = rooms_.graph().rooms[room_].middle_m,
-                 scene = rooms_.file_scene()](const std::stop_token& stop) {
+    planning_.begin([planned = std::move(planned), room = room_, middle_m = rooms_.graph().rooms[room_].middle_m,
+                     scene = rooms_.file_scene()](const std::stop_token& stop) {
         Planned made = planned;
         if (!made.goal)
             made.goal = std::make_shared<const WordGoal>(goal_in_room(
@@ -68,9 +68,7 @@ void WordWay::plan() {
         made.route =
             made.floor->planner.plan(made.from_m, notch_heading_rad(made.notch), *made.goal, made.open, {}, stop);
         return made;
-    };
-    if (rooms_.beside()) planning_.begin(std::move(work));
-    else take(work({}));
+    });
 }
 
 void WordWay::take(Planned planned) {

@@ -1,6 +1,6 @@
-// The way to a room that is followed by words: planned for words on a thread beside the session, or at once where the
-// same must happen in every run; told leg by leg from where one is, and planned anew where the rest of it would not
-// lead there any more. Says nothing itself. App thread only; world metres.
+// The route to a room that is followed by words: planned for words in the background; told leg by leg from where one
+// is, and planned anew where the rest of it would not lead there any more. Says nothing itself. App thread only; world
+// metres.
 #pragma once
 
 #include <memory>
@@ -79,7 +79,7 @@ private:
         double heading_rad = 0.0;
     };
     std::optional<Stop> stopped_;
-    Beside<Planned> planning_;
+    BackgroundTask<Planned> planning_{context_.executor, "word-route"};
 };
 
 }  // namespace handrail

@@ -20,10 +20,10 @@ std::shared_ptr<RoomsOfWorld> Rooms::enter_world(std::shared_ptr<const Scene> sc
     std::shared_ptr<RoomsOfWorld> left = std::move(of_world_);
     if (left) left->give_up();  // before the next begins
     const WalkBody body = walk_body(*scene, size.radius_m, size.height_m, size.step_up_m);
-    of_world_ = std::make_shared<RoomsOfWorld>(std::move(scene), body, !beside_, std::move(keeper));
+    of_world_ = std::make_shared<RoomsOfWorld>(std::move(scene), body, context_.executor, std::move(keeper));
     leaves_of_.reset();
     patience_.reset();
-    told_ = false;
+    looked_for_ = told_ = false;
     here_ = kNothing;
     storey_.reset();
     visited_.clear();
@@ -49,6 +49,7 @@ bool Rooms::act(Command command, double now_s) {
 }
 
 void Rooms::tick(double now_s) {
+    looked_for_ = looked_for_ || (of_world_ && of_world_->ready());
     if (found()) say_room_names(graph());
     know_leaves();
     notice(now_s, false);
@@ -57,8 +58,8 @@ void Rooms::tick(double now_s) {
 
 // Once while they are looked for, and then that they are there: who explores meanwhile is not disturbed more than that.
 void Rooms::tell_that_it_takes_long(double now_s) {
-    if (!of_world_ || !beside_) return;
-    if (of_world_->told_ready()) {
+    if (!of_world_) return;
+    if (looked_for_) {
         if (patience_ && patience_->told() && found())
             context_.say(phrase("rooms.known_now"), SpeechClass::Ambient, now_s);
         patience_.reset();
@@ -69,9 +70,8 @@ void Rooms::tell_that_it_takes_long(double now_s) {
         context_.say(phrase("rooms.takes_long"), SpeechClass::Ambient, now_s);
 }
 
-// Rooms and ways are there to be used; where the same must happen in every run they are looked for now.
 bool Rooms::known() {
-    const bool known = of_world_ && (!beside_ || of_world_->ready()) && of_world_->ready() && of_world_->found();
+    const bool known = found();
     if (known) know_leaves();
     return known;
 }
@@ -99,12 +99,12 @@ void Rooms::know_leaves() {
 
 // True when rooms are there to speak of; else says why not.
 bool Rooms::have(double now_s) {
-    if (!of_world_ || (beside_ && !of_world_->ready())) {
+    if (!looked_for_) {
         context_.answer(phrase("rooms.not_yet"), now_s);
         refused_ = true;
         return false;
     }
-    if (of_world_->ready() && of_world_->found()) {
+    if (found()) {
         know_leaves();
         notice(now_s, true);
         return true;

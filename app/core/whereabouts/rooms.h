@@ -1,5 +1,5 @@
 // The rooms of the world one is in: which one the body is in, where they lead, and what the person calls them. Knows
-// nothing of ways that are gone. App thread only; RoomsOfWorld finds them, beside or not.
+// nothing of ways that are gone. App thread only; RoomsOfWorld finds them in the background.
 #pragma once
 
 #include <functional>
@@ -21,10 +21,6 @@ class Rooms : SessionPart {
 public:
     explicit Rooms(const SessionContext& context) : SessionPart(context) {}
 
-    // Of worlds entered from now on they are found on a thread beside everything else; without this when they are first
-    // asked for.
-    void find_beside() { beside_ = true; }
-    bool beside() const { return beside_; }
     // scene: as its file has it. keeper: see RoomsOfWorld. What is known of the world one leaves comes back, to be let
     // go of beside everything else: that may wait for its thread and for a disk.
     std::shared_ptr<RoomsOfWorld> enter_world(std::shared_ptr<const Scene> scene, WaysKeeper keeper = {});
@@ -32,21 +28,17 @@ public:
     bool act(Command command, double now_s);
     void tick(double now_s);
 
-    // ---- four questions with four costs ----
-    // There are rooms and ways to be used. Where they are not found beside they are looked for now.
+    // There are rooms and routes to be used.
     bool known();
     // The same, noticing which room one is in; else says why not.
     bool have(double now_s);
     // have() was asked before they were known, since this was asked last.
     bool take_refused() { return std::exchange(refused_, false); }
-    // Looked for now where they are not found beside, as known(), but before the world's doors stand where they will:
-    // no leaf is noticed.
-    bool look() const { return of_world_ && of_world_->ready() && of_world_->found(); }
-    // Nothing is looked for now: they have been, and there are some.
-    bool found() const { return looked_for() && of_world_->found(); }
-    bool looked_for() const { return of_world_ && of_world_->done(); }
-    // The thread beside is still at it.
-    bool awaited() const { return of_world_ && beside_ && !of_world_->ready(); }
+    // The same, before the world's doors are where they will be: no leaf is noticed.
+    bool found() const { return looked_for_ && of_world_->found(); }
+    // The search is over, with or without a result, as of the last tick.
+    bool looked_for() const { return looked_for_; }
+    bool awaited() const { return of_world_ && !looked_for_; }
     const std::string& problem() const { return of_world_->problem(); }
     // Only where they are found.
     RoomGraph& graph() const { return of_world_->graph(); }
@@ -84,7 +76,7 @@ private:
     void lay_given_names(double now_s);
     void give_name(std::uint32_t room, const std::string& typed, double now_s);
 
-    bool beside_ = false, told_ = false, drawn_ = false, refused_ = false;
+    bool looked_for_ = false, told_ = false, drawn_ = false, refused_ = false;
     std::shared_ptr<RoomsOfWorld> of_world_;
     std::optional<Patience> patience_;  // since the first tick in this world; none: not begun, or over
     std::uint32_t here_ = kNothing;

@@ -3,7 +3,7 @@
 #include <new>
 
 #include "app/core/whereabouts/rooms_kept.h"
-#include "app/core/world/arrivals.h"
+#include "worlds/base/arrivals.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 #include "worlds/navigation/reach.h"
@@ -12,11 +12,34 @@
 
 namespace handrail {
 
-RoomsOfWorld::RoomsOfWorld(std::shared_ptr<const Scene> scene, const WalkBody& body, bool at_once, WaysKeeper keeper)
-    : scene_(std::move(scene)), body_(body), at_once_(at_once), keeper_(std::move(keeper)) {
+RoomsOfWorld::RoomsOfWorld(std::shared_ptr<const Scene> scene, const WalkBody& body, const Executor& executor,
+                           WaysKeeper keeper)
+    : scene_(std::move(scene)), body_(body), keeper_(std::move(keeper)) {
     contract_pre(scene_ != nullptr);
     contract_pre(body.radius_m > 0.0 && body.height_m > 0.0);
-    if (!at_once_) worker_ = std::jthread([this](const std::stop_token& stop) { find(stop); });
+    RoomsKept* const shared = keeper_ ? nullptr : RoomsKept::here();
+    if (shared && take_from(*shared)) return;
+    worker_ = executor.run("rooms", [this] { find(stop_.get_token()); });
+    if (shared && !worker_.joinable() && navigation_)
+        shared->keep({scene_, body_, spoken_language(), navigation_->space(), graph_, out_of_reach_});
+}
+
+RoomsOfWorld::~RoomsOfWorld() {
+    give_up();
+    if (worker_.joinable()) worker_.join();
+}
+
+// What was found of the same scene before.
+bool RoomsOfWorld::take_from(const RoomsKept& shared) {
+    const RoomsKept::Found* before = shared.of(scene_, body_);
+    if (!before) return false;
+    auto made = Navigation::over(*scene_, before->space);
+    if (!made) return false;
+    navigation_ = std::move(*made);
+    graph_ = before->graph;
+    out_of_reach_ = before->out_of_reach;
+    done_ = true;
+    return true;
 }
 
 void RoomsOfWorld::find_or_take(const std::string& key, const std::stop_token& stop) {
@@ -66,26 +89,9 @@ void RoomsOfWorld::find(const std::stop_token& stop) {
     }
 }
 
-// What was found of the same scene before, if this process still has it and no keeper does.
-void RoomsOfWorld::find_once() {
-    RoomsKept* const kept = keeper_ ? nullptr : RoomsKept::here();
-    if (const RoomsKept::Found* before = kept ? kept->of(scene_, body_) : nullptr)
-        if (auto made = Navigation::over(*scene_, before->space)) {
-            navigation_ = std::move(*made);
-            graph_ = before->graph;
-            out_of_reach_ = before->out_of_reach;
-            done_ = true;
-            return;
-        }
-    find({});
-    if (kept && navigation_)
-        kept->keep({scene_, body_, spoken_language(), navigation_->space(), graph_, out_of_reach_});
-}
-
 bool RoomsOfWorld::ready() {
-    if (at_once_ && !done_) find_once();
-    if (!known_ && !at_once_) known_ = Arrivals::there([this] { return done_.load(); }, [this] { done_.wait(false); });
-    return at_once_ ? done_.load() : known_;
+    if (!known_) known_ = Arrivals::there([this] { return done_.load(); }, [this] { done_.wait(false); });
+    return known_;
 }
 
 }  // namespace handrail

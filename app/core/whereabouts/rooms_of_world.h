@@ -1,6 +1,5 @@
-// The rooms and ways of the world one is in, found beside everything else: on a thread of their own, so that entering a
-// world does not wait for them, or at once where the same must happen at the same time in every run. Owned by the
-// session and used on the app thread only.
+// The rooms and routes of the current world, found in the background, so that entering a world does not wait for them.
+// Owned by the session and used on the app thread only.
 #pragma once
 
 #include <atomic>
@@ -11,30 +10,31 @@
 #include <vector>
 
 #include "app/core/kept/ways_keeper.h"
+#include "worlds/base/executor.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/navigation/rooms.h"
 
 namespace handrail {
 
+class RoomsKept;
+
 class RoomsOfWorld {
 public:
-    // at_once: found when ready() is first asked, which then takes as long as it takes, or before (RoomsKept).
-    // keeper: takes what was kept for this scene and body, and keeps what was found anew, after ready(); used instead
-    // of RoomsKept.
-    RoomsOfWorld(std::shared_ptr<const Scene> scene, const WalkBody& body, bool at_once, WaysKeeper keeper = {});
-    ~RoomsOfWorld() = default;  // gives up what is not done yet, and waits for that
+    // keeper: takes what was kept for this scene and body, and keeps what was found anew, after ready(). Without one
+    // the RoomsKept of this thread does so, if there is one.
+    RoomsOfWorld(std::shared_ptr<const Scene> scene, const WalkBody& body, const Executor& executor,
+                 WaysKeeper keeper = {});
+    ~RoomsOfWorld();  // gives up what is not done yet, and waits for that
     RoomsOfWorld(const RoomsOfWorld&) = delete;
     RoomsOfWorld& operator=(const RoomsOfWorld&) = delete;
 
     // True when it is done, well or not; the rest is looked at only then.
     bool ready();
-    bool done() { return at_once_ ? done_.load() : ready(); }             // ready(), without making it so
-    bool told_ready() const { return at_once_ ? done_.load() : known_; }  // ready() has said so, without asking it
     bool found() const { return navigation_ != nullptr; }
     bool kept() const { return kept_; }                      // taken from the keeper instead of being found
     const std::string& problem() const { return problem_; }  // a sentence; empty: none
     // It is not wanted any more: ready() may never be true.
-    void give_up() { worker_.request_stop(); }
+    void give_up() { stop_.request_stop(); }
     // See unreachable_rooms().
     const std::vector<std::string>& out_of_reach() const { return out_of_reach_; }
     // As it was given.
@@ -45,21 +45,22 @@ public:
     RoomGraph& graph() { return graph_; }
 
 private:
+    bool take_from(const RoomsKept& shared);
     void find(const std::stop_token& stop);
-    void find_once();
     void find_or_take(const std::string& key, const std::stop_token& stop);
 
     std::shared_ptr<const Scene> scene_;
     WalkBody body_;
-    bool at_once_, kept_ = false;
+    bool kept_ = false;
     WaysKeeper keeper_;
     std::shared_ptr<Navigation> navigation_;
     RoomGraph graph_;
     std::vector<std::string> out_of_reach_;
     std::string problem_;
     std::atomic<bool> done_{false};
-    bool known_ = false;   // to the session, where it is found beside it
-    std::jthread worker_;  // the last: it is ended before what it fills goes
+    bool known_ = false;  // to the session
+    std::stop_source stop_;
+    std::thread worker_;
 };
 
 }  // namespace handrail

@@ -76,7 +76,11 @@ TEST(ExportCommand, writes_ways_in_words_in_print_and_in_braille) {
             ++i;
         } else EXPECT_LE(++line, 40U);
     }
-    EXPECT_EQ(std::count(cells.begin(), cells.end(), '\f'), 9) << "ten rooms, each on a page of its own";
+    EXPECT_EQ(std::count(cells.begin(), cells.end(), '\f'), 8) << "nine rooms, each on a page of its own";
+    EXPECT_THAT(all.err, testing::Not(testing::HasSubstr("No way leads to")));
+    const Outcome here = run({house(), "--route-card", (folder.path() / "here.txt").string(), "--to", "hall"});
+    EXPECT_EQ(here.status, 1);
+    EXPECT_THAT(here.err, testing::HasSubstr("The route begins in Hall already."));
 }
 
 TEST(ExportCommand, ends_with_status_1_and_offers_help_where_a_sheet_does_not_keep_its_promises) {

@@ -31,7 +31,7 @@ public:
     std::string told(const std::string& room) {
         ask(Command::Routes);
         EXPECT_TRUE(session_.apply(LineTyped{room}, now_s_)) << room;
-        tick(1);
+        tick(3);
         return ask(Command::RestOfWay);
     }
 
@@ -67,7 +67,7 @@ TEST_P(OfWorld, have_the_legs_that_are_told_to_every_room) {
     ASSERT_TRUE(read) << read.error().sentence();
     const auto scene = std::make_shared<const Scene>(std::move(*read));
     const BodySize size = body_size(*scene, Settings{}.walk.body_radius_m);
-    RoomsOfWorld rooms(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), true);
+    RoomsOfWorld rooms(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), at_once());
     ASSERT_TRUE(rooms.ready() && rooms.found());
     const Start* base = nullptr;
     for (const Start& start : scene->starts)

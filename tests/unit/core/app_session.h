@@ -48,11 +48,12 @@ struct AppSession {
             if (cue.kind == CueRequestKind::Bump) bumped.push_back(cue.feature);
         }
     }
-    // What was said last when the command has been given.
+    // What was said last when the command has been given; a route that is still being planned is waited for.
     std::string ask(Command command) {
         app.apply(CommandDown{command}, now);
         app.apply(CommandUp{command}, now);
         listen();
+        for (int i = 0; i < 600 && !said.empty() && said.back() == phrase("leg.looks"); ++i) run(1.0 / 60.0);
         return said.empty() ? std::string() : said.back();
     }
     void hold(Command command, double seconds) {

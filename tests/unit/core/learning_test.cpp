@@ -324,7 +324,10 @@ TEST_P(Outlines, are_as_long_and_as_large_as_they_are_within_two_percent) {
 
 // A person who presses keys, and where the feet were.
 struct Lap : test::AppSession {
-    explicit Lap(std::shared_ptr<const Scene> scene) { app.apply(WorldEntered{make_ready(std::move(scene))}, 0.0); }
+    explicit Lap(std::shared_ptr<const Scene> scene) {
+        app.apply(WorldEntered{make_ready(std::move(scene))}, 0.0);
+        run(0.1);
+    }
     void walk(double seconds) {
         for (const double until = now + seconds; now < until - 1e-9;) {
             run(1.0 / 60.0);

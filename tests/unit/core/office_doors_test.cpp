@@ -44,7 +44,7 @@ TEST(OfficeDoors, of_two_thousand_each_twentieth_opens_to_the_hand) {
     ASSERT_TRUE(read) << read.error().sentence();
     Settings settings;
     settings.haptic.edge_rounding_mm = 0.0;
-    AppSession session(settings, {}, {.rooms_beside = true, .touch_beside = true});
+    AppSession session(settings, {}, {.executor = on_threads()});
     session.app.apply(WorldEntered{make_ready_to_touch(std::make_shared<const Scene>(std::move(*read)))}, 0.0);
     struct Door {
         FeatureId feature;

@@ -18,7 +18,7 @@ namespace rooms_session_test {
 std::shared_ptr<const Scene> house() { return test::our_world("house.map"); }
 
 struct Visitor : test::AppSession {
-    explicit Visitor(bool beside = false) : AppSession({}, {}, {.rooms_beside = beside}) {}
+    explicit Visitor(bool beside = false) : AppSession({}, {}, {.executor = beside ? on_threads() : at_once()}) {}
 };
 
 TEST(RoomsInASession, tell_on_entering_which_room_one_cannot_walk_to) {
@@ -91,10 +91,12 @@ TEST(RoomsInASession, lead_to_another_room_in_words_and_along_the_way) {
     s.ask(Command::Routes);
     EXPECT_TRUE(s.said.back().starts_with("Way to")) << s.said.back();
     ASSERT_TRUE(s.app.apply(LineTyped{"Music room"}, s.now));
-    s.listen();
-    const std::string words = s.said.back();
-    EXPECT_TRUE(words.starts_with("To Music room. ")) << words;
-    EXPECT_NE(words.find("steps in all, through Stairs, Landing. "), std::string::npos) << words;
+    s.run(0.1);
+    const auto told = std::find_if(s.said.begin(), s.said.end(),
+                                   [](const std::string& one) { return one.starts_with("To Music room. "); });
+    ASSERT_NE(told, s.said.end()) << s.news();
+    const std::string words = *told;
+    EXPECT_NE(words.find("steps in all, through Stairs, Landing."), std::string::npos) << words;
     const std::string rest = s.ask(Command::RestOfWay);
     EXPECT_NE(rest.find(" stairs up, "), std::string::npos) << rest;
     EXPECT_NE(rest.find("Music room door, shut. Open it. "), std::string::npos) << rest;
@@ -160,6 +162,7 @@ TEST(RoomsInASession, say_plainly_where_there_is_no_way) {
     s.run(0.1);
     s.ask(Command::Routes);
     ASSERT_TRUE(s.app.apply(LineTyped{"Balcony"}, s.now));
+    s.run(0.1);
     s.listen();
     EXPECT_TRUE(s.heard("No walking way found to Balcony. The nearest place you can reach is in ")) << s.news();
     EXPECT_EQ(s.said.back(), "Give it a door, or stairs or a lift to its storey.");
@@ -185,10 +188,7 @@ struct LateRooms {
         session.app.apply(WorldEntered{make_ready(house())}, 0.0);
     }
     SessionOptions options() {
-        SessionOptions beside;
-        beside.rooms_beside = true;
-        beside.arrivals = &arrivals;
-        return beside;
+        return {.executor = on_threads(), .records_in = {}, .languages_in = {}, .bodies = {}, .arrivals = &arrivals};
     }
     int told(const std::string& words) const {
         return static_cast<int>(std::count(session.said.begin(), session.said.end(), words));
@@ -251,14 +251,14 @@ TEST(RoomsKept, are_as_if_they_were_found_anew_and_the_sessions_own) {
     const WalkBody body = walk_body(*world, size.radius_m, size.height_m, size.step_up_m);
     RoomsKept kept;
     ASSERT_EQ(kept.of(world, body), nullptr);
-    RoomsOfWorld anew(world, body, true);
+    RoomsOfWorld anew(world, body, at_once());
     ASSERT_TRUE(anew.ready() && anew.found());
     ASSERT_NE(kept.of(world, body), nullptr);
     anew.graph().rooms[0].name = "Vestibule";  // as a person may call it
-    RoomsOfWorld before(world, body, true);
+    RoomsOfWorld before(world, body, at_once());
     {
         RoomsKept none(0);
-        RoomsOfWorld other(world, body, true);
+        RoomsOfWorld other(world, body, at_once());
         ASSERT_TRUE(before.ready() && before.found() && other.ready() && other.found());
         EXPECT_EQ(before.graph().rooms[0].name, other.graph().rooms[0].name);
         EXPECT_EQ(before.graph().room_of_span, other.graph().room_of_span);
@@ -276,7 +276,7 @@ TEST(RoomsKept, are_as_if_they_were_found_anew_and_the_sessions_own) {
     EXPECT_EQ(kept.of(world, walk_body(*world, size.radius_m + 0.01, size.height_m, size.step_up_m)), nullptr);
     const test::InLanguage german("de");
     EXPECT_EQ(kept.of(world, body), nullptr);
-    RoomsOfWorld in_german(world, body, true);
+    RoomsOfWorld in_german(world, body, at_once());
     ASSERT_TRUE(in_german.ready() && in_german.found());
     EXPECT_EQ(in_german.graph().language, "de");
 }
@@ -294,9 +294,9 @@ TEST(RoomsOfAWorld, are_taken_from_what_was_kept_and_are_the_same) {
         std::vector<Vec3> way_m;
         std::vector<std::string> out_of_reach;
     };
-    const auto look = [&](bool at_once) {
+    const auto look = [&](const Executor& executor) {
         Known known;
-        RoomsOfWorld rooms(scene, body, at_once, keeper);
+        RoomsOfWorld rooms(scene, body, executor, keeper);
         while (!rooms.ready()) std::this_thread::yield();
         EXPECT_TRUE(rooms.found());
         if (!rooms.found()) return known;
@@ -306,7 +306,7 @@ TEST(RoomsOfAWorld, are_taken_from_what_was_kept_and_are_the_same) {
         known.out_of_reach = rooms.out_of_reach();
         return known;
     };
-    const Known first = look(true), second = look(false), third = look(true);
+    const Known first = look(at_once()), second = look(on_threads()), third = look(at_once());
     EXPECT_FALSE(first.kept);
     EXPECT_GT(first.way_m.size(), 2U);
     for (const Known& again : {second, third}) {
@@ -318,7 +318,7 @@ TEST(RoomsOfAWorld, are_taken_from_what_was_kept_and_are_the_same) {
     const std::string whole = cache[key];
     EXPECT_EQ(whole, first.ways);
     cache[key] = whole.substr(0, whole.size() / 2);
-    const Known anew = look(true);
+    const Known anew = look(at_once());
     EXPECT_FALSE(anew.kept);
     EXPECT_EQ(anew.ways, first.ways);
     EXPECT_EQ(cache[key], whole) << "mended";

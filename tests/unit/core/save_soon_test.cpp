@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/core/kept/write_beside.h"
+#include "app/core/kept/background_writer.h"
 #include "tests/support/temporary_folder.h"
 
 namespace handrail {
@@ -45,9 +45,9 @@ TEST(SaveSoon, tells_of_a_failure_once_tries_again_and_forgets_it_when_it_has_wo
     EXPECT_EQ(save.ended(fail("read-only"), 72.0), "read-only") << "it had worked in between";
 }
 
-TEST(WriteBeside, writes_and_tells_how_it_went_once) {
+TEST(BackgroundWriter, writes_and_tells_how_it_went_once) {
     const test::TemporaryFolder folder;
-    WriteBeside writer;
+    BackgroundWriter writer(on_threads());
     EXPECT_FALSE(writer.busy());
     EXPECT_FALSE(writer.take_result());
     writer.write(folder.path() / "a", "text");

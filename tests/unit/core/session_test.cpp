@@ -91,6 +91,7 @@ TEST(Session, rounds_edges_by_hand_millimetres_at_room_scale_and_leaves_them_sha
     Settings settings;
     Session app(settings, SessionAlone::facts(true));
     app.apply(WorldEntered{make_ready(room())}, 0.0);
+    app.tick(0.1, {});
     const auto largest = [&] {
         const auto& all = app.haptic_scene()->roundings_m;
         return *std::max_element(all.begin(), all.end());
@@ -99,14 +100,17 @@ TEST(Session, rounds_edges_by_hand_millimetres_at_room_scale_and_leaves_them_sha
     const std::uint32_t world = app.haptic_scene()->world;
     settings.workspace.scale = 120.0;
     app.apply(SettingsChanged{settings}, 1.0);
+    app.tick(1.1, {});
     EXPECT_GT(largest(), 0.1);
     EXPECT_EQ(app.haptic_scene()->world, world) << "the same world, so nothing ramps but the scale";
     settings.workspace.scale = 15.0;
     app.apply(SettingsChanged{settings}, 2.0);
+    app.tick(2.1, {});
     EXPECT_EQ(largest(), 0.0);
     settings.workspace.scale = 60.0;
     settings.haptic.edge_rounding_mm = 0.0;
     app.apply(SettingsChanged{settings}, 3.0);
+    app.tick(3.1, {});
     EXPECT_EQ(largest(), 0.0);
 }
 

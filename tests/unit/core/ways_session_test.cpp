@@ -31,7 +31,8 @@ struct House {
 
 struct Person : test::AppSession {
     // beside: rooms are found on a thread, as in a session with a window.
-    explicit Person(const fs::path& world, bool beside = false) : AppSession({}, {}, {.rooms_beside = beside}) {
+    explicit Person(const fs::path& world, bool beside = false)
+        : AppSession({}, {}, {.executor = beside ? on_threads() : at_once()}) {
         app.apply(WorldEntered{make_ready(test::world_in(world)), SideFile::of_world(world, {})}, now);
         run(0.1);
     }

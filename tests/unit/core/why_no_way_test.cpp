@@ -33,7 +33,7 @@ std::shared_ptr<const Scene> two_rooms(double gap_m, double wall_m = 0.2, double
 }
 
 struct Asked : test::AppSession {
-    Asked(double gap_m, bool beside) : test::AppSession({}, {}, {.rooms_beside = beside}) {
+    Asked(double gap_m, bool beside) : test::AppSession({}, {}, {.executor = beside ? on_threads() : at_once()}) {
         app.apply(WorldEntered{make_ready(two_rooms(gap_m))}, 0.0);
         wait_for([&] {
             ask(Command::Routes);

@@ -69,6 +69,7 @@ TEST(Events, tell_of_help_that_was_asked_and_of_no_other_command) {
     Rooms rooms(plain.context);
     Asking asking(plain.context, rooms);
     rooms.enter_world(plain.as_read);
+    rooms.tick(0.0);
     EXPECT_TRUE(asking.act(Command::Heading, 1.0));
     EXPECT_FALSE(asking.act(Command::Use, 2.0));
     EXPECT_TRUE(rooms.act(Command::Exits, 3.0));

@@ -63,16 +63,17 @@ TEST(Features, tell_of_a_liquid_once_each_time_one_walks_into_it) {
     }
 }
 
-TEST(Features, ask_for_rooms_that_nobody_has_looked_for_yet) {
+TEST(Features, know_the_rooms_from_the_tick_on_that_finds_them_there) {
     test::PlainSession plain(yard());
     Rooms rooms(plain.context);
     EXPECT_FALSE(rooms.looked_for());
     EXPECT_FALSE(rooms.known()) << "in no world";
     rooms.enter_world(plain.as_read);
-    EXPECT_FALSE(rooms.found()) << "nothing is looked for by this question";
-    EXPECT_TRUE(rooms.known()) << "now they are looked for";
-    EXPECT_TRUE(rooms.found());
+    EXPECT_TRUE(rooms.awaited());
+    EXPECT_FALSE(rooms.known()) << "before the next tick";
+    rooms.tick(0.0);
     EXPECT_TRUE(rooms.looked_for());
+    EXPECT_TRUE(rooms.known());
 }
 
 }  // namespace features_test

@@ -1,9 +1,6 @@
 // What the hand feels, where its workspace lies and when it has force, over plain state alone.
 #include <gmock/gmock.h>
 
-#include <chrono>
-#include <thread>
-
 #include "app/core/hand/forces.h"
 #include "app/core/hand/workspace.h"
 #include "tests/support/box_scene.h"
@@ -61,6 +58,7 @@ TEST(TouchViewFeature, tells_once_what_the_scale_leaves_out) {
     WithHand one;
     one.plain.person.settings.workspace.scale = 200.0;
     one.enter();
+    ASSERT_TRUE(one.touch.take_made(0.5));
     ASSERT_EQ(one.touch.plan().left_out.size(), 1U);
     EXPECT_EQ(one.plain.world.scene->features[one.touch.plan().left_out[0].value].name, "bead");
     EXPECT_THAT(one.touch.news(), HasSubstr("small thing"));
@@ -70,26 +68,22 @@ TEST(TouchViewFeature, tells_once_what_the_scale_leaves_out) {
     one.touch.retune();
     EXPECT_TRUE(one.touch.stale());
     const auto felt = one.touch.felt();
-    EXPECT_TRUE(one.touch.adapt(1.0));
+    one.touch.adapt();
+    EXPECT_EQ(one.touch.felt(), felt) << "until it is taken";
+    EXPECT_TRUE(one.touch.take_made(1.0));
     EXPECT_NE(one.touch.felt(), felt);
     EXPECT_FALSE(one.touch.stale());
     EXPECT_EQ(one.touch.news(), phrase("simplify.nothing"));
 }
 
-TEST(TouchViewFeature, feels_what_it_felt_until_the_new_is_made_beside) {
+TEST(TouchViewFeature, feels_what_it_felt_until_the_new_is_taken) {
     WithHand one;
-    one.touch.make_beside();
     one.plain.person.settings.workspace.scale = 200.0;
     one.enter();
     const auto sharp = one.touch.felt();
     EXPECT_TRUE(one.touch.busy());
     EXPECT_TRUE(one.touch.plan().changes_nothing());
-    bool made = false;
-    for (int i = 0; i < 5000 && !made; ++i) {
-        made = one.touch.take_made(1.0);
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    ASSERT_TRUE(made);
+    ASSERT_TRUE(one.touch.take_made(1.0));
     EXPECT_NE(one.touch.felt(), sharp);
     EXPECT_FALSE(one.touch.plan().changes_nothing());
 }
@@ -105,14 +99,16 @@ TEST(TouchViewFeature, asks_again_for_openings_that_were_awaited) {
     one.plain.person.settings.workspace.scale = 400.0;
     one.enter();
     ASSERT_GT(asked, 0);
+    one.touch.take_made(0.5);
     const int before = asked;
-    EXPECT_FALSE(one.touch.widen_openings(false, 1.0));
+    one.touch.widen_openings(false);
     EXPECT_EQ(asked, before) << "nobody has found the rooms yet";
     awaited = false;
-    EXPECT_FALSE(one.touch.widen_openings(true, 1.0)) << "there were none, so nothing is felt otherwise";
+    one.touch.widen_openings(true);
     EXPECT_GT(asked, before);
+    EXPECT_FALSE(one.touch.take_made(1.0)) << "there were none, so nothing is felt otherwise";
     const int after = asked;
-    EXPECT_FALSE(one.touch.widen_openings(true, 2.0));
+    one.touch.widen_openings(true);
     EXPECT_EQ(asked, after) << "they are known now";
 }
 

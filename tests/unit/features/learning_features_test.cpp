@@ -37,6 +37,7 @@ std::shared_ptr<const Scene> hall() {
 struct Learner : test::PlainSession {
     Learner() : PlainSession(hall()) {
         rooms.enter_world(as_read);
+        rooms.tick(0.0);
         learning.enter_world(0.0);
     }
     std::string progress(double now_s) {
@@ -133,6 +134,7 @@ struct Hunter : test::PlainSession {
     Hunter() : PlainSession(hall()) {
         soundscape.enter(*world.scene);
         rooms.enter_world(as_read);
+        rooms.tick(0.0);
         hunt.enter_world();
     }
     // Where the clock ticks; none: nowhere.

@@ -47,6 +47,7 @@ struct Session : test::PlainSession {
         additions = SideFile::of_world(world_file, {});
         state_asks();
         rooms.enter_world(as_read);
+        rooms.tick(0.0);
         learning.enter_world(0.0);
         learning.tell_kept(0.0);
         events.on_told = [this](const SessionEvent& event) { ways.see(event); };

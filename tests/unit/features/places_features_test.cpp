@@ -35,6 +35,7 @@ struct Place : test::PlainSession {
             return saves;
         };
         rooms.enter_world(as_read);
+        rooms.tick(0.0);
     }
     // What is said to a line that is typed, or to an item of the open list by its name.
     std::vector<std::string> line(const std::string& typed) {

@@ -28,7 +28,10 @@ std::shared_ptr<const Scene> yard() {
 }
 
 struct Yard : test::PlainSession {
-    Yard() : PlainSession(yard()) { rooms.enter_world(as_read); }
+    Yard() : PlainSession(yard()) {
+        rooms.enter_world(as_read);
+        rooms.tick(0.0);
+    }
 
     Goal goal(const std::string& name) const {
         for (const Goal& one : goals(context))
@@ -236,20 +239,31 @@ TEST(Wayfinding, tells_no_leg_again_that_the_body_has_just_been_stopped_on) {
     test::PlainSession plain(two_rooms());
     Rooms rooms{plain.context};
     rooms.enter_world(plain.as_read);
+    rooms.tick(0.0);
     ASSERT_TRUE(rooms.known());
     const std::uint32_t kitchen = room_at(rooms.graph(), rooms.space(), {3.0, 10.0, 0.0});
     ASSERT_NE(kitchen, kNothing);
     WordGround ground(plain.context, rooms);
     WordWay word(plain.context, rooms, ground);
+    // The floor, and then a route on it.
+    const auto plan = [&] {
+        for (int i = 0; i < 3 && word.state() == WordWay::State::Planned; ++i) {
+            ground.tick();
+            (void)word.tick();
+        }
+    };
     for (const bool walked_on : {true, false}) {
         plain.stand({3.0, 2.0, 0.0});
         word.begin(kitchen, "Kitchen");
+        plan();
         ASSERT_EQ(word.state(), WordWay::State::Known);
         const std::string leg = word.leg();
         ASSERT_THAT(leg, HasSubstr("steps"));
         plain.body.heading_rad = plain.body.heading_goal_rad = word.heading_rad().value();
         word.note_stop();
         if (walked_on) plain.stand({3.0, 2.7, 0.0});
+        (void)word.leg();
+        plan();
         EXPECT_EQ(word.leg().empty(), !walked_on);
         EXPECT_EQ(word.at_work(), walked_on);
     }

@@ -116,16 +116,16 @@ TEST(SpanMemory, is_hardly_taken_for_worlds_that_are_too_large_for_ways) {
 TEST(SpanMemory, that_is_not_there_is_a_world_too_large_for_ways_and_nothing_worse) {
     const auto scene =
         std::make_shared<const Scene>(*read_quake_map(test::office_world(test::office_size(300)).map, "office.map"));
-    for (const bool at_once : {true, false})
+    for (const Executor* executor : {&at_once(), &on_threads()})
         for (const std::size_t room : {std::size_t{100'000}, std::size_t{1'000'000}, std::size_t{4'000'000}}) {
             room_for = held + room;
-            RoomsOfWorld rooms(scene, WalkBody{}, at_once);
+            RoomsOfWorld rooms(scene, WalkBody{}, *executor);
             while (!rooms.ready()) std::this_thread::yield();
             room_for = ~std::size_t{0};
             EXPECT_FALSE(rooms.found());
             EXPECT_EQ(rooms.problem(), "This world is too large to find ways through it on foot.");
         }
-    RoomsOfWorld rooms(scene, WalkBody{}, true);
+    RoomsOfWorld rooms(scene, WalkBody{}, at_once());
     EXPECT_TRUE(rooms.ready());
     EXPECT_TRUE(rooms.found());
 }

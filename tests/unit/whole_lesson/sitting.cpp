@@ -33,8 +33,7 @@ Sitting::Sitting(ExploreArguments arguments)
       recording_(
           (clock_.advance_s(kBegun_s), std::make_unique<SessionRecording>(arguments_, settings_, clock_, news_))),
       app_(settings_, HandFacts{},
-           {.rooms_beside = true,
-            .touch_beside = true,
+           {.executor = on_threads(),
             .records_in = arguments_.common.data_folder(),
             .arrivals = recording_->arrivals()}),
       say_(clock_, [this](std::string text, double asked_s) {

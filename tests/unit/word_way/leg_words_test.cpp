@@ -69,7 +69,7 @@ TEST(LegWords, have_other_words_for_each_of_the_sixteen_turns) {
 
 // Where rooms are found beside everything else so is the way: how long it is comes at once, its first leg later.
 TEST(LegWords, come_when_the_way_is_planned_while_everything_goes_on) {
-    test::AppSession person({}, {}, SessionOptions{.rooms_beside = true});
+    test::AppSession person({}, {}, SessionOptions{.executor = on_threads()});
     person.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, person.now);
     const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(120);
     const auto wait_for = [&](const std::function<bool()>& there) {

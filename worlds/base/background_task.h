@@ -1,6 +1,6 @@
-// One piece of work at a time on a thread of its own, beside the thread that owns this: begun, asked for each tick,
-// given up when something newer is wanted or the owner goes. Every function on the owner's thread. What the work holds
-// is also let go of on its own thread, so that large things cost the owner nothing.
+// One background task at a time: begun, queried each tick, and given up when something newer is wanted or its owner
+// goes. Every function on the owner's thread; the executor says where the work runs. What the work keeps is also freed
+// there, so large things cost the owner nothing.
 #pragma once
 
 #include <atomic>
@@ -12,23 +12,25 @@
 #include <thread>
 #include <utility>
 
-#include "app/core/world/arrivals.h"
+#include "worlds/base/arrivals.h"
+#include "worlds/base/executor.h"
 
 namespace handrail {
 
 template <class Result>
-class Beside {
+class BackgroundTask {
 public:
     // Looks at `stop` often; what it returns after that counts for nothing.
     using Work = std::function<Result(const std::stop_token& stop)>;
 
-    Beside() = default;
-    ~Beside() {
+    // The executor outlives this object. name: as Executor::run has it.
+    BackgroundTask(const Executor& executor, const char* name) : executor_(executor), name_(name) {}
+    ~BackgroundTask() {
         give_up();
         if (worker_.joinable()) worker_.join();
     }
-    Beside(const Beside&) = delete;
-    Beside& operator=(const Beside&) = delete;
+    BackgroundTask(const BackgroundTask&) = delete;
+    BackgroundTask& operator=(const BackgroundTask&) = delete;
 
     // In place of whatever was begun before.
     void begin(Work work) {
@@ -58,8 +60,8 @@ public:
 private:
     std::optional<Result> take_done() {
         if (!run_ || !run_->done.load(std::memory_order_acquire)) return std::nullopt;
-        worker_.join();
-        std::unique_ptr<Run> run = std::move(run_);
+        if (worker_.joinable()) worker_.join();
+        std::shared_ptr<Run> run = std::move(run_);
         std::optional<Result> made;
         if (!run->stop.stop_requested()) made = std::move(run->made);
         go_on(std::move(run));
@@ -71,16 +73,16 @@ private:
         std::optional<Result> made;
     };
     // `before`: what was made in vain by the last one goes with the next.
-    void go_on(std::unique_ptr<Run> before = nullptr) {
+    void go_on(std::shared_ptr<Run> before = nullptr) {
         if (!next_) return;
         if (run_ && run_->done.load(std::memory_order_acquire)) {
-            worker_.join();
+            if (worker_.joinable()) worker_.join();
             before = std::move(run_);
         }
         if (run_) return;
-        run_ = std::make_unique<Run>();
-        worker_ =
-            std::thread([run = run_.get(), work = std::exchange(next_, nullptr), before = std::move(before)]() mutable {
+        run_ = std::make_shared<Run>();
+        worker_ = executor_.run(
+            name_, [run = run_.get(), work = std::exchange(next_, nullptr), before = std::move(before)]() mutable {
                 before.reset();
                 try {
                     run->made = work(run->stop.get_token());
@@ -94,8 +96,10 @@ private:
             });
     }
 
+    const Executor& executor_;
+    const char* name_;
     Work next_;
-    std::unique_ptr<Run> run_;
+    std::shared_ptr<Run> run_;
     std::thread worker_;
 };
 

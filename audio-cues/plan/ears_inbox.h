@@ -1,0 +1,25 @@
+// What the ears are given by whoever drives a session. AudioThread takes it at its next step; PlayedEars counts it, to
+// compute a recording again. Calls on the app thread.
+#pragma once
+
+#include <memory>
+
+#include "audio-cues/plan/sinks.h"
+#include "settings/settings.h"
+#include "worlds/scene/scene.h"
+
+namespace handrail {
+
+class EarsInbox {
+public:
+    virtual ~EarsInbox() = default;
+    virtual void post(CueRequest request) = 0;
+    virtual void set_settings(const Settings& settings) = 0;
+    virtual void enter_world(std::shared_ptr<const Scene> scene) = 0;
+    virtual void follow_edit(std::shared_ptr<const Scene> scene) = 0;  // see CuePlanner
+    virtual void set_two_hands(bool two) = 0;
+    virtual void set_hand_stands_in(bool stands_in) = 0;  // see CuePlanner
+    virtual void set_listener(const Listener& listener) = 0;
+};
+
+}  // namespace handrail

@@ -1,0 +1,101 @@
+// Background tasks: the last one begun counts, what is given up ends soon, nothing outlives the owner.
+#include "worlds/base/background_task.h"
+
+#include <pthread.h>
+
+#include <array>
+#include <chrono>
+#include <string>
+#include <thread>
+
+namespace handrail {
+namespace background_task_test {
+
+template <class T>
+std::optional<T> wait_for(BackgroundTask<T>& task) {
+    for (int i = 0; i < 20000; ++i) {
+        if (auto made = task.take()) return made;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return std::nullopt;
+}
+
+int until_stopped(const std::stop_token& stop) {
+    while (!stop.stop_requested()) std::this_thread::yield();
+    return -1;
+}
+
+TEST(BackgroundTask, gives_what_was_made_once) {
+    BackgroundTask<int> task(on_threads(), "test");
+    EXPECT_FALSE(task.busy());
+    EXPECT_FALSE(task.take());
+    task.begin([](const std::stop_token&) { return 5; });
+    EXPECT_TRUE(task.busy());
+    EXPECT_EQ(wait_for(task), 5);
+    EXPECT_FALSE(task.busy());
+    EXPECT_FALSE(task.take());
+}
+
+TEST(BackgroundTask, counts_only_the_last_of_what_was_begun) {
+    BackgroundTask<int> task(on_threads(), "test");
+    task.begin(until_stopped);
+    task.begin([](const std::stop_token&) { return 1; });
+    task.begin([](const std::stop_token&) { return 2; });
+    EXPECT_EQ(wait_for(task), 2);
+    EXPECT_FALSE(task.busy());
+}
+
+TEST(BackgroundTask, forgets_what_was_given_up_and_ends_with_its_owner) {
+    const auto held = std::make_shared<int>(3);
+    {
+        BackgroundTask<int> task(on_threads(), "test");
+        task.begin(until_stopped);
+        task.give_up();
+        EXPECT_FALSE(task.busy());
+        task.begin([held](const std::stop_token& stop) { return *held + until_stopped(stop); });
+        EXPECT_TRUE(task.busy());
+    }
+    EXPECT_EQ(held.use_count(), 1);
+}
+
+TEST(BackgroundTask, makes_nothing_where_memory_does_not_suffice_and_goes_on_afterwards) {
+    BackgroundTask<int> task(on_threads(), "test");
+    task.begin([](const std::stop_token&) -> int { throw std::bad_alloc(); });
+    for (int i = 0; i < 20000 && task.busy(); ++i) {
+        EXPECT_FALSE(task.take());
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    EXPECT_FALSE(task.busy());
+    task.begin([](const std::stop_token&) { return 7; });
+    EXPECT_EQ(wait_for(task), 7);
+}
+
+TEST(BackgroundTask, is_done_when_it_was_begun_without_threads) {
+    BackgroundTask<int> task(at_once(), "test");
+    task.begin([](const std::stop_token&) { return 1; });
+    task.begin([](const std::stop_token&) { return 2; });
+    EXPECT_TRUE(task.busy()) << "there is something to take";
+    EXPECT_EQ(task.take(), 2);
+    EXPECT_FALSE(task.busy());
+}
+
+TEST(Executor, names_its_threads_or_has_none) {
+    std::string name;
+    std::thread::id ran;
+    const auto note = [&] {
+        std::array<char, 16> here{};
+        pthread_getname_np(pthread_self(), here.data(), here.size());
+        name = here.data();
+        ran = std::this_thread::get_id();
+    };
+    std::thread thread = on_threads().run("a-task", note);
+    ASSERT_TRUE(thread.joinable());
+    thread.join();
+    EXPECT_EQ(name, "a-task");
+    EXPECT_NE(ran, std::this_thread::get_id());
+    EXPECT_FALSE(at_once().run("a-task", note).joinable());
+    EXPECT_EQ(ran, std::this_thread::get_id());
+}
+
+}  // namespace background_task_test
+}  // namespace handrail
