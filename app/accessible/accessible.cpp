@@ -20,6 +20,7 @@
 #include "app/accessible/nodes.h"
 #include "app/accessible/reader_keys.h"
 #include "app/accessible/reader_watch.h"
+#include "worlds/base/executor.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
@@ -81,7 +82,7 @@ private:
     // ---- accessibility thread ----
 
     void run() {
-        pthread_setname_np(pthread_self(), "accessible");
+        name_this_thread("accessible");
         ReaderWatch watch([this] { look_due_s_ = 0.0; });
         while (!quit_) {
             if (now_s() >= look_due_s_) {

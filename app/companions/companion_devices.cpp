@@ -6,6 +6,7 @@
 
 #include "app/core/dialogue/words.h"
 #include "worlds/base/contract.h"
+#include "worlds/base/executor.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
@@ -27,7 +28,11 @@ std::optional<Command> command_of(CompanionButton button) {
 }
 
 void CompanionDevices::start() {
-    if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
+    if (!thread_.joinable())
+        thread_ = std::thread([this] {
+            name_this_thread("companions");
+            run();
+        });
 }
 
 void CompanionDevices::stop() {

@@ -1,7 +1,5 @@
 #include "app/main/device_facts.h"
 
-#include <chrono>
-#include <system_error>
 #include <utility>
 
 #include "worlds/base/language.h"
@@ -47,16 +45,9 @@ std::vector<std::string> device_sentences(std::span<const FoundDevice> devices) 
 }
 
 void DeviceFacts::answer(Session& app, double now_s) {
-    const auto look = [] { return device_sentences(find_devices()); };
-    if (app.requests().take_devices() && !looking_.valid()) {
-        try {
-            looking_ = std::async(std::launch::async, look);
-        } catch (const std::system_error&) {  // no thread is to be had
-            app.apply(DevicesFound{look()}, now_s);
-        }
-    }
-    if (!looking_.valid() || looking_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-    app.apply(DevicesFound{looking_.get()}, now_s);
+    if (app.requests().take_devices() && !looking_.busy())
+        looking_.begin([](const std::stop_token&) { return device_sentences(find_devices()); });
+    if (auto found = looking_.take()) app.apply(DevicesFound{std::move(*found)}, now_s);
 }
 
 }  // namespace handrail

@@ -37,16 +37,9 @@ std::string Ears::voice_that_speaks() {
     return voice.empty() ? phrase("voice.text_alone") : voice;
 }
 
-void Ears::follow_world(const Session& app) {
-    if (app.scene() == given_scene_) return;
-    given_scene_ = app.scene();
-    if (std::exchange(given_world_, app.world().entered) != app.world().entered) sound_->enter_world(given_scene_);
-    else sound_->follow_edit(given_scene_);
-}
-
-// To whoever shows lists otherwise than in the picture, and before the words about them.
-void Ears::show_dialogue(const Session& app) {
+void Ears::show(const Session& app) {
     if (!accessible_ && !braille_) return;
+    if (braille_ && app.scene()) braille_->heading_rad = app.listener().heading_rad;
     DialogueView view = app.dialogue().view();
     if (view == shown_dialogue_) return;
     if (accessible_) accessible_->show(view);
@@ -58,13 +51,6 @@ void Ears::show_dialogue(const Session& app) {
         braille_->set_list(std::move(list));
     }
     shown_dialogue_ = std::move(view);
-}
-
-void Ears::follow_listener(const Session& app) {
-    if (!app.scene()) return;
-    const Listener listener = app.listener();
-    sound_->set_listener(listener);
-    if (braille_) braille_->heading_rad = listener.heading_rad;
 }
 
 void Ears::follow_hands(bool two, bool stands_in) {

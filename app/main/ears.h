@@ -9,7 +9,7 @@
 #include "app/accessible/accessible.h"
 #include "app/core/session/session.h"
 #include "app/main/session_recording.h"
-#include "audio-cues/sinks/audio_thread.h"
+#include "audio-cues/plan/audio_thread.h"
 #include "audio-cues/sinks/braille_display.h"
 #include "worlds/base/clock.h"
 
@@ -33,10 +33,8 @@ public:
     // Once that is decided: a better voice may still be opening. The welcome is due within two seconds, so it waits no
     // longer than 1.5 s.
     std::string voice_that_speaks();
-    // What this frame changed: the world, the list that is open, and from where one hears.
-    void follow_world(const Session& app);
-    void show_dialogue(const Session& app);
-    void follow_listener(const Session& app);
+    // The list that is open and the heading, for the screen reader and the braille display.
+    void show(const Session& app);
     void follow_hands(bool two, bool stands_in);
     // The last sentence that was said, as of note_spoken.
     void note_spoken();
@@ -50,8 +48,6 @@ private:
     DialogueView shown_dialogue_;  // as these two have it
     bool has_sound_ = false;
     std::unique_ptr<AudioThread> sound_;
-    std::shared_ptr<const Scene> given_scene_;  // what it was last given
-    int given_world_ = 0;
     bool two_hands_ = false, hand_stands_in_ = false;
     std::string last_spoken_;
 };

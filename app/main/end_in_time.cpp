@@ -6,10 +6,13 @@
 #include <mutex>
 #include <stop_token>
 
+#include "worlds/base/executor.h"
+
 namespace handrail {
 
 void EndInTime::end_within(double seconds, int status) {
     watch_ = std::jthread([seconds, status](const std::stop_token& stop) {
+        name_this_thread("end-in-time");
         std::mutex mutex;
         std::condition_variable_any wake;
         std::unique_lock lock(mutex);

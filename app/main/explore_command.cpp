@@ -8,6 +8,7 @@
 #include "app/companions/companion_session.h"
 #include "app/core/kept/spoken_language.h"
 #include "app/core/session/session.h"
+#include "app/core/session/session_driver.h"
 #include "app/main/commands.h"
 #include "app/main/device_facts.h"
 #include "app/main/ears.h"
@@ -56,6 +57,12 @@ std::string joined(const std::vector<std::string>& sentences) {
     return text;
 }
 
+std::vector<std::string> sentences_of(const std::vector<Diagnostic>& problems) {
+    std::vector<std::string> sentences;
+    for (const Diagnostic& problem : problems) sentences.push_back(problem.sentence());
+    return sentences;
+}
+
 // One session with a person: owns every part, carries values between them about sixty times a second.
 class Exploration {
 public:
@@ -99,9 +106,17 @@ private:
     // From what is there to the welcome. When that was asked for.
     double begin() {
         news_.insert(news_.begin(), arguments_.news.begin(), arguments_.news.end());
-        take_settings_faults();
+        if (std::vector<std::string> faults = sentences_of(arguments_.settings_problems); !faults.empty()) {
+            news_.push_back(settings_faults_words(faults));
+            app_.apply(SettingsFaultsKnown{std::move(faults)}, clock_.now_s());
+        }
         open_window();
-        if (!window_) open_terminal();
+        // Keys act at once if there is a terminal for them; the first sentence says so.
+        if (!window_) keys_ = TypedKeys::open(app_, worlds_, switches_, clock_, say_);
+        if (keys_) {
+            speak_to(ActsBy::TerminalKeys);
+            news_.insert(news_.begin(), phrase("terminal.keys_act"));
+        }
         recording_.note("acts_by", static_cast<std::uint64_t>(spoken_to()));
         if (hand_.wanted() == "none") news_.push_back(phrase("program.no_device_as_asked"));
         ears_.sound().start();
@@ -117,14 +132,6 @@ private:
         return asked_s;
     }
 
-    void take_settings_faults() {
-        std::vector<std::string> faults;
-        for (const Diagnostic& problem : arguments_.settings_problems) faults.push_back(problem.sentence());
-        if (faults.empty()) return;
-        news_.push_back(settings_faults_words(faults));
-        app_.apply(SettingsFaultsKnown{std::move(faults)}, clock_.now_s());
-    }
-
     void open_window() {
         speak_to_typist(true);
         if (arguments_.no_window) return;
@@ -137,14 +144,6 @@ private:
         }
         window_.emplace(std::move(*opened), app_, worlds_, ears_, switches_, clock_);
         speak_to_typist(false);
-    }
-
-    // Keys at once, where there is a terminal for them; the first sentence says so.
-    void open_terminal() {
-        keys_ = TypedKeys::open(app_, worlds_, switches_, clock_, say_);
-        if (!keys_) return;
-        speak_to(ActsBy::TerminalKeys);
-        news_.insert(news_.begin(), phrase("terminal.keys_act"));
     }
 
     void watch_lines() {
@@ -197,17 +196,14 @@ private:
             set_up_.begin_if_asked();
             recording_.set_up(set_up_.under_way());
             if (auto ended = recording_.take_problem()) say_(std::move(*ended));
-            take_setting_changes();
+            driver_.hand_over_settings();  // before another world brings its own
             worlds_.change(now_s);
             learners_.turn(now_s);
             if (set_up_.under_way()) {
                 guide(now_s);
             } else {
-                const ToolState& left_tool = left_.tool();
                 lesson_.turn(worlds_.path(), ears_.sound().speaking(), now_s);
-                app_.tick(now_s, hand_.tool(), left_tool);
-                lesson_.see(recording_.ticked(app_, now_s, hand_.tool(), left_tool));
-                hand_over();
+                driver_.tick(now_s, hand_.tool(), left_.tool());
                 worlds_.note_place(now_s);
             }
             kept_.keep_saved(now_s);
@@ -269,32 +265,40 @@ private:
     // A second hand beside the first, once it is found.
     void notice_left_hand(double now_s) {
         std::vector<std::string> news;
-        if (left_.take_change(news)) app_.apply(LeftHandChanged{left_.facts()}, now_s);
+        if (left_.take_change(news)) {
+            driver_.drive(1, left_.servo());
+            app_.apply(LeftHandChanged{left_.facts()}, now_s);
+        }
         ears_.follow_hands(app_.two_hands(), hand_.stands_in());
         for (std::string& sentence : news) say_(std::move(sentence));
     }
 
-    // What the person has changed, to who keeps it, and to the ears.
-    void take_setting_changes() {
-        const bool changed = kept_.take(app_.take_setting_changes());
-        if (!worlds_.take_new_settings() && !changed) return;
-        recording_.note("ears_settings");
-        ears_.sound().set_settings(app_.settings());
+    void hand_over() {
+        driver_.hand_over();
+        if (set_up_.under_way()) set_up_.hand_over();
     }
 
-    // To the servos and the ears, what this frame changed.
-    void hand_over() {
-        take_setting_changes();
-        if (!set_up_.under_way()) recording_.handed_over();
-        ears_.follow_world(app_);
-        ears_.show_dialogue(app_);
-        std::vector<CueRequest> cues = app_.take_cues();
-        if (companions_) companions_->follow(app_, cues, hand_.driven() ? &hand_.tool() : nullptr, clock_.now_s());
-        for (CueRequest& cue : cues) ears_.sound().post(std::move(cue));
-        ears_.follow_listener(app_);
-        left_.hand_over(app_);
-        if (set_up_.under_way()) set_up_.hand_over();
-        else hand_.feel_world(set_up_.confirms());
+    // What happens here around each hand-over.
+    SessionDriver::Steps steps() {
+        return {
+            .ticked = [this](double now_s) { lesson_.see(recording_.ticked(app_, now_s, hand_.tool(), left_.tool())); },
+            .take_settings =
+                [this](const std::vector<std::pair<std::string, std::string>>& changes) {
+                    const bool changed = kept_.take(changes);
+                    if (!worlds_.take_new_settings() && !changed) return false;
+                    recording_.note("ears_settings");
+                    return true;
+                },
+            .hands_over =
+                [this] {
+                    if (!set_up_.under_way()) recording_.handed_over();
+                    ears_.show(app_);
+                },
+            .look_at_cues =
+                [this](const std::vector<CueRequest>& cues) {
+                    if (companions_)
+                        companions_->follow(app_, cues, hand_.driven() ? &hand_.tool() : nullptr, clock_.now_s());
+                }};
     }
 
     // Where two periods of the sound device drop out it gets three, from the next start on.
@@ -342,13 +346,15 @@ private:
     LeftHand left_{clock_, switches_, recording_.hand(1)};
     Ears ears_;
     Session app_;
+    SessionDriver driver_{app_, ears_.sound(), steps()};
     const SessionVoice say_{clock_, [this](std::string text, double asked_s) {
                                 app_.apply(Told{std::move(text), SpeechClass::Answer}, asked_s);
                                 hand_over();
                             }};
     KeptSettings kept_{settings_, clock_, say_};
-    HandInUse hand_{{arguments_, settings_, clock_, switches_, contacts_, app_, say_, recording_.hand(0)}};
-    GuidedSetUp set_up_{{settings_, switches_, app_, hand_, ears_, kept_, say_, arguments_.calibrate.has_value()}};
+    HandInUse hand_{{arguments_, settings_, clock_, switches_, contacts_, app_, driver_, say_, recording_.hand(0)}};
+    GuidedSetUp set_up_{
+        {settings_, switches_, app_, driver_, hand_, ears_, kept_, say_, arguments_.calibrate.has_value()}};
     WorldVisits worlds_{arguments_, settings_, app_, say_};
     DeviceFacts device_facts_;
     LessonHere lesson_{arguments_, app_, say_};

@@ -5,6 +5,7 @@
 
 #include "app/companions/companion_session.h"
 #include "app/core/dialogue/words.h"
+#include "worlds/base/executor.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
@@ -72,7 +73,10 @@ Result<std::optional<Hand>> choose_hand(const std::string& wanted, std::vector<s
 }
 
 HandSearch::HandSearch(std::string wanted)
-    : found_(std::async(std::launch::async, [this, wanted = std::move(wanted)] { return search(wanted); })) {}
+    : found_(std::async(std::launch::async, [this, wanted = std::move(wanted)] {
+          name_this_thread("hand-search");
+          return search(wanted);
+      })) {}
 
 HandSearch::~HandSearch() {
     if (!found_.valid()) return;
@@ -125,7 +129,10 @@ Result<HandSearch::Found> HandSearch::search(const std::string& wanted) {
 }
 
 PlugWatch::PlugWatch(std::optional<std::vector<PluggedHand>> known)
-    : known_(std::move(known)), thread_([this] { run(); }) {}
+    : known_(std::move(known)), thread_([this] {
+          name_this_thread("plugs");
+          run();
+      }) {}
 
 PlugWatch::~PlugWatch() {
     {

@@ -10,7 +10,7 @@ void GuidedSetUp::begin(std::span<const WizardPart> wanted) {
     session_ = std::make_unique<WizardSession>(parts_.settings.values(), wanted);
     stops_ = parts_.switches.stops;
     let_go_ = parts_.app.hand().tuning.stops_let_go;
-    parts_.hand.begin_set_up();
+    parts_.driver.begin_set_up();
     CueRequest no_tone;
     no_tone.kind = CueRequestKind::WallTone;
     no_tone.loudness = 0.0;
@@ -65,17 +65,15 @@ void GuidedSetUp::hand_over() {
     if (!tuning.panic) let_go_ = stops_;
     tuning.stops_let_go = let_go_;
     tuning.focused = parts_.app.hand().tuning.focused;
-    tuning.confirm += parts_.app.hand().tuning.confirm + confirms_;
-    parts_.hand.feel_set_up(wizard.haptic_scene(), tuning, wizard.pose(), session_->simulated_hand());
+    parts_.driver.feel_set_up({wizard.haptic_scene(), tuning, wizard.pose(), session_->simulated_hand()});
 }
 
 void GuidedSetUp::end_if_finished(double now_s) {
     if (!session_->finished()) return;
     Session& app = parts_.app;
     const bool stopped = session_->wizard().tuning().panic;
-    confirms_ += session_->wizard().tuning().confirm;
+    parts_.driver.end_set_up(session_->wizard().tuning().confirm);
     session_.reset();
-    parts_.hand.end_set_up();
     app.apply(SetUpOver{}, now_s);
     if (!app.scene()) return;
     app.apply(SettingsChanged{parts_.settings.values()}, now_s);

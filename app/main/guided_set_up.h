@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/session/session.h"
+#include "app/core/session/session_driver.h"
 #include "app/main/ears.h"
 #include "app/main/hand_in_use.h"
 #include "app/main/kept_settings.h"
@@ -24,6 +24,7 @@ public:
         const SettingsStore& settings;
         const ServoSwitches& switches;
         Session& app;
+        SessionDriver& driver;
         HandInUse& hand;
         Ears& ears;
         KeptSettings& kept;
@@ -46,9 +47,6 @@ public:
     void hand_over();
     void end_if_finished(double now_s);
 
-    // Of all set-ups of this session: confirmations that the servo counts with those of the world.
-    std::uint32_t confirms() const { return confirms_; }
-
 private:
     WizardSearch search() const;
 
@@ -56,7 +54,7 @@ private:
     std::unique_ptr<WizardSession> session_;
     bool searched_ = false;
     std::vector<std::string> news_;
-    std::uint32_t stops_ = 0, let_go_ = 0, confirms_ = 0;
+    std::uint32_t stops_ = 0, let_go_ = 0;
 };
 
 }  // namespace handrail

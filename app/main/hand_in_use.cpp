@@ -28,6 +28,7 @@ void HandInUse::tell_of_guard() {
 // Puts this hand in place of the one there was; `device` is open, or null for a simulated hand or none.
 void HandInUse::use(const HandFacts& facts, std::unique_ptr<GuardedDevice> device) {
     let_go();
+    parts_.driver.drive(0, nullptr);
     servo_.reset();
     simulated_.reset();
     guarded_ = device.get();
@@ -45,11 +46,10 @@ void HandInUse::use(const HandFacts& facts, std::unique_ptr<GuardedDevice> devic
     }
     servo_ = std::make_unique<ServoLoop>(std::move(held), parts_.clock, kServoPeriod_s,
                                          ServoLoop::Links{&parts_.switches, &parts_.contacts, parts_.recording});
-    given_scene_.reset();
-    given_desk_.reset();
-    given_bodies_ = 0;
-    given_guidance_ = 0;
-    if (const auto opened = servo_->open(); opened) return servo_->start();
+    if (const auto opened = servo_->open(); opened) {
+        parts_.driver.drive(0, servo_.get(), simulated_);
+        return servo_->start();
+    }
     // It was open a moment ago, so it went away meanwhile.
     servo_.reset();
     guarded_ = nullptr;
@@ -179,48 +179,6 @@ void HandInUse::offer_calibration() {
     parts_.say(phrase("program.not_set_up",
                       {{"device", facts_.spec.spoken_name()}, {"keys", parts_.app.keys().keys_of(Command::Calibrate)}}),
                asked_s_);
-}
-
-// ---- what the servo is given ----
-
-void HandInUse::feel_world(std::uint32_t more_confirms) {
-    const Session& app = parts_.app;
-    if (!servo_ || !app.scene()) return;
-    HandOutput told = app.hand();
-    if (app.haptic_scene() != given_scene_) {
-        given_scene_ = app.haptic_scene();
-        servo_->set_scene(given_scene_, told.engine);
-    }
-    if (app.desk_visit().scene() != given_desk_) servo_->set_desk(given_desk_ = app.desk_visit().scene());
-    told.tuning.confirm += more_confirms;
-    servo_->set_tuning(told.tuning);
-    servo_->set_pose(told.pose);
-    if (std::exchange(given_bodies_, app.bodies().number()) != app.bodies().number()) servo_->set_bodies(app.bodies());
-    if (std::exchange(given_guidance_, told.guidance->number) != told.guidance->number)
-        servo_->set_guidance(*told.guidance);
-    if (!simulated_) return;
-    HandCommand command;
-    command.target_m = told.target_m;
-    simulated_->command.publish(command);
-}
-
-void HandInUse::feel_set_up(const std::shared_ptr<const HapticScene>& scene, const ServoTuning& tuning,
-                            const WorkspacePose& pose, const HandCommand& simulated) {
-    contract_pre(servo_ != nullptr);
-    if (scene != given_scene_) servo_->set_scene(given_scene_ = scene, nullptr);
-    servo_->set_tuning(tuning);
-    servo_->set_pose(pose);
-    if (simulated_) simulated_->command.publish(simulated);
-}
-
-void HandInUse::begin_set_up() {
-    given_scene_.reset();
-    if (servo_ && std::exchange(given_guidance_, 0) != 0) servo_->set_guidance({});
-}
-
-void HandInUse::end_set_up() {
-    given_scene_.reset();
-    given_bodies_ = 0;
 }
 
 }  // namespace handrail

@@ -1,5 +1,5 @@
-// The hand that leads the session: which one is wanted, the search for it, what is plugged in meanwhile, and what its
-// servo is given. App thread.
+// The hand that leads the session: which one is wanted, the search for it, and what is plugged in meanwhile. App
+// thread.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/session/session.h"
+#include "app/core/session/session_driver.h"
 #include "app/main/commands.h"
 #include "app/main/find_hand.h"
 #include "app/main/session_voice.h"
@@ -28,6 +28,7 @@ public:
         ServoSwitches& switches;
         ServoLoop::EventRing& contacts;  // of whichever device is in use
         Session& app;
+        SessionDriver& driver;  // is told which servo there is
         const SessionVoice& say;
         HandRing* recording;  // null: nobody records
     };
@@ -68,14 +69,6 @@ public:
     // does, and says afterwards how it comes back. `left`: the newest of the left hand; null: that is no real device.
     void watch_sleep(const ToolState* left);
 
-    // What this frame changed, to the servo. `more_confirms`: besides those of the app.
-    void feel_world(std::uint32_t more_confirms);
-    void feel_set_up(const std::shared_ptr<const HapticScene>& scene, const ServoTuning& tuning,
-                     const WorkspacePose& pose, const HandCommand& simulated);
-    // The set-up alone moves the hand from here on; or no longer.
-    void begin_set_up();
-    void end_set_up();
-
     // Takes the force away, and tells it where that cannot be made sure of. Waits for a force that is still on to fade,
     // at most 76 ms.
     void let_go();
@@ -103,10 +96,6 @@ private:
     bool told_how_it_runs_ = false;
     bool guard_missed_ = false;  // and the device offered anew
     std::optional<SleepWatch> sleep_;
-    // What the servo was last given.
-    std::shared_ptr<const HapticScene> given_scene_, given_desk_;
-    std::uint64_t given_bodies_ = 0;
-    std::uint32_t given_guidance_ = 0;
 };
 
 }  // namespace handrail

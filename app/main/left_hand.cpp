@@ -58,18 +58,6 @@ bool LeftHand::use(const HandFacts& facts, std::unique_ptr<GuardedDevice> device
     return true;
 }
 
-void LeftHand::hand_over(const Session& app) {
-    if (!servo_ || !app.scene()) return;
-    const HandOutput told = app.hand(1);
-    if (app.haptic_scene() != handed_scene_) {
-        handed_scene_ = app.haptic_scene();
-        servo_->set_scene(handed_scene_, told.engine);
-    }
-    servo_->set_tuning(told.tuning);
-    servo_->set_pose(told.pose);
-    if (std::exchange(handed_bodies_, app.bodies().number()) != app.bodies().number()) servo_->set_bodies(app.bodies());
-}
-
 const ToolState& LeftHand::tool() { return servo_ ? servo_->tool() : none_; }
 
 void LeftHand::stop() {

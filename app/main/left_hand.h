@@ -25,8 +25,7 @@ public:
     bool take_change(std::vector<std::string>& news);
     bool real() const { return guarded_ != nullptr; }
     const HandFacts& facts() const { return facts_; }
-    // What this frame changed, to the servo.
-    void hand_over(const Session& app);
+    ServoInbox* servo() { return servo_.get(); }  // null: there is no second hand
     const ToolState& tool();
     // For the ears, from the start.
     ServoLoop::EventRing& contacts() { return contacts_; }
@@ -46,8 +45,6 @@ private:
     GuardedDevice* guarded_ = nullptr;  // servo_ owns it
     HandFacts facts_;
     ToolState none_;
-    std::shared_ptr<const HapticScene> handed_scene_;
-    std::uint64_t handed_bodies_ = 0;
 };
 
 }  // namespace handrail

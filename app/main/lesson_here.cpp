@@ -155,14 +155,14 @@ void LessonHere::write_draft(const fs::path& world, double now_s) {
 
 // What was chosen from the list, once its world has been looked through.
 void LessonHere::begin_chosen(double now_s) {
-    if (const auto chosen = app_.requests().take_lesson(); chosen && *chosen < offered_.size() && !looked_for_.valid())
-        looked_for_ = std::async(std::launch::async, read_taught_world, offered_[*chosen]);
-    if (!looked_for_.valid() || looked_for_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-    auto found = looked_for_.get();
-    if (found) {
+    if (const auto chosen = app_.requests().take_lesson(); chosen && *chosen < offered_.size() && !looked_for_.busy())
+        looked_for_.begin([lesson = offered_[*chosen]](const std::stop_token&) { return read_taught_world(lesson); });
+    const auto looked = looked_for_.take();
+    if (!looked) return;
+    if (const Result<std::shared_ptr<TaughtWorld>>& found = *looked) {
         std::vector<std::string> news;  // told when it was offered
         const std::size_t session = next_session(arguments_, (*found)->lesson(), news);
-        begin({std::move(*found), session, learner_named(arguments_.learner)}, now_s);
+        begin({*found, session, learner_named(arguments_.learner)}, now_s);
     } else app_.apply(Told{found.error().sentence(), SpeechClass::Answer}, now_s);
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <future>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -15,6 +14,7 @@
 #include "app/main/session_voice.h"
 #include "app/teaching/desk.h"
 #include "app/teaching/lesson_check.h"
+#include "worlds/base/background_task.h"
 
 namespace handrail {
 
@@ -45,7 +45,7 @@ private:
     int world_ = 0;  // Session::worlds_entered()
     bool began_ = false;
     std::vector<std::filesystem::path> offered_;
-    std::future<Result<std::shared_ptr<TaughtWorld>>> looked_for_;
+    BackgroundTask<Result<std::shared_ptr<TaughtWorld>>> looked_for_{on_threads(), "lesson"};
     std::optional<TeachingRun> run_;
     LessonToTeach taught_;  // while it runs
     double begun_s_ = 0.0;

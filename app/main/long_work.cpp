@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "worlds/base/clock.h"
+#include "worlds/base/executor.h"
 #include "worlds/base/language.h"
 #include "worlds/base/patience.h"
 
@@ -117,6 +118,7 @@ LongWorkLines::LongWorkLines(const LongWork& progress, std::ostream& to) : progr
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &before);  // the new thread has it from here
     thread_ = std::thread([this, &to] {
+        name_this_thread("progress");
         const SteadyClock clock;
         while (progress_.wait_for_work(stop_)) {
             progress_.tell(clock.now_s(), [&to](const std::string& words) { to << words + "\n" << std::flush; });

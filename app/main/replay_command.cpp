@@ -20,7 +20,7 @@
 #include "app/terminal/raw_terminal.h"
 #include "app/terminal/terminal.h"
 #include "app/terminal/terminal_keys.h"
-#include "audio-cues/sinks/audio_thread.h"
+#include "audio-cues/plan/audio_thread.h"
 #include "audio-cues/sinks/sound_outputs.h"
 #include "worlds/base/clock.h"
 #include "worlds/base/files.h"

@@ -11,7 +11,7 @@
 #include "app/main/commands.h"
 #include "app/record/recorded_sinks.h"
 #include "app/record/recorder.h"
-#include "audio-cues/sinks/audio_thread.h"
+#include "audio-cues/plan/audio_thread.h"
 #include "audio-cues/sinks/sound_outputs.h"
 #include "worlds/base/arrivals.h"
 #include "worlds/base/clock.h"

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "worlds/base/clock.h"
+#include "worlds/base/executor.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
@@ -42,7 +43,10 @@ unsigned send(DBusConnection* bus, const Message& message) {
 
 SleepWatch::SleepWatch(std::function<void()> release) : release_(std::move(release)) {
     dbus_threads_init_default();
-    thread_ = std::jthread([this](const std::stop_token& end) { run(end); });
+    thread_ = std::jthread([this](const std::stop_token& end) {
+        name_this_thread("sleep-watch");
+        run(end);
+    });
 }
 
 SleepWatch::~SleepWatch() = default;

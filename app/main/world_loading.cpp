@@ -6,6 +6,7 @@
 #include "app/core/scenario/read_request.h"
 #include "app/main/lesson_here.h"
 #include "app/main/world_files.h"
+#include "worlds/base/executor.h"
 
 namespace handrail {
 
@@ -25,6 +26,7 @@ void take_settings(LoadedWorld& world) {
 
 WorldLoading::WorldLoading(const WorldRequest& request, const CommonArguments& common)
     : result_(std::async(std::launch::async, [this, request, common]() -> Result<LoadedWorld> {
+          name_this_thread("world");
           LoadedWorld loaded;
           loaded.asked = request;
           loaded.request = with_kept_unit(request, common);

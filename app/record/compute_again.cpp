@@ -9,6 +9,7 @@
 #include "app/core/kept/made_doors.h"
 #include "app/core/kept/side_file.h"
 #include "app/core/scenario/read_request.h"
+#include "app/core/session/session_driver.h"
 #include "app/record/json_fields.h"
 #include "app/record/played_ears.h"
 #include "app/record/played_hand.h"
@@ -161,7 +162,7 @@ private:
         const bool yes = field<std::uint64_t>(json, "number", 0) != 0;
         if (line.is == "ears_two_hands") ears_.set_two_hands(yes);
         if (line.is == "ears_stand_in") ears_.set_hand_stands_in(yes);
-        if (line.is == "handed_over") hand_over();
+        if (line.is == "handed_over") driver_.hand_over();
         if (is_input(line.is))
             if (auto taken = take_input(line); !taken) return tl::unexpected(taken.error());
         if (bodies_.failed()) return stop();
@@ -186,8 +187,8 @@ private:
             entered->world = std::move(*world);
             if (input->world.has_additions) entered->additions = aside_.additions_of(input->world);
         }
-        if (const auto* hand = std::get_if<HandChanged>(&input->input)) right_.change(hand->hand);
-        if (const auto* hand = std::get_if<LeftHandChanged>(&input->input)) left_.change(hand->hand);
+        if (const auto* hand = std::get_if<HandChanged>(&input->input)) driver_.drive(0, right_.change(hand->hand));
+        if (const auto* hand = std::get_if<LeftHandChanged>(&input->input)) driver_.drive(1, left_.change(hand->hand));
         app_.apply(std::move(input->input), input->now_s);
         return {};
     }
@@ -209,21 +210,7 @@ private:
     }
 
     void flush() {
-        if (std::exchange(to_hand_over_, false)) hand_over();
-    }
-
-    // In the order in which the program does it.
-    void hand_over() {
-        (void)app_.take_setting_changes();
-        if (app_.scene() != given_scene_) {
-            given_scene_ = app_.scene();
-            if (std::exchange(given_world_, app_.world().entered) != app_.world().entered)
-                ears_.enter_world(given_scene_);
-            else ears_.follow_edit(given_scene_);
-        }
-        for (CueRequest& cue : app_.take_cues()) ears_.post(std::move(cue));
-        left_.take(app_);
-        right_.take(app_);
+        if (std::exchange(to_hand_over_, false)) driver_.hand_over();
     }
 
     // All steps of the ears for which everything is there.
@@ -235,7 +222,7 @@ private:
                 return;
             std::vector<ContactEvent> contacts = right_.take_events(row.contacts);
             for (const ContactEvent& event : left_.take_events(row.left_contacts)) contacts.push_back(event);
-            ears_.step(row, std::move(contacts), app_.scene() ? app_.listener() : Listener{});
+            ears_.step(row, std::move(contacts));
             ++cues_;
         }
     }
@@ -249,9 +236,10 @@ private:
     Session app_;
     PlayedHand right_, left_;
     PlayedEars ears_;
+    // The recording says when the ears were given the settings.
+    SessionDriver driver_{
+        app_, ears_, {.ticked = {}, .take_settings = [](auto) { return false; }, .hands_over = {}, .look_at_cues = {}}};
     ComputedAgain again_;
-    std::shared_ptr<const Scene> given_scene_;
-    int given_world_ = 0;
     std::size_t frames_ = 0, cues_ = 0;
     bool to_hand_over_ = false, stopped_ = false;
     double until_s_ = 0.0;

@@ -78,7 +78,7 @@ void PlayedEars::hear_of(std::uint64_t step, bool from_voice, std::string text) 
 }
 
 // As AudioThread::step takes its inbox.
-void PlayedEars::step(const CueRow& row, std::vector<ContactEvent> contacts, const Listener& listener) {
+void PlayedEars::step(const CueRow& row, std::vector<ContactEvent> contacts) {
     std::vector<CueRequest> requests;
     std::shared_ptr<const Scene> entered, edited;
     for (std::uint32_t i = 0; i < row.posts; ++i) {
@@ -114,7 +114,7 @@ void PlayedEars::step(const CueRow& row, std::vector<ContactEvent> contacts, con
     last_s_ = row.now_s;
     voice_.now_s = row.now_s - begun_s_;
     voice_.begin(row.speaking);
-    planner_.tick({.now_s = row.now_s, .contacts = contacts, .requests = requests, .listener = listener}, sound_,
+    planner_.tick({.now_s = row.now_s, .contacts = contacts, .requests = requests, .listener = listener_}, sound_,
                   voice_);
     voice_.end();
 }

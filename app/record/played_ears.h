@@ -9,26 +9,28 @@
 
 #include "app/record/recording.h"
 #include "audio-cues/plan/cue_planner.h"
+#include "audio-cues/plan/ears_inbox.h"
 
 namespace handrail {
 
-class PlayedEars {
+class PlayedEars final : public EarsInbox {
 public:
     PlayedEars(const Settings& settings, double begun_s);
 
     // What the app hands over, each one counted.
-    void post(CueRequest request);
-    void set_settings(const Settings& settings);
-    void set_two_hands(bool two);
-    void set_hand_stands_in(bool stands_in);
-    void enter_world(std::shared_ptr<const Scene> scene);
-    void follow_edit(std::shared_ptr<const Scene> scene);
+    void post(CueRequest request) override;
+    void set_settings(const Settings& settings) override;
+    void set_two_hands(bool two) override;
+    void set_hand_stands_in(bool stands_in) override;
+    void enter_world(std::shared_ptr<const Scene> scene) override;
+    void follow_edit(std::shared_ptr<const Scene> scene) override;
+    void set_listener(const Listener& listener) override { listener_ = listener; }
     std::size_t posted() const { return posts_.size(); }
     // What a sink told of itself, in which step.
     void hear_of(std::uint64_t step, bool from_voice, std::string text);
 
     // row.posts <= posted().
-    void step(const CueRow& row, std::vector<ContactEvent> contacts, const Listener& listener);
+    void step(const CueRow& row, std::vector<ContactEvent> contacts);
     // At the end: what still waits is written.
     void finish();
     const std::vector<SaidLine>& said() const { return voice_.said; }
@@ -77,6 +79,7 @@ private:
     Silence sound_;
     std::deque<Post> posts_;
     std::map<std::uint64_t, std::pair<std::string, std::string>> news_;  // by step: of the voice, of the sounds
+    Listener listener_;
     std::uint64_t steps_ = 0;
     double last_s_ = 0.0;
 };

@@ -11,23 +11,15 @@ constexpr double kAsWritten_n = 0.501e-3;  // forces are written as whole millin
 
 }  // namespace
 
-void PlayedServo::take(const Session& app, std::size_t which) {
-    if (!app.scene()) return;
-    HandOutput told = app.hand(which);
-    if (app.haptic_scene() != given_.scene) {
-        given_.scene = app.haptic_scene();
-        given_.engine = told.engine;
-        scenes_.give(given_);
-    }
-    if (which == 0 && app.desk_visit().scene() != given_.desk) {
-        given_.desk = app.desk_visit().scene();
-        scenes_.give(given_);
-    }
-    tunings_.give(told.tuning);
-    poses_.give(told.pose);
-    if (std::exchange(given_bodies_, app.bodies().number()) != app.bodies().number()) bodies_.give(app.bodies());
-    if (told.guidance && std::exchange(given_guidance_, told.guidance->number) != told.guidance->number)
-        guidances_.give(*told.guidance);
+void PlayedServo::set_scene(std::shared_ptr<const HapticScene> scene, std::shared_ptr<HandEngine> engine) {
+    given_.scene = std::move(scene);
+    given_.engine = std::move(engine);
+    scenes_.give(given_);
+}
+
+void PlayedServo::set_desk(std::shared_ptr<const HapticScene> desk) {
+    given_.desk = std::move(desk);
+    scenes_.give(given_);
 }
 
 bool PlayedServo::can(const ServoReads& reads) const {
@@ -45,11 +37,13 @@ ForceCommand PlayedServo::tick(const HandRow& row) {
                       &bodies_.at(reads.bodies), scenes.desk.get(), &guidances_.at(reads.guidance), engine_);
 }
 
-void PlayedHand::change(const HandFacts& facts) {
+ServoInbox* PlayedHand::change(const HandFacts& facts) {
     driven_ = facts.present;
     tool_ = {};
     told_.clear();
-    if (driven_) servos_.push_back(std::make_unique<PlayedServo>(facts.spec));
+    if (!driven_) return nullptr;
+    servos_.push_back(std::make_unique<PlayedServo>(facts.spec));
+    return servos_.back().get();
 }
 
 bool PlayedHand::step() {

@@ -7,9 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "app/core/session/session.h"
+#include "app/core/context/hands_state.h"
 #include "app/record/played_bodies.h"
 #include "haptic/servo/hand_recording.h"
+#include "haptic/servo/servo_inbox.h"
 #include "haptic/servo/servo_tick.h"
 
 namespace handrail {
@@ -37,12 +38,16 @@ private:
 };
 
 // One of the servos that a hand had.
-class PlayedServo {
+class PlayedServo final : public ServoInbox {
 public:
     explicit PlayedServo(const DeviceSpec& spec) : state_(std::make_unique<ServoState>(spec)) {}
 
-    // As the hand in use gives it, after each time the session hands over. which: 0 or 1.
-    void take(const Session& app, std::size_t which);
+    void set_scene(std::shared_ptr<const HapticScene> scene, std::shared_ptr<HandEngine> engine) override;
+    void set_desk(std::shared_ptr<const HapticScene> desk) override;
+    void set_tuning(const ServoTuning& tuning) override { tunings_.give(tuning); }
+    void set_pose(const WorkspacePose& pose) override { poses_.give(pose); }
+    void set_bodies(const BodyFrame& bodies) override { bodies_.give(bodies); }
+    void set_guidance(const GuidancePath& guidance) override { guidances_.give(guidance); }
     // All that the tick read has been given.
     bool can(const ServoReads& reads) const;
     // Gives the force.
@@ -64,8 +69,6 @@ private:
     NumberedValues<GuidancePath> guidances_;
     Scenes given_;  // last
     HandEngine* engine_ = nullptr;
-    std::uint64_t given_bodies_ = 0;
-    std::uint32_t given_guidance_ = 0;
 };
 
 class PlayedHand {
@@ -74,11 +77,8 @@ public:
     PlayedHand(const std::vector<HandRow>& rows, std::size_t which, PlayedBodies& bodies)
         : rows_(rows), which_(which), bodies_(bodies) {}
 
-    // The session was given this hand.
-    void change(const HandFacts& facts);
-    void take(const Session& app) {
-        if (driven_) servos_.back()->take(app, which_);
-    }
+    // The session was given this hand. Its servo; null: the hand has none.
+    ServoInbox* change(const HandFacts& facts);
     // Until the newest servo has done that many ticks; false where the rows do not go so far. Others may have needed
     // more of them already.
     bool run_to(std::uint64_t tick);

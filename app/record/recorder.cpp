@@ -21,6 +21,7 @@
 #include "app/record/gzip_pieces.h"
 #include "app/record/input_text.h"
 #include "app/record/json_fields.h"
+#include "worlds/base/executor.h"
 #include "worlds/base/files.h"
 #include "worlds/base/folder_unless_kept.h"
 #include "worlds/base/language.h"
@@ -270,7 +271,10 @@ Result<std::unique_ptr<Recorder>> Recorder::begin(const fs::path& recordings, Re
 }
 
 Recorder::Recorder(std::unique_ptr<State> state) : state_(std::move(state)) {
-    state_->writer = std::thread([state = state_.get()] { state->run(); });
+    state_->writer = std::thread([state = state_.get()] {
+        name_this_thread("recorder");
+        state->run();
+    });
 }
 
 Recorder::~Recorder() {

@@ -13,6 +13,7 @@
 
 #include "app/core/dialogue/command_words.h"
 #include "app/core/dialogue/typed_sentences.h"
+#include "worlds/base/executor.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
@@ -103,7 +104,10 @@ LineWatch::LineWatch(int descriptor, WhenFull when_full, std::function<bool(std:
       when_full_(when_full),
       at_once_(std::move(at_once)),
       wake_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)),
-      thread_([this] { run(); }) {}
+      thread_([this] {
+          name_this_thread("lines");
+          run();
+      }) {}
 
 LineWatch::~LineWatch() {
     leaving_ = true;

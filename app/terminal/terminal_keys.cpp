@@ -10,6 +10,8 @@
 #include <iterator>
 #include <utility>
 
+#include "worlds/base/executor.h"
+
 namespace handrail {
 
 TerminalKeys::TerminalKeys(int descriptor, const TerminalKeyboard& keyboard, Clock& clock,
@@ -19,7 +21,10 @@ TerminalKeys::TerminalKeys(int descriptor, const TerminalKeyboard& keyboard, Clo
       at_once_(std::move(at_once)),
       decoder_(keyboard),
       wake_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)),
-      thread_([this] { run(); }) {}
+      thread_([this] {
+          name_this_thread("keys");
+          run();
+      }) {}
 
 TerminalKeys::~TerminalKeys() {
     const std::uint64_t one = 1;

@@ -11,6 +11,7 @@
 #include "app/window/wayland_keyboard.h"
 #include "app/window/window_system.h"
 #include "worlds/base/descriptor.h"
+#include "worlds/base/executor.h"
 
 // Weak, because a GLFW that was built for X11 alone does not have it, as before 3.4.
 extern "C" __attribute__((weak)) wl_display* glfwGetWaylandDisplay();
@@ -26,6 +27,7 @@ public:
           keyboard_(display, {[this](int code, unsigned modifiers) { take_key(code, modifiers); }, calls_.focused}),
           wake_(::eventfd(0, EFD_CLOEXEC)) {
         thread_ = std::thread([this] {
+            name_this_thread("key-watch");
             while (keyboard_.wait(wake_.get())) {
             }
         });

@@ -13,6 +13,7 @@
 #include "app/window/key_codes.h"
 #include "app/window/keys.h"
 #include "worlds/base/descriptor.h"
+#include "worlds/base/executor.h"
 
 namespace handrail {
 namespace {
@@ -26,7 +27,10 @@ public:
         // Any number of clients may ask for the same window's keys; each gets them all.
         XSelectInput(display_, window, KeyPressMask | FocusChangeMask);
         XSync(display_, False);
-        thread_ = std::thread([this] { run(); });
+        thread_ = std::thread([this] {
+            name_this_thread("key-watch");
+            run();
+        });
     }
     ~X11KeyWatch() override {
         const std::uint64_t one = 1;

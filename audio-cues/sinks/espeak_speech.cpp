@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "worlds/base/executor.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
@@ -159,8 +160,10 @@ Result<std::unique_ptr<EspeakSpeech>> EspeakSpeech::open(std::shared_ptr<VoiceCh
     impl->settings = settings;
     std::promise<Result<void>> ready;
     std::future<Result<void>> started = ready.get_future();
-    impl->thread =
-        std::thread([state = impl.get(), promise = std::move(ready)]() mutable { state->run(std::move(promise)); });
+    impl->thread = std::thread([state = impl.get(), promise = std::move(ready)]() mutable {
+        name_this_thread("espeak");
+        state->run(std::move(promise));
+    });
     if (auto result = started.get(); !result) {
         impl->thread.join();
         library_taken = false;

@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "worlds/base/executor.h"
+
 namespace handrail {
 
 ServerClient::ServerClient() : wake(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
@@ -31,7 +33,7 @@ void ServerClient::take_wake() const {
 
 std::thread start_client(std::shared_ptr<ServerClient> shared, const char* name, std::function<void()> work) {
     return std::thread([shared = std::move(shared), name, work = std::move(work)] {
-        pthread_setname_np(pthread_self(), name);
+        name_this_thread(name);
         sigset_t pipe_signal;
         sigemptyset(&pipe_signal);
         sigaddset(&pipe_signal, SIGPIPE);

@@ -26,6 +26,7 @@ extern "C" {  // glibc 2.36 forgot to say so itself
 #include "haptic/drivers/relief_guard.h"
 #include "worlds/base/clock.h"
 #include "worlds/base/descriptor.h"
+#include "worlds/base/executor.h"
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
 #include "worlds/confine/confine.h"
@@ -169,7 +170,10 @@ Result<void> GuardedDevice::open() {
     last_ = {};
     last_.fresh = false;
     last_.homed = false;
-    watch_ = std::jthread([this](const std::stop_token& end) { watch_guards(end); });
+    watch_ = std::jthread([this](const std::stop_token& end) {
+        name_this_thread("guard-watch");
+        watch_guards(end);
+    });
     return {};
 }
 

@@ -11,6 +11,8 @@
 #include <mutex>
 #include <thread>
 
+#include "worlds/base/executor.h"
+
 namespace handrail {
 namespace {
 
@@ -19,7 +21,11 @@ constexpr int kTickMs = 5;
 // Ends the process when an exchange does not come back: a vendor's library may block for ever, with the force still on.
 class StuckWatch {
 public:
-    explicit StuckWatch(std::function<void()> stuck) : stuck_(std::move(stuck)), thread_([this] { run(); }) {}
+    explicit StuckWatch(std::function<void()> stuck)
+        : stuck_(std::move(stuck)), thread_([this] {
+              name_this_thread("stuck-watch");
+              run();
+          }) {}
     ~StuckWatch() {
         {
             const std::lock_guard guard(mutex_);

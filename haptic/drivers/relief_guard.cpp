@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "worlds/base/clock.h"
+#include "worlds/base/executor.h"
 
 namespace handrail {
 namespace {
@@ -47,6 +48,7 @@ bool watch(HandMailbox& mailbox, int guard_fd, int life_fd) {
 std::jthread beat_meanwhile(HandMailbox& mailbox) noexcept {
     try {
         return std::jthread([&mailbox](const std::stop_token& end) {
+            name_this_thread("beat");
             for (; !end.stop_requested(); std::this_thread::sleep_for(std::chrono::milliseconds(kLookMs)))
                 mailbox.relief_beats.fetch_add(1, std::memory_order_release);
         });

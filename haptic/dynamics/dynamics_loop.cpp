@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "worlds/base/contract.h"
+#include "worlds/base/executor.h"
 
 namespace handrail {
 
@@ -19,6 +20,7 @@ void DynamicsLoop::start(Clock& clock) {
     if (thread_.joinable()) return;
     stop_.store(false, std::memory_order_release);
     thread_ = std::thread([this, &clock] {
+        name_this_thread("bodies");
         while (!stop_.load(std::memory_order_acquire)) {
             step_until(clock.now_s());
             clock.sleep_until_s(dynamics_.time_s() + Dynamics::kStep_s);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "worlds/base/executor.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
@@ -72,7 +73,10 @@ Result<void> ServoLoop::open() {
 void ServoLoop::start() {
     if (!open_ || thread_.joinable()) return;
     stop_asked_.store(false, std::memory_order_release);
-    thread_ = std::thread([this] { run(); });
+    thread_ = std::thread([this] {
+        name_this_thread("servo");
+        run();
+    });
 }
 
 void ServoLoop::stop() {

@@ -11,6 +11,7 @@
 
 #include "haptic/device/haptic_device.h"
 #include "haptic/servo/hand_recording.h"
+#include "haptic/servo/servo_inbox.h"
 #include "haptic/servo/servo_switches.h"
 #include "haptic/servo/servo_tick.h"
 #include "worlds/base/clock.h"
@@ -31,7 +32,7 @@ struct ServoReport {
     bool memory_locked = false;  // no page of the program can be away when the servo needs it
 };
 
-class ServoLoop {
+class ServoLoop final : public ServoInbox {
 public:
     // 1024 events are 3.4 s of three surfaces slid along at once, so a stalled ear loses none of a short stall.
     using EventRing = SpscRing<ContactEvent, 1024>;
@@ -47,7 +48,7 @@ public:
     // The clock outlives the loop.
     ServoLoop(std::unique_ptr<HapticDevice> device, Clock& clock, double period_s = 1e-3);
     ServoLoop(std::unique_ptr<HapticDevice> device, Clock& clock, double period_s, const Links& links);
-    ~ServoLoop();
+    ~ServoLoop() override;
     ServoLoop(const ServoLoop&) = delete;
     ServoLoop& operator=(const ServoLoop&) = delete;
 
@@ -59,17 +60,16 @@ public:
     void start();
     void stop();
 
-    // App thread; felt from the next tick on. A null scene is none. The desk: see servo_tick.
+    // App thread: see ServoInbox.
     void set_scene(std::shared_ptr<const HapticScene> scene) { set_scene(std::move(scene), engine_); }
-    void set_desk(std::shared_ptr<const HapticScene> desk) { hand_over(world_, std::move(desk), engine_); }
-    // With this hand's side of what is free to move in it; null: nothing is. No other servo has it at the same time.
-    void set_scene(std::shared_ptr<const HapticScene> scene, std::shared_ptr<HandEngine> engine) {
+    void set_desk(std::shared_ptr<const HapticScene> desk) override { hand_over(world_, std::move(desk), engine_); }
+    void set_scene(std::shared_ptr<const HapticScene> scene, std::shared_ptr<HandEngine> engine) override {
         hand_over(std::move(scene), desk_, std::move(engine));
     }
-    void set_tuning(const ServoTuning& tuning) { tuning_.publish({tuning, ++given_.tuning}); }
-    void set_pose(const WorkspacePose& pose) { pose_.publish({pose, ++given_.pose}); }
-    void set_bodies(const BodyFrame& bodies) { bodies_.publish({bodies, ++given_.bodies}); }
-    void set_guidance(const GuidancePath& guidance) { guidance_.publish({guidance, ++given_.guidance}); }
+    void set_tuning(const ServoTuning& tuning) override { tuning_.publish({tuning, ++given_.tuning}); }
+    void set_pose(const WorkspacePose& pose) override { pose_.publish({pose, ++given_.pose}); }
+    void set_bodies(const BodyFrame& bodies) override { bodies_.publish({bodies, ++given_.bodies}); }
+    void set_guidance(const GuidancePath& guidance) override { guidance_.publish({guidance, ++given_.guidance}); }
     // App thread: the newest of each, valid until the next call.
     const ToolState& tool();
     const ServoReport& report();

@@ -1,6 +1,10 @@
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
 
+#include "tests/support/child_process.h"
 #include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/run_program.h"
@@ -49,6 +53,33 @@ TEST(Explore, a_whole_map_is_entered_too) {
         EXPECT_EQ(run.exit_status, 0) << run.err;
         EXPECT_THAT(run.out, HasSubstr("facing ")) << world;
     }
+}
+
+// Every thread of ours has a name that `top -H` shows. The program's is that of the first thread, and of one that
+// OpenAL starts.
+TEST(Explore, all_its_threads_have_names) {
+    const TemporaryFolder home;
+    const std::filesystem::path out = home.path() / "out";
+    const auto child = ChildProcess::start(
+        {built_program("handrail"), bundled_world("house.map"), "--no-window", "--device", "sim-t"},
+        {{"HOME", home.path().string()}, {"XDG_CACHE_HOME", (home.path() / "cache").string()}}, out);
+    ASSERT_TRUE(child);
+    std::set<std::string> names;
+    int unnamed = 0;
+    ASSERT_TRUE(eventually([&] {
+        names.clear();
+        unnamed = 0;
+        std::error_code ec;
+        for (std::filesystem::directory_iterator it("/proc/" + std::to_string(child->pid()) + "/task", ec), end;
+             !ec && it != end; it.increment(ec)) {
+            std::string name;
+            std::ifstream(it->path() / "comm") >> name;
+            unnamed += name == "handrail" ? 1 : 0;
+            names.insert(name);
+        }
+        return names.contains("servo") && names.contains("ears") && names.contains("lines") && unnamed <= 2;
+    })) << unnamed
+        << " without a name; " << testing::PrintToString(names);
 }
 
 TEST(Explore, commands_from_standard_input_are_carried_out_in_order) {

@@ -30,6 +30,7 @@ public:
     void send(int signal) const;  // to it and all that it has started in its group
     void kill();                  // SIGKILL, and waits for its end
     bool running();
+    pid_t pid() const { return pid_; }
     int exit_status();  // waits for its end; 128 + signal number when a signal ended it
 
 private:

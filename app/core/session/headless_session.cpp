@@ -6,35 +6,48 @@ namespace handrail {
 namespace {
 
 constexpr long kCueEvery_ms = 5;
-constexpr double kFrames_per_s = 60.0;
+constexpr double kFrames_per_s = 60.0, kTick_s = 1e-3;
 
 }  // namespace
 
 HeadlessSession::HeadlessSession(const Settings& settings, const HandFacts& hand, AudioSink& audio, SpeechSink& speech,
                                  const SessionOptions& options)
-    : app_(settings, hand, options), facts_(hand), audio_(audio), speech_(speech), planner_(settings) {
-    hands_[0].take(hand);
+    : app_(settings, hand, options),
+      facts_(hand),
+      ears_(std::shared_ptr<AudioSink>(&audio, [](AudioSink*) {}),
+            std::shared_ptr<SpeechSink>(&speech, [](SpeechSink*) {}), clock_, &hands_[0].contacts, settings,
+            &hands_[1].contacts) {
+    take(0, hand);
 }
 
-void HeadlessSession::Hand::take(const HandFacts& facts) {
-    simulated->command.publish(still_hand());
-    simulated->trouble.publish(DeviceTrouble{});
-    device = facts.present ? std::make_unique<SimulatedDevice>(facts.spec, simulated) : nullptr;
-    state = facts.present ? std::make_unique<ServoState>(facts.spec) : nullptr;
-    tool = {};
+HeadlessSession::~HeadlessSession() { ears_.end_at_once(); }
+
+void HeadlessSession::take(std::size_t which, const HandFacts& facts) {
+    Hand& hand = hands_[which];
+    hand.simulated->command.publish(still_hand());
+    hand.simulated->trouble.publish(DeviceTrouble{});
+    hand.servo.reset();
+    hand.tool = {};
+    if (facts.present) {
+        hand.servo = std::make_unique<ServoLoop>(std::make_unique<SimulatedDevice>(facts.spec, hand.simulated), clock_,
+                                                 kTick_s, ServoLoop::Links{&switches_, &hand.contacts, nullptr});
+        const bool opens = hand.servo->open().has_value();
+        contract_pre(opens);
+    }
+    driver_.drive(which, hand.servo.get());
 }
 
 void HeadlessSession::change_hand(const HandFacts& facts) {
     facts_ = facts;
-    hands_[0].take(facts);
+    take(0, facts);
     app_.apply(HandChanged{facts, app_.settings()}, now_s());
-    planner_.set_two_hands(app_.two_hands());
+    ears_.set_two_hands(app_.two_hands());
 }
 
 void HeadlessSession::give_left_hand(const HandFacts& facts) {
-    hands_[1].take(facts);
+    take(1, facts);
     app_.apply(LeftHandChanged{facts}, now_s());
-    planner_.set_two_hands(app_.two_hands());
+    ears_.set_two_hands(app_.two_hands());
 }
 
 HandCommand HeadlessSession::still_hand() {
@@ -66,54 +79,26 @@ void HeadlessSession::set_focus(bool focused) {
 
 void HeadlessSession::change_settings(const Settings& settings) {
     app_.apply(SettingsChanged{settings}, now_s());
-    planner_.set_settings(settings);
+    ears_.set_settings(settings);
 }
 
 void HeadlessSession::advance() {
     ++milliseconds_;
-    for (std::size_t which = 0; which < hands_.size(); ++which)
-        if (hands_[which].device && milliseconds_ % servo_every_ms_ == 0) servo(which);
+    driver_.hand_over();  // what came since the last frame acts at once, so a test need not wait for the next one
+    clock_.sleep_until_s(static_cast<double>(milliseconds_) * kTick_s);
+    for (Hand& hand : hands_) {
+        if (!hand.servo || milliseconds_ % servo_every_ms_ != 0) continue;
+        hand.servo->step();
+        hand.tool = hand.servo->tool();
+    }
     // What a hand feels moves in its rhythm; else the app moves it.
-    if (hands_[0].device || hands_[1].device) app_.step_bodies(now_s());
+    if (hands_[0].servo || hands_[1].servo) app_.step_bodies(now_s());
     // Frames fall on the first millisecond at or after their time.
     if (now_s() * kFrames_per_s >= static_cast<double>(frames_)) {
         ++frames_;
-        app_.tick(now_s(), hands_[0].tool, hands_[1].tool);
-        if (!app_.take_setting_changes().empty()) planner_.set_settings(app_.settings());
+        driver_.tick(now_s(), hands_[0].tool, hands_[1].tool);
     }
-    if (milliseconds_ % kCueEvery_ms == 0) cues();
-}
-
-void HeadlessSession::servo(std::size_t which) {
-    Hand& hand = hands_[which];
-    const DeviceSample sample = hand.device->read(now_s());
-    const HandOutput told = app_.hand(which);
-    hand.device->write(servo_tick(
-        *hand.state, app_.haptic_scene().get(), with_switches(told.tuning, switches_), told.pose, sample, now_s(),
-        &app_.bodies(), which == 0 ? app_.desk_visit().scene().get() : nullptr, told.guidance, told.engine.get()));
-    hand.tool = hand.state->tool();
-    for (const ContactEvent& event : hand.state->events()) {
-        contacts_.push_back(event);
-        contacts_.back().hand = static_cast<std::uint8_t>(which);
-    }
-}
-
-void HeadlessSession::cues() {
-    if (heard_scene_ != app_.scene()) {
-        heard_scene_ = app_.scene();
-        if (std::exchange(heard_world_, app_.world().entered) != app_.world().entered)
-            planner_.enter_world(heard_scene_);
-        else planner_.follow_edit(heard_scene_);
-    }
-    for (CueRequest& request : app_.take_cues()) requests_.push_back(std::move(request));
-    CueInputs inputs;
-    inputs.now_s = now_s();
-    inputs.contacts = contacts_;
-    inputs.requests = requests_;
-    inputs.listener = app_.listener();
-    planner_.tick(inputs, audio_, speech_);
-    contacts_.clear();
-    requests_.clear();
+    if (milliseconds_ % kCueEvery_ms == 0) ears_.step();
 }
 
 }  // namespace handrail

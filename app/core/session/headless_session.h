@@ -1,16 +1,19 @@
-// The whole program on a virtual clock in one thread: servo a thousand times a second, cues two hundred times, the app
-// sixty times. What the threads do in a real session happens here in a fixed order, so the same input gives the same
-// output. For scenarios and tests.
+// The whole program on a virtual clock in one thread: servos a thousand times a second, ears two hundred times, the app
+// sixty times. Session, SessionDriver, ServoLoop and AudioThread are those of the program; what its threads do happens
+// here in a fixed order, so the same input gives the same output. For scenarios and tests.
 #pragma once
 
 #include <array>
 #include <memory>
+#include <string>
 
 #include "app/core/session/session.h"
+#include "app/core/session/session_driver.h"
+#include "audio-cues/plan/audio_thread.h"
 #include "audio-cues/plan/sinks.h"
 #include "haptic/device/simulated_device.h"
-#include "haptic/servo/servo_switches.h"
-#include "haptic/servo/servo_tick.h"
+#include "haptic/servo/servo_loop.h"
+#include "worlds/base/clock.h"
 
 namespace handrail {
 
@@ -20,6 +23,7 @@ public:
     // servo.
     HeadlessSession(const Settings& settings, const HandFacts& hand, AudioSink& audio, SpeechSink& speech,
                     const SessionOptions& options = {});
+    ~HeadlessSession();
 
     Session& app() { return app_; }
     // A second hand, the left one; from then on the one of the constructor is the right one. Facts of none take it away
@@ -30,7 +34,7 @@ public:
     SimulatedHand& hand(std::size_t which = 0) { return *hands_[which].simulated; }
     const HandFacts& facts() const { return facts_; }
     const ToolState& tool(std::size_t which = 0) const { return hands_[which].tool; }
-    double now_s() const { return static_cast<double>(milliseconds_) * 1e-3; }
+    double now_s() const { return clock_.now_s(); }
     void change_settings(const Settings& settings);
     // A key goes down, and the keyboard comes and goes: as in a real session the servo's switches are set at once, and
     // the app is told.
@@ -49,27 +53,20 @@ public:
 private:
     struct Hand {
         std::shared_ptr<SimulatedHand> simulated = std::make_shared<SimulatedHand>();
-        std::unique_ptr<SimulatedDevice> device;
-        std::unique_ptr<ServoState> state;
+        ServoLoop::EventRing contacts;
+        std::unique_ptr<ServoLoop> servo;
         ToolState tool;
-
-        void take(const HandFacts& facts);
     };
 
-    void servo(std::size_t which);
-    void cues();
+    void take(std::size_t which, const HandFacts& facts);
 
+    VirtualClock clock_;
     Session app_;
     HandFacts facts_;
-    AudioSink& audio_;
-    SpeechSink& speech_;
-    CuePlanner planner_;
-    std::shared_ptr<const Scene> heard_scene_;
-    int heard_world_ = 0;
+    ServoSwitches switches_;     // of both hands
     std::array<Hand, 2> hands_;  // the only or right one, the left one
-    ServoSwitches switches_;     // of both
-    std::vector<ContactEvent> contacts_;
-    std::vector<CueRequest> requests_;
+    AudioThread ears_;           // stepped, without its thread
+    SessionDriver driver_{app_, ears_};
     long milliseconds_ = 0;
     long frames_ = 0;
     int servo_every_ms_ = 1;

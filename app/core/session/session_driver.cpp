@@ -16,10 +16,14 @@ void SessionDriver::tick(double now_s, const ToolState& tool, const ToolState& l
     hand_over();
 }
 
-void SessionDriver::hand_over() {
+void SessionDriver::hand_over_settings() {
     auto changes = app_.take_setting_changes();
     const bool changed = !changes.empty();
     if (steps_.take_settings ? steps_.take_settings(std::move(changes)) : changed) ears_.set_settings(app_.settings());
+}
+
+void SessionDriver::hand_over() {
+    hand_over_settings();
     if (steps_.hands_over) steps_.hands_over();
     give_ears();
     give_world(1);

@@ -48,6 +48,8 @@ public:
 
     // A tick of the session, then hand_over(). The tools are what the servos published last.
     void tick(double now_s, const ToolState& tool, const ToolState& left_tool = {});
+    // Settings that the session changed, to who keeps them and to the ears; hand_over() begins with this.
+    void hand_over_settings();
     // What changed since the last time, in this order: settings, world, cues and listener to the ears, then to the
     // left and the right servo.
     void hand_over();

@@ -198,6 +198,7 @@ TEST(OpenDoors, whose_leaf_leaves_no_way_beside_it_are_announced_and_can_be_shut
     p.run(0.2);
     p.ask(Command::Routes);
     p.line("Hall");
+    p.run(0.1);  // the route is planned
     const std::string leg = p.ask(Command::RepeatLeg);
     EXPECT_NE(leg.find("Closet, open, is in the way. Shut it."), std::string::npos) << leg << " | " << p.news();
     p.walk(5.0);

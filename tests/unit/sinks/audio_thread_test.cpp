@@ -1,4 +1,4 @@
-#include "audio-cues/sinks/audio_thread.h"
+#include "audio-cues/plan/audio_thread.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -38,7 +38,7 @@ Sitting::Sitting(ExploreArguments arguments)
             .arrivals = recording_->arrivals()}),
       say_(clock_, [this](std::string text, double asked_s) {
           app_.apply(Told{std::move(text), SpeechClass::Answer}, asked_s);
-          hand_over();
+          driver_->hand_over();
       }) {
     SoundOutputs outputs;
     outputs.audio = std::make_unique<RecordingAudio>();
@@ -50,6 +50,22 @@ Sitting::Sitting(ExploreArguments arguments)
         std::make_unique<AudioThread>(std::move(outputs.audio), std::move(outputs.speech), clock_, nullptr, settings_);
     recording_->listen_to(*sound_);
     recording_->listen_to(app_);
+    driver_ = std::make_unique<SessionDriver>(
+        app_, *sound_,
+        SessionDriver::Steps{.ticked =
+                                 [this](double now_s) {
+                                     const auto events = recording_->ticked(app_, now_s, {}, {});
+                                     lesson_->see(events);
+                                     if (beside_)
+                                         beside_events_.insert(beside_events_.end(), events.begin(), events.end());
+                                 },
+                             .take_settings =
+                                 [this](const auto& changes) {
+                                     if (!changes.empty()) recording_->note("ears_settings");
+                                     return !changes.empty();
+                                 },
+                             .hands_over = [this] { recording_->handed_over(); },
+                             .look_at_cues = {}});
     worlds_ = std::make_unique<WorldVisits>(arguments_, store_, app_, say_);
     lesson_ = std::make_unique<LessonHere>(arguments_, app_, say_);
     begun_s_ = clock_.now_s();
@@ -66,7 +82,7 @@ void Sitting::end() {
     if (std::exchange(ended_, true)) return;
     lesson_->end(clock_.now_s());
     app_.keep_learnt(in_whole_microseconds(clock_.now_s()));
-    hand_over();
+    driver_->hand_over();
     sound_->stop(3.0);
     recording_->end();
     worlds_->end();
@@ -89,28 +105,8 @@ void Sitting::frame() {
         taught_s_ = now_s;
         teach_on(*beside_, app_, std::exchange(beside_events_, {}), now_s);
     }
-    app_.tick(now_s, {}, {});
-    const std::vector<SessionEvent> events = recording_->ticked(app_, now_s, {}, {});
-    lesson_->see(events);
-    if (beside_) beside_events_.insert(beside_events_.end(), events.begin(), events.end());
-    hand_over();
+    driver_->tick(now_s, {});
     worlds_->note_place(now_s);
-}
-
-void Sitting::hand_over() {
-    if (!app_.take_setting_changes().empty()) {
-        recording_->note("ears_settings");
-        sound_->set_settings(app_.settings());
-    }
-    recording_->handed_over();
-    if (app_.scene() != given_scene_) {
-        given_scene_ = app_.scene();
-        if (std::exchange(given_world_, app_.world().entered) != app_.world().entered)
-            sound_->enter_world(given_scene_);
-        else sound_->follow_edit(given_scene_);
-    }
-    for (CueRequest& cue : app_.take_cues()) sound_->post(std::move(cue));
-    if (app_.scene()) sound_->set_listener(app_.listener());
 }
 
 void Sitting::live(double seconds) {

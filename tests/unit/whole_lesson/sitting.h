@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/core/session/session_driver.h"
 #include "app/main/lesson_here.h"
 #include "app/main/session_recording.h"
 #include "app/main/world_visits.h"
@@ -74,7 +75,6 @@ public:
 
 private:
     void frame();
-    void hand_over();
     enum class Came : std::uint8_t { There, PutElsewhere, Stuck };
     Came leg(const Vec3& from, const Vec3& to, Sway* sway);
 
@@ -86,9 +86,8 @@ private:
     std::unique_ptr<SessionRecording> recording_;
     RecordingSpeech* speech_ = nullptr;  // the ears' own
     std::unique_ptr<AudioThread> sound_;
-    std::shared_ptr<const Scene> given_scene_;
-    int given_world_ = 0;
     Session app_;
+    std::unique_ptr<SessionDriver> driver_;
     const SessionVoice say_;
     std::unique_ptr<WorldVisits> worlds_;
     std::unique_ptr<LessonHere> lesson_;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "audio-cues/plan/cue_planner.h"
+#include "audio-cues/plan/ears_inbox.h"
 #include "audio-cues/plan/sinks.h"
 #include "settings/settings.h"
 #include "worlds/base/clock.h"
@@ -22,7 +23,7 @@
 
 namespace handrail {
 
-class AudioThread {
+class AudioThread final : public EarsInbox {
 public:
     using ContactRing = SpscRing<ContactEvent, 1024>;  // ServoLoop::EventRing
     static constexpr double kPeriod_s = 0.005;
@@ -30,9 +31,9 @@ public:
 
     // Clock and rings outlive this object; a ring may be null where there is no hand, the second is the left hand's
     // where there are two. The clock is the one that times contact events.
-    AudioThread(std::unique_ptr<AudioSink> audio, std::unique_ptr<SpeechSink> speech, Clock& clock,
+    AudioThread(std::shared_ptr<AudioSink> audio, std::shared_ptr<SpeechSink> speech, Clock& clock,
                 ContactRing* contacts, const Settings& settings, ContactRing* left_contacts = nullptr);
-    ~AudioThread();
+    ~AudioThread() override;
     AudioThread(const AudioThread&) = delete;
     AudioThread& operator=(const AudioThread&) = delete;
 
@@ -49,6 +50,9 @@ public:
     };
     void tell_steps(StepListener listener) { step_listener_ = std::move(listener); }
 
+    // In place of stop(), for who steps it: whatever waits to be said or played is dropped.
+    void end_at_once() { stopped_ = true; }
+
     // App thread. stop() takes everything posted before it, waits at most that long for the voice to finish, writes
     // what it could not say, fades and joins; more often does no harm, and the destructor does it too.
     void start();
@@ -57,14 +61,14 @@ public:
     bool sound_drops_out() const { return drops_out_.load(std::memory_order_relaxed); }
 
     // App thread; each holds a mutex for microseconds at most.
-    void post(CueRequest request);
-    void set_settings(const Settings& settings);
-    void enter_world(std::shared_ptr<const Scene> scene);
-    void follow_edit(std::shared_ptr<const Scene> scene);  // see CuePlanner
-    std::vector<SpokenLine> take_spoken();                 // what was said since the last call, oldest first
-    void set_two_hands(bool two);
-    void set_hand_stands_in(bool stands_in);  // see CuePlanner
-    void set_listener(const Listener& listener) { listener_.publish(listener); }
+    void post(CueRequest request) override;
+    void set_settings(const Settings& settings) override;
+    void enter_world(std::shared_ptr<const Scene> scene) override;
+    void follow_edit(std::shared_ptr<const Scene> scene) override;
+    void set_two_hands(bool two) override;
+    void set_hand_stands_in(bool stands_in) override;
+    void set_listener(const Listener& listener) override { listener_.publish(listener); }
+    std::vector<SpokenLine> take_spoken();  // what was said since the last call, oldest first
     // Something is being said or waits to be, as of the last tick.
     bool speaking() const { return speaking_.load(std::memory_order_relaxed); }
     // As SpeechSink::who, at the last tick; empty before the first.
@@ -100,8 +104,8 @@ private:
     std::array<ContactRing*, 2> contacts_;  // servo threads to audio thread, one for each hand
 
     // Audio thread only while it runs.
-    std::unique_ptr<AudioSink> audio_;
-    std::unique_ptr<SpeechSink> speech_;
+    std::shared_ptr<AudioSink> audio_;
+    std::shared_ptr<SpeechSink> speech_;
     CuePlanner planner_;
     std::vector<ContactEvent> events_;  // of this tick; kept for its memory
     std::uint64_t published_ = 0;       // of planner_.spoken_in_all()

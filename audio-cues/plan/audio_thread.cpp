@@ -1,13 +1,14 @@
-#include "audio-cues/sinks/audio_thread.h"
+#include "audio-cues/plan/audio_thread.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "haptic/servo/hand_recording.h"
+#include "worlds/base/executor.h"
 
 namespace handrail {
 
-AudioThread::AudioThread(std::unique_ptr<AudioSink> audio, std::unique_ptr<SpeechSink> speech, Clock& clock,
+AudioThread::AudioThread(std::shared_ptr<AudioSink> audio, std::shared_ptr<SpeechSink> speech, Clock& clock,
                          ContactRing* contacts, const Settings& settings, ContactRing* left_contacts)
     : clock_(clock),
       contacts_{contacts, left_contacts},
@@ -18,7 +19,11 @@ AudioThread::AudioThread(std::unique_ptr<AudioSink> audio, std::unique_ptr<Speec
 AudioThread::~AudioThread() { stop(); }
 
 void AudioThread::start() {
-    if (!thread_.joinable() && !stopped_) thread_ = std::thread([this] { run(); });
+    if (!thread_.joinable() && !stopped_)
+        thread_ = std::thread([this] {
+            name_this_thread("ears");
+            run();
+        });
 }
 
 void AudioThread::stop(double finish_speech_s) {
