@@ -42,6 +42,8 @@ Body body_of_faces(const std::vector<FlatFace>& faces);
 
 // Sheets that together enclose a volume become convex solids. Open or too complex ones stay sheets.
 void fill(Body& body);
+// Whether its sheets look all ways alike, as a closed skin does. Solids always enclose.
+bool encloses(const Body& body);
 
 // Bit for bit the same forms in the same order; a number that is the same for those that are.
 bool same_body(const Body& a, const Body& b);

@@ -217,11 +217,16 @@ Skin skin_of(const std::vector<Polygon>& sheets) {
 
 }  // namespace
 
-void fill(Body& body) {
+bool encloses(const Body& body) {
     constexpr double kClosedShare = 1e-4;
-    if (body.sheets.size() < 4) return;
+    if (body.sheets.empty()) return !body.solids.empty();
+    const Skin skin = skin_of(body.sheets);
+    return body.sheets.size() >= 4 && glm::length(skin.open_m2) <= kClosedShare * skin.area_m2;
+}
+
+void fill(Body& body) {
+    if (body.sheets.empty() || !encloses(body)) return;
     Skin skin = skin_of(body.sheets);
-    if (glm::length(skin.open_m2) > kClosedShare * skin.area_m2) return;
     if (skin.six_volumes_m3 < 0.0)  // seen from inside
         for (MeshCorners& corners : skin.triangles) std::swap(corners[1], corners[2]);
     std::vector<std::uint32_t> all(skin.triangles.size());

@@ -92,7 +92,7 @@ public:
         if (progress_) progress_(1.0);
         building_.skipped = relations_.skipped;
         building_.not_read = shapes_.not_read();
-        building_.approximated = shapes_.approximated();
+        building_.approximated = shapes_.approximated() + boxed_;
         building_.odd_placements = model_.odd_placements();
         building_.too_large = shapes_.too_large();
         return std::move(building_);
@@ -106,11 +106,12 @@ private:
     }
     // Compares what the file states of a part with what stands here.
     void note_missing(const IfcPart& part, double own_m3, int far) {
-        constexpr double kLostShare = 0.05, kLeastStated_m3 = 1e-6;
+        constexpr double kLostShare = 0.05, kLeastStated_m3 = 1e-6, kLeastStated_m2 = 1e-4;
         const IfcShapes::Account& account = shapes_.account();
         if (!account.formed || part.prefab || stop_.stop_requested()) return;
         MissingPart missing;
         const double stated_m3 = account.stated_m3;
+        const double lost_m2 = account.stated_m2 - account.made_m2;
         const double lost_m3 = stated_m3 - account.made_m3 + std::max(0.0, own_m3 - volume_m3(part.body));
         if (far > 0) missing.reason = "ifc.lost_far";
         else if (!account.unread.empty() && (part.body.empty() || lost_m3 <= kLostShare * stated_m3))
@@ -124,6 +125,10 @@ private:
             missing.reason = account.result_share > 0.0 ? "ifc.lost_share" : "ifc.lost_surplus",
             missing.share = std::abs(account.result_share);
         else if (!account.uncut.empty()) missing.reason = "ifc.lost_uncut", missing.detail = account.uncut;
+        else if (account.stated_m2 > kLeastStated_m2 && lost_m2 > kLostShare * account.stated_m2)
+            missing.reason = "ifc.lost_area", missing.share = lost_m2 / account.stated_m2;
+        else if (account.lost_faces > 0)
+            missing.reason = "ifc.lost_faces", missing.detail = std::to_string(account.lost_faces);
         else return;
         missing.name = part.name;
         missing.guid = part.guid;
@@ -327,9 +332,18 @@ private:
             fill(shape);
             const std::vector<ConvexSolid> solids = solids_around(shape, frame_of(opening));
             const bool passage = is_passage(opening);
-            bool cut = host.body.empty() && cut_pieces(host, opening, solids, passage);
-            for (const ConvexSolid& solid : solids)
-                cut = cut_through(host.body, solid, frame_of(opening), passage, host.role) || cut;
+            bool cut = false;
+            for (IfcPart* const part : bodies_of(host)) {
+                if (!shape.sheets.empty()) {
+                    if (const std::optional<bool> exactly = cut_skin(*part, shape, frame_of(opening), passage)) {
+                        cut = *exactly || cut;
+                        continue;
+                    }
+                    ++boxed_;
+                }
+                for (const ConvexSolid& solid : solids)
+                    cut = cut_through(part->body, solid, frame_of(opening), passage, part->role) || cut;
+            }
             cut = cut || is_open_already(host, solids, upright(frame_of(opening)));
             building_.openings_cut += cut && building ? 1 : 0;
             if (!cut && building) building_.openings_uncut.push_back(static_cast<std::size_t>(model_.line(opening)));
@@ -355,17 +369,34 @@ private:
         }
         return true;
     }
-    // The host has no body of its own, its parts have.
-    bool cut_pieces(const IfcPart& host, std::uint64_t opening, const std::vector<ConvexSolid>& solids, bool passage) {
-        bool cut = false;
-        const auto pieces = pieces_of_.find(host.id);
-        if (pieces == pieces_of_.end()) return false;
-        for (const std::size_t i : pieces->second) {
-            IfcPart& piece = building_.parts[i];
-            if (piece.body.empty()) continue;
-            for (const ConvexSolid& solid : solids)
-                cut = cut_through(piece.body, solid, frame_of(opening), passage, piece.role) || cut;
-        }
+    // The host itself, or its parts if it has no body of its own.
+    std::vector<IfcPart*> bodies_of(IfcPart& host) {
+        if (!host.body.empty()) return {&host};
+        std::vector<IfcPart*> bodies;
+        if (const auto pieces = pieces_of_.find(host.id); pieces != pieces_of_.end())
+            for (const std::size_t i : pieces->second)
+                if (!building_.parts[i].body.empty()) bodies.push_back(&building_.parts[i]);
+        return bodies;
+    }
+    // By an opening that convex solids do not hold, such as a round arch. Whether something was cut; nothing if that
+    // cannot be computed.
+    std::optional<bool> cut_skin(IfcPart& host, Body shape, const Frame& opening, bool passage) {
+        constexpr double kAtEnd_m = 1e-3, kCut_m3 = 1e-6;
+        const Vec3 way = way_through_host(host.body, upright(opening), host.role);
+        const std::vector<ConvexSolid> around = solids_around({{}, shape.sheets}, opening);
+        const std::optional<Reach> ends = reach_along(shape, way);
+        if (around.empty() || !ends) return std::nullopt;
+        const double longer_m = longer_by_m(host.body, around[0], way, passage);
+        for (Polygon& sheet : shape.sheets)
+            for (Vec3& p : sheet.points_m) {
+                const double at = glm::dot(p, way);
+                if (at > ends->most - kAtEnd_m) p += way * longer_m;
+                else if (at < ends->least + kAtEnd_m) p -= way * longer_m;
+            }
+        std::optional<Body> left = cut_exactly(host.body, shape, ExactCut::TakeAway, shapes_.exact_limits(), stop_);
+        if (!left) return std::nullopt;
+        const bool cut = volume_m3(host.body) - volume_m3(*left) > kCut_m3;
+        if (cut) host.body = std::move(*left);
         return cut;
     }
 
@@ -404,17 +435,20 @@ private:
         return host && own.least < host->least + kNearFace_m && own.most > host->most - kNearFace_m;
     }
 
+    // Through a wall: the level direction in which the opening is thinner than the host is long.
+    static Vec3 way_through_host(const Body& body, const Frame& axes, PartRole role) {
+        if (role == PartRole::Slab || role == PartRole::Roof) return {0, 0, 1};
+        const std::optional<Reach> x = reach_along(body, axes.x), y = reach_along(body, axes.y);
+        return x && y && x->most - x->least < y->most - y->least ? axes.x : axes.y;
+    }
+    static double longer_by_m(const Body& body, const ConvexSolid& solid, const Vec3& way, bool passage) {
+        return passage && reaches_both_faces(body, solid, way) ? kThrough_m : 2e-3;
+    }
+
     static bool cut_through(Body& body, const ConvexSolid& solid, const Frame& opening, bool passage, PartRole role) {
-        const bool flat = role == PartRole::Slab || role == PartRole::Roof;
-        const Frame axes = upright(opening);
-        // Through a wall: the level direction in which the opening is thinner than the host is long.
-        Vec3 way = flat ? Vec3(0, 0, 1) : axes.y;
-        if (!flat)
-            if (const std::optional<Reach> x = reach_along(body, axes.x), y = reach_along(body, axes.y);
-                x && y && x->most - x->least < y->most - y->least)
-                way = axes.x;
+        const Vec3 way = way_through_host(body, upright(opening), role);
         std::vector<Plane> planes = solid.planes;
-        const double longer_m = passage && reaches_both_faces(body, solid, way) ? kThrough_m : 2e-3;
+        const double longer_m = longer_by_m(body, solid, way, passage);
         for (Plane& plane : planes)
             if (std::abs(glm::dot(plane.normal, way)) > 0.9) plane.offset_m += longer_m;
         const bool hollow = body.solids.empty();
@@ -515,6 +549,7 @@ private:
     const std::function<void(double)>& progress_;
     IfcShapes shapes_;
     std::stop_token stop_;
+    int boxed_ = 0;  // openings cut as the box around them
     IfcBuilding building_;
     std::unordered_map<std::uint64_t, std::size_t> place_;  // of parts, by their instances
     std::unordered_map<std::uint64_t, std::vector<std::size_t>> pieces_of_;

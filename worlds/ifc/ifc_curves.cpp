@@ -163,6 +163,13 @@ private:
 
 }  // namespace
 
+Ring regular_ring(double radius_m, int corners) {
+    Ring ring;
+    for (int i = 0; i < corners; ++i)
+        ring.emplace_back(radius_m * std::cos(2.0 * kPi * i / corners), radius_m * std::sin(2.0 * kPi * i / corners));
+    return ring;
+}
+
 std::vector<Vec3> curve_points(const IfcModel& model, std::uint64_t curve) {
     return CurveReader(model).points(curve, 0);
 }

@@ -13,4 +13,7 @@ std::vector<Vec3> curve_points(const IfcModel& model, std::uint64_t curve);
 // profile. Empty: a kind that is not read.
 std::vector<std::vector<Ring>> profile_rings(const IfcModel& model, std::uint64_t profile);
 
+// Corners on a circle.
+Ring regular_ring(double radius_m, int corners);
+
 }  // namespace handrail

@@ -33,7 +33,8 @@ double middle(double a, double b) { return 0.5 * (a + b); }
 
 std::string joined(const std::vector<std::string>& names) {
     std::string all;
-    for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+    for (const std::string& name : names)
+        if (!name.empty()) all += (all.empty() ? "" : ", ") + name;
     return all;
 }
 
@@ -220,7 +221,12 @@ StatedPortal IfcScene::portal_of(std::size_t i, const WallGap& gap) {
     if (!stated.empty() && portal.rooms != beside) ++differing_;
     if (const auto freed = freed_.find(i); freed != freed_.end()) {
         portal.opened_by_box = true;
-        warn(part.line, phrase("ifc.door_blocked", {{"door", part.name}, {"names", joined(freed->second)}}),
+        const std::string stood = joined(freed->second);
+        warn(part.line,
+             phrase("ifc.door_blocked", {{"door", part.name},
+                                         {"named", part.name.empty() ? "no" : "yes"},
+                                         {"names", stood},
+                                         {"stood", stood.empty() ? "no" : "yes"}}),
              phrase("ifc.then_opened"));
     }
     return portal;
@@ -251,7 +257,9 @@ void IfcScene::try_doors() {
 
 void IfcScene::note_impassable(const StatedPortal& portal) {
     warn(portal.source.line,
-         phrase("ifc.door_shut", {{"door", one_line(portal.name)}, {"reason", door_trial_words(portal)}}),
+         phrase("ifc.door_shut", {{"door", one_line(portal.name)},
+                                  {"named", portal.name.empty() ? "no" : "yes"},
+                                  {"reason", door_trial_words(portal)}}),
          phrase("ifc.then_left_as_is"));
 }
 

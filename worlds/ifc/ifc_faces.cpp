@@ -1,6 +1,7 @@
 // Shells, loops and tessellations of IFC.
 #include <algorithm>
 
+#include "worlds/geometry/clip.h"
 #include "worlds/geometry/flat_parts.h"
 #include "worlds/ifc/ifc_shapes.h"
 
@@ -74,8 +75,11 @@ std::vector<Vec3> IfcShapes::loop(std::uint64_t id) {
             }
         }
     }
-    if (ring.size() > kMostCorners) ring.clear();
     faces_ += ring.size() / 3;
+    if (ring.size() > kMostCorners) {
+        ring.clear();
+        ++account_.lost_faces;
+    }
     return ring;
 }
 
@@ -115,10 +119,14 @@ Body IfcShapes::shells(const std::vector<std::uint64_t>& all) {
     for (const std::uint64_t shell : all) {
         std::vector<FlatFace> faces;
         add_faces(shell, faces);
-        Body one = body_of_faces(faces);
-        weigh_faces(faces, one);
-        body.add(std::move(one));
+        body.add(body_of_skin(faces));
     }
+    return body;
+}
+
+Body IfcShapes::body_of_skin(const std::vector<FlatFace>& faces) {
+    Body body = body_of_faces(faces);
+    weigh_faces(faces, body);
     return body;
 }
 
@@ -133,7 +141,7 @@ std::vector<Vec3> IfcShapes::point_list(std::uint64_t id) const {
     return points;
 }
 
-Body IfcShapes::tessellated(std::string_view kind, const Values& values) {
+std::vector<FlatFace> IfcShapes::tessellated_faces(std::string_view kind, const Values& values) {
     const std::vector<Vec3> points = point_list(reference_at(values, 0));
     const bool triangles = kind != "IFCPOLYGONALFACESET";
     std::vector<double> through;  // PnIndex: numbers of points by numbers
@@ -143,10 +151,16 @@ Body IfcShapes::tessellated(std::string_view kind, const Values& values) {
         for (double index : indices) {
             if (!through.empty() && index >= 1.0 && index <= static_cast<double>(through.size()))
                 index = through[static_cast<std::size_t>(index) - 1];
-            if (!(index >= 1.0) || index > static_cast<double>(points.size())) return std::vector<Vec3>{};
+            if (!(index >= 1.0) || index > static_cast<double>(points.size())) {
+                ++account_.lost_faces;
+                return std::vector<Vec3>{};
+            }
             ring.push_back(points[static_cast<std::size_t>(index) - 1]);
         }
-        if (ring.size() > kMostCorners) ring.clear();
+        if (ring.size() > kMostCorners) {
+            ring.clear();
+            ++account_.lost_faces;
+        }
         return ring;
     };
     std::vector<FlatFace> faces;
@@ -161,16 +175,27 @@ Body IfcShapes::tessellated(std::string_view kind, const Values& values) {
         }
     }
     faces_ += faces.size();
-    if (spent()) return {};
-    Body body = body_of_faces(faces);
-    weigh_faces(faces, body);
-    return body;
+    return faces;
 }
 
-// Adds what a closed skin encloses by its faces alone.
+// Adds what a closed skin encloses by its faces alone, or how large the faces of an open one are.
 void IfcShapes::weigh_faces(const std::vector<FlatFace>& faces, const Body& body) {
     const std::optional<double> enclosed = enclosed_m3(faces);
-    if (!enclosed) return;
+    if (!enclosed) {
+        for (const FlatFace& face : faces) {
+            double sum_m2 = 0.0, largest_m2 = 0.0;
+            for (const std::vector<Vec3>& ring : face.rings) {
+                const double ring_m2 = ring.size() < 3 ? 0.0 : glm::length(area_vector_m2(ring));
+                sum_m2 += std::isfinite(ring_m2) ? ring_m2 : 0.0;
+                largest_m2 = std::max(largest_m2, std::isfinite(ring_m2) ? ring_m2 : 0.0);
+            }
+            account_.stated_m2 += std::max(0.0, 2.0 * largest_m2 - sum_m2);  // all but the largest are holes
+        }
+        for (const Polygon& sheet : body.sheets) account_.made_m2 += glm::length(area_vector_m2(sheet.points_m));
+        for (const ConvexSolid& solid : body.solids)
+            for (const Polygon& side : solid.faces) account_.made_m2 += glm::length(area_vector_m2(side.points_m));
+        return;
+    }
     account_.stated_m3 += *enclosed;
     account_.made_m3 += volume_m3(body);
 }

@@ -36,12 +36,16 @@ Vec3 place_in(const Aabb& box, std::size_t i) {
 // One form; a boolean result is a chain of them, the first with operation Take.
 struct IfcShapes::Form {
     enum class Operation : std::uint8_t { Take, Add, Less, Common };
-    enum class Kind : std::uint8_t { Sweep, HalfSpace, Skin, Result };
+    enum class Kind : std::uint8_t { Sweep, Turn, Pipe, HalfSpace, Skin, Result };
     Operation operation = Operation::Take;
     Kind kind = Kind::Sweep;
-    Frame frame;                           // of a sweep, or of a half-space's outline
-    Vec3 way{0.0};                         // of a sweep
-    std::vector<std::vector<Ring>> areas;  // of a sweep, or where a half-space is bounded
+    Frame frame;        // of a sweep, or of a half-space's outline
+    Vec3 way{0.0};      // of a sweep; of the axis of a turn
+    Vec3 axis_at{0.0};  // of a turn, in its frame
+    double turn_rad = 0.0;
+    std::vector<Vec3> line;                // of a pipe
+    double inner_m = 0.0, outer_m = 0.0;   // radii of a pipe
+    std::vector<std::vector<Ring>> areas;  // of a sweep or turn, or where a half-space is bounded
     bool bounded = false;
     Plane plane;
     std::vector<std::array<Vec3, 3>> skin;
@@ -61,6 +65,8 @@ struct IfcShapes::Form {
             const Vec3 at = within(frame, at_m);
             return signed_distance(plane, at_m) <= 0.0 && (!bounded || in_areas({at.x, at.y}));
         }
+        if (kind == Kind::Turn) return in_turn(within(frame, at_m));
+        if (kind == Kind::Pipe) return in_pipe(at_m);
         if (kind == Kind::Skin) return crossings(at_m) % 2 == 1;
         bool held = false;
         for (const Form& one : chain) {
@@ -68,6 +74,28 @@ struct IfcShapes::Form {
             if (takes == held) held = one.holds(at_m) != (one.operation == Operation::Less);
         }
         return held;
+    }
+    // The place turned back into the plane of the profile, which lies on both sides of the axis.
+    bool in_turn(const Vec3& at) const {
+        const Vec3 arm = at - axis_at, along = way * glm::dot(way, arm), off = arm - along;
+        const Vec3 side = glm::cross(Vec3(0.0, 0.0, 1.0), way);
+        const double angle = std::atan2(glm::dot(off, glm::cross(way, side)), glm::dot(off, side));
+        for (const double sign : {1.0, -1.0}) {
+            double turned = (sign > 0.0 ? angle : angle + kPi) * (turn_rad < 0.0 ? -1.0 : 1.0);
+            turned -= 2.0 * kPi * std::floor(turned / (2.0 * kPi));
+            const Vec3 flat = axis_at + along + side * (sign * glm::length(off));
+            if (turned <= std::abs(turn_rad) && in_areas({flat.x, flat.y})) return true;
+        }
+        return false;
+    }
+    bool in_pipe(const Vec3& at) const {
+        for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+            const Vec3 way_on = line[i + 1] - line[i], arm = at - line[i];
+            const double part = glm::dot(arm, way_on) / glm::dot(way_on, way_on);
+            const double off_m = glm::length(arm - way_on * part);
+            if (part >= 0.0 && part <= 1.0 && off_m <= outer_m && off_m >= inner_m) return true;
+        }
+        return false;
     }
     // Of the skin, by a ray that no edge runs along.
     int crossings(const Vec3& at_m) const {
@@ -85,7 +113,7 @@ struct IfcShapes::Form {
         return count;
     }
     std::size_t looks() const {
-        std::size_t sum = 1 + skin.size();
+        std::size_t sum = 1 + skin.size() + line.size();
         for (const std::vector<Ring>& rings : areas)
             for (const Ring& ring : rings) sum += ring.size();
         for (const Form& one : chain) sum += one.looks();
@@ -109,20 +137,9 @@ std::optional<IfcShapes::Form> IfcShapes::form_of(std::uint64_t id, int depth) {
     if (depth > kDeepestForm || spent()) return {};
     if (is_result(kind)) return result_form(id, depth);
     if (kind == "IFCCSGSOLID") return form_of(reference_at(values, 0), depth + 1);
+    if (std::optional<Form> solid = solid_form(kind, values)) return solid;
     Form form;
-    if (kind == "IFCEXTRUDEDAREASOLID") {
-        form.frame = model_.axes(reference_at(values, 1));
-        form.way =
-            model_.direction(reference_at(values, 2), {0, 0, 1}) * (number_at(values, 3) * model_.metres_per_unit());
-        form.areas = profile_rings(model_, reference_at(values, 0));
-        if (std::abs(form.way.z) > 1e-9) return form;
-    } else if (kind == "IFCBLOCK") {
-        const auto n = [&](std::size_t i) { return number_at(values, i) * model_.metres_per_unit(); };
-        form.frame = model_.axes(reference_at(values, 0));
-        form.way = {0.0, 0.0, n(3)};
-        form.areas = {{{{0.0, 0.0}, {n(1), 0.0}, {n(1), n(2)}, {0.0, n(2)}}}};
-        if (std::abs(form.way.z) > 1e-9) return form;
-    } else if (kind == "IFCHALFSPACESOLID" || kind == "IFCPOLYGONALBOUNDEDHALFSPACE" || kind == "IFCBOXEDHALFSPACE") {
+    if (kind == "IFCHALFSPACESOLID" || kind == "IFCPOLYGONALBOUNDEDHALFSPACE" || kind == "IFCBOXEDHALFSPACE") {
         const std::uint64_t surface = reference_at(values, 0);
         if (model_.name(surface) != "IFCPLANE") return {};
         const Frame plane = model_.axes(reference_at(model_.values(surface), 0));
@@ -136,12 +153,60 @@ std::optional<IfcShapes::Form> IfcShapes::form_of(std::uint64_t id, int depth) {
         for (const Vec3& p : curve_points(model_, reference_at(values, 3))) outline.emplace_back(p.x, p.y);
         form.areas = {{outline}};
         return form;
-    } else if (kind == "IFCFACETEDBREP" || kind == "IFCMANIFOLDSOLIDBREP") {
-        std::vector<FlatFace> faces;
-        add_faces(reference_at(values, 0), faces);
-        return skin_form(faces);
     }
-    return {};
+    const Account before = account_;  // these faces were counted when the solids were made
+    std::vector<FlatFace> faces;
+    if (kind == "IFCTRIANGULATEDFACESET" || kind == "IFCPOLYGONALFACESET" ||
+        kind == "IFCTRIANGULATEDIRREGULARNETWORK") {
+        faces = tessellated_faces(kind, values);
+    } else if (kind.find("BREP") != std::string_view::npos) {
+        add_faces(reference_at(values, 0), faces);
+        if (kind.ends_with("VOIDS"))
+            for (const std::uint64_t hollow : references_at(values, 1)) add_faces(hollow, faces);
+    } else if (kind.ends_with("SURFACEMODEL")) {
+        for (const std::uint64_t shell : references_at(values, 0)) add_faces(shell, faces);
+    } else if (kind.ends_with("SHELL") || kind == "IFCCONNECTEDFACESET") {
+        add_faces(id, faces);
+    }
+    account_ = before;
+    return skin_form(faces);
+}
+
+std::optional<IfcShapes::Form> IfcShapes::solid_form(std::string_view kind, const Values& values) const {
+    constexpr int kRoundCorners = 96;
+    const auto n = [&](std::size_t i) { return number_at(values, i) * model_.metres_per_unit(); };
+    Form form;
+    if (kind == "IFCEXTRUDEDAREASOLID") {
+        form.frame = model_.axes(reference_at(values, 1));
+        form.way = model_.direction(reference_at(values, 2), {0, 0, 1}) * n(3);
+        form.areas = profile_rings(model_, reference_at(values, 0));
+    } else if (kind == "IFCBLOCK") {
+        form.frame = model_.axes(reference_at(values, 0));
+        form.way = {0.0, 0.0, n(3)};
+        form.areas = {{{{0.0, 0.0}, {n(1), 0.0}, {n(1), n(2)}, {0.0, n(2)}}}};
+    } else if (kind == "IFCRIGHTCIRCULARCYLINDER") {
+        form.frame = model_.axes(reference_at(values, 0));
+        form.way = {0.0, 0.0, n(1)};
+        form.areas = {{regular_ring(n(2), kRoundCorners)}};
+    } else if (kind == "IFCREVOLVEDAREASOLID") {
+        const Values axis = model_.values(reference_at(values, 2));
+        form.kind = Form::Kind::Turn;
+        form.frame = model_.axes(reference_at(values, 1));
+        form.axis_at = model_.point(reference_at(axis, 0));
+        form.way = model_.direction(reference_at(axis, 1), {0, 0, 1});
+        form.turn_rad = std::clamp(number_at(values, 3) * model_.radians_per_unit(), -2.0 * kPi, 2.0 * kPi);
+        form.areas = profile_rings(model_, reference_at(values, 0));
+        if (std::abs(form.way.z) > 1e-9) return {};  // an axis outside the profile's plane
+        return form;
+    } else if (kind.starts_with("IFCSWEPTDISKSOLID")) {
+        form.kind = Form::Kind::Pipe;
+        form.line = curve_points(model_, reference_at(values, 0));
+        form.outer_m = n(1);
+        form.inner_m = n(2);
+        return form;
+    }
+    if (!(std::abs(form.way.z) > 1e-9)) return {};
+    return form;
 }
 
 // A long chain of first operands, so walked without recursion.
@@ -169,9 +234,14 @@ std::optional<IfcShapes::Form> IfcShapes::result_form(std::uint64_t id, int dept
 
 void IfcShapes::compare_result(std::uint64_t id, const Body& body, Aabb box) {
     constexpr std::size_t kPlaces = 3'000, kLeastHeld = 200;
-    if (!body.sheets.empty()) return;
+    if (!body.sheets.empty() && !encloses(body)) return;
     const std::optional<Form> form = form_of(id, 0);
-    if (!form || form->looks() * kPlaces > kMostLooks || body.solids.size() * kPlaces > kMostLooks) return;
+    Form skin;  // of what no solids were made of
+    for (const Polygon& sheet : body.sheets)
+        for (std::size_t k = 1; k + 1 < sheet.points_m.size(); ++k)
+            skin.skin.push_back({sheet.points_m[0], sheet.points_m[k], sheet.points_m[k + 1]});
+    if (!form || (form->looks() + skin.looks()) * kPlaces > kMostLooks || body.solids.size() * kPlaces > kMostLooks)
+        return;
     const Aabb of_body = body.bounds_m();
     if (!of_body.empty()) box.include(of_body.min_m), box.include(of_body.max_m);
     if (box.empty() || !is_finite(box.min_m) || !is_finite(box.max_m)) return;
@@ -179,7 +249,8 @@ void IfcShapes::compare_result(std::uint64_t id, const Body& body, Aabb box) {
     for (std::size_t i = 0; i < kPlaces; ++i) {
         const Vec3 at_m = place_in(box, i);
         const bool said = form->holds(at_m);
-        const bool made = std::any_of(body.solids.begin(), body.solids.end(),
+        const bool made = skin.crossings(at_m) % 2 == 1 ||
+                          std::any_of(body.solids.begin(), body.solids.end(),
                                       [&](const ConvexSolid& solid) { return contains(solid, at_m); });
         stated += said ? 1 : 0;
         lost += said && !made ? 1 : 0;

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "worlds/geometry/clip.h"
 #include "worlds/ifc/ifc_curves.h"
 
 namespace handrail {
@@ -20,13 +21,6 @@ std::size_t cost_of(const std::vector<Ring>& rings) {
     std::size_t corners = 0;
     for (const Ring& ring : rings) corners += ring.size();
     return corners * corners / 500;
-}
-
-Ring regular(double radius_m, int corners) {
-    Ring ring;
-    for (int i = 0; i < corners; ++i)
-        ring.emplace_back(radius_m * std::cos(2.0 * kPi * i / corners), radius_m * std::sin(2.0 * kPi * i / corners));
-    return ring;
 }
 
 bool is_boolean(std::string_view kind) { return kind == "IFCBOOLEANRESULT" || kind == "IFCBOOLEANCLIPPINGRESULT"; }
@@ -56,7 +50,8 @@ Body IfcShapes::body_of(std::uint64_t shape) {
     };
     account_ = {};
     const auto read = [&](std::uint64_t id) {
-        account_.stated_m3 = account_.made_m3 = 0.0;
+        account_.stated_m3 = account_.made_m3 = account_.stated_m2 = account_.made_m2 = 0.0;
+        account_.lost_faces = 0;
         account_.formed = account_.formed || !references_at(model_.values(id), 3).empty();
         return representation(id, 0);
     };
@@ -88,10 +83,51 @@ Body IfcShapes::item(std::uint64_t id, int depth) {
     return body;
 }
 
-// Adds what a sweep holds by its outline, counted without the parts that it is cut into.
+// Adds what a solid holds by its outline and lengths, counted without the parts that it is made of.
 void IfcShapes::weigh(std::string_view kind, const Values& values, const Body& body) {
-    const bool tapered = kind == "IFCEXTRUDEDAREASOLIDTAPERED";
-    if (kind != "IFCEXTRUDEDAREASOLID" && !tapered) return;
+    const auto n = [&](std::size_t i) { return number_at(values, i) * model_.metres_per_unit(); };
+    std::optional<double> stated_m3;
+    if (kind.starts_with("IFCEXTRUDEDAREASOLID")) stated_m3 = swept_m3(kind, values);
+    else if (kind == "IFCREVOLVEDAREASOLID") stated_m3 = turned_m3(values);
+    else if (kind == "IFCBLOCK") stated_m3 = n(1) * n(2) * n(3);
+    else if (kind == "IFCRIGHTCIRCULARCYLINDER") stated_m3 = kPi * n(1) * n(2) * n(2);
+    else if (kind.starts_with("IFCSWEPTDISKSOLID")) {
+        double length_m = 0.0;
+        const std::vector<Vec3> line = curve_points(model_, reference_at(values, 0));
+        for (std::size_t i = 0; i + 1 < line.size(); ++i) length_m += glm::length(line[i + 1] - line[i]);
+        stated_m3 = kPi * (n(1) * n(1) - n(2) * n(2)) * length_m;
+    }
+    if (!stated_m3) return;
+    account_.stated_m3 += std::abs(*stated_m3);
+    account_.made_m3 += volume_m3(body);
+}
+
+// The area goes round its axis as far as its middle does (Pappus).
+double IfcShapes::turned_m3(const Values& values) const {
+    const Values axis = model_.values(reference_at(values, 2));
+    const Vec3 at = model_.point(reference_at(axis, 0)), way = model_.direction(reference_at(axis, 1), {0, 0, 1});
+    const double turn = std::clamp(number_at(values, 3) * model_.radians_per_unit(), -2.0 * kPi, 2.0 * kPi);
+    const auto off_axis = [&](const Vec2& p) { return way.x * (p.y - at.y) - way.y * (p.x - at.x); };
+    double moment_m3 = 0.0;
+    for (const std::vector<Ring>& rings : profile_rings(model_, reference_at(values, 0))) {
+        double sum = 0.0, largest = 0.0;
+        for (const Ring& ring : rings) {
+            double of_ring = 0.0;
+            for (std::size_t k = 1; k + 1 < ring.size(); ++k) {
+                const Vec2 p = ring[k] - ring[0], q = ring[k + 1] - ring[0];
+                of_ring += 0.5 * (p.x * q.y - p.y * q.x) *
+                           (off_axis(ring[0]) + off_axis(ring[k]) + off_axis(ring[k + 1])) / 3.0;
+            }
+            sum += std::abs(of_ring);
+            largest = std::max(largest, std::abs(of_ring));
+        }
+        moment_m3 += std::max(0.0, 2.0 * largest - sum);  // all but the largest are holes
+    }
+    return moment_m3 * std::abs(turn);
+}
+
+double IfcShapes::swept_m3(std::string_view kind, const Values& values) const {
+    const bool tapered = kind.ends_with("TAPERED");
     const double up = std::abs(model_.direction(reference_at(values, 2), {0, 0, 1}).z);
     const double depth_m = std::abs(number_at(values, 3)) * model_.metres_per_unit();
     const auto area_of = [&](std::uint64_t profile) {
@@ -110,8 +146,7 @@ void IfcShapes::weigh(std::string_view kind, const Values& values, const Body& b
     };
     const double from_m2 = area_of(reference_at(values, 0)),
                  to_m2 = tapered ? area_of(reference_at(values, 4)) : from_m2;
-    account_.stated_m3 += (from_m2 + to_m2 + std::sqrt(from_m2 * to_m2)) / 3.0 * depth_m * up;
-    account_.made_m3 += volume_m3(body);
+    return (from_m2 + to_m2 + std::sqrt(from_m2 * to_m2)) / 3.0 * depth_m * up;
 }
 
 Body IfcShapes::read_item(std::uint64_t id, int depth) {
@@ -139,13 +174,14 @@ Body IfcShapes::read_item(std::uint64_t id, int depth) {
         Body body;
         // One part with hollows is no union of solids: its sheets.
         for (const FlatFace& one : faces) body.add(body_of_faces({one}));
+        weigh_faces(faces, body);
         return body;
     }
     if (kind == "IFCSHELLBASEDSURFACEMODEL" || kind == "IFCFACEBASEDSURFACEMODEL")
         return shells(references_at(values, 0));
     if (kind == "IFCCLOSEDSHELL" || kind == "IFCOPENSHELL" || kind == "IFCCONNECTEDFACESET") return shells({id});
     if (kind == "IFCTRIANGULATEDFACESET" || kind == "IFCPOLYGONALFACESET" || kind == "IFCTRIANGULATEDIRREGULARNETWORK")
-        return tessellated(kind, values);
+        return spent() ? Body{} : body_of_skin(tessellated_faces(kind, values));
     if (kind == "IFCBLOCK" || kind == "IFCRIGHTCIRCULARCYLINDER") return primitive(kind, values);
     note_unread(kind);
     return {};
@@ -174,6 +210,10 @@ Body IfcShapes::mapped(const Values& values, int depth) {
     const double larger = std::abs(glm::dot(glm::cross(there.x, there.y), there.z));
     Body body = transformed(map.body, there);
     account_.stated_m3 += map.account.stated_m3 * larger;
+    account_.lost_faces += map.account.lost_faces;
+    const double wider = std::cbrt(larger * larger);
+    account_.stated_m2 += map.account.stated_m2 * wider;
+    account_.made_m2 += map.account.made_m2 * wider;
     // What the copy lost, its original may not have lost.
     account_.made_m3 += map.account.made_m3 * larger - (volume_m3(map.body) * larger - volume_m3(body));
     return body;
@@ -230,13 +270,20 @@ Body IfcShapes::revolved(const Values& values) {
 
 Body IfcShapes::swept_disk(const Values& values) {
     const std::vector<Vec3> line = curve_points(model_, reference_at(values, 0));
-    const double radius = number_at(values, 1) * model_.metres_per_unit();
+    // An octagon of the circle's area.
+    const double wider = std::sqrt(kPi / (4.0 * std::sin(0.25 * kPi)));
+    const double radius = number_at(values, 1) * model_.metres_per_unit(),
+                 inner = number_at(values, 2) * model_.metres_per_unit();
     Body body;
     if (!(radius > 0.0) || line.size() > 2000) return body;
+    std::vector<Ring> rings{regular_ring(radius * wider, 8)};
+    if (inner > 0.0 && inner < radius) rings.push_back(regular_ring(inner * wider, 8));
+    const std::vector<Ring> parts = convex_parts(rings);
     for (std::size_t i = 0; i + 1 < line.size(); ++i)
-        if (std::optional<ConvexSolid> solid =
-                prism(regular(radius, 8), {0.0, 0.0, glm::length(line[i + 1] - line[i])}, across(line[i], line[i + 1])))
-            body.solids.push_back(std::move(*solid));
+        for (const Ring& part : parts)
+            if (std::optional<ConvexSolid> solid =
+                    prism(part, {0.0, 0.0, glm::length(line[i + 1] - line[i])}, across(line[i], line[i + 1])))
+                body.solids.push_back(std::move(*solid));
     faces_ += body.solids.size();
     return body;
 }
@@ -247,22 +294,22 @@ Body IfcShapes::primitive(std::string_view kind, const Values& values) {
     Body body;
     std::optional<ConvexSolid> solid;
     if (kind == "IFCBLOCK") solid = box_solid({0, 0, 0}, {n(1), n(2), n(3)}, frame);
-    else if (kind == "IFCRIGHTCIRCULARCYLINDER") solid = prism(regular(n(2), 24), {0.0, 0.0, n(1)}, frame);
+    else if (kind == "IFCRIGHTCIRCULARCYLINDER") solid = prism(regular_ring(n(2), 24), {0.0, 0.0, n(1)}, frame);
     if (solid) body.solids.push_back(std::move(*solid));
     return body;
 }
 
 IfcShapes::Cutter IfcShapes::half_space(std::string_view kind, const Values& values) {
     const std::uint64_t surface = reference_at(values, 0);
-    if (model_.name(surface) != "IFCPLANE") return {{}, false};
+    if (model_.name(surface) != "IFCPLANE") return {{}, false, {}};
     const Values of_surface = model_.values(surface);
     const Frame plane = model_.axes(reference_at(of_surface, 0));
     // .T.: the normal points out of what is taken away.
-    if (!is_finite(plane.origin_m) || glm::length(plane.origin_m) > kFarthest_m) return {{}, false};
+    if (!is_finite(plane.origin_m) || glm::length(plane.origin_m) > kFarthest_m) return {{}, false, {}};
     const Plane bound = plane_through(word_at(values, 1) == "F" ? -plane.z : plane.z, plane.origin_m);
-    if (kind != "IFCPOLYGONALBOUNDEDHALFSPACE") return {{{bound}}, true};
+    if (kind != "IFCPOLYGONALBOUNDEDHALFSPACE") return {{{bound}}, true, {}};
     const Frame frame = model_.axes(reference_at(values, 2));
-    if (!is_finite(frame.origin_m) || glm::length(frame.origin_m) > kFarthest_m) return {{}, false};
+    if (!is_finite(frame.origin_m) || glm::length(frame.origin_m) > kFarthest_m) return {{}, false, {}};
     Ring outline;
     for (const Vec3& p : curve_points(model_, reference_at(values, 3)))
         if (glm::length(p) < kFarthest_m) outline.emplace_back(p.x, p.y);
@@ -291,8 +338,9 @@ IfcShapes::Cutter IfcShapes::cutter(std::uint64_t id, int depth) {
     Body body = item(id, depth + 1);
     account_ = before;
     fill(body);
-    cutter.known = !body.solids.empty() && body.sheets.empty();
+    cutter.known = !body.empty();
     for (const ConvexSolid& solid : body.solids) cutter.parts.push_back(solid.planes);
+    if (!body.sheets.empty()) cutter.skin = std::move(body);
     return cutter;
 }
 
@@ -323,14 +371,20 @@ Body IfcShapes::boolean(std::uint64_t id, int depth) {
 void IfcShapes::combine(Body& first, const Values& values, int depth) {
     const std::string_view operation = word_at(values, 0);
     if (operation == "UNION") return first.add(item(reference_at(values, 2), depth + 1));
+    const bool takes_away = operation == "DIFFERENCE";
     const Cutter second = cutter(reference_at(values, 2), depth + 1);
-    if (!second.known) {  // the uncut body stands
+    fill(first);
+    const bool convex = first.sheets.empty() && second.skin.empty();
+    if (second.known && !convex &&
+        combine_exactly(first, second, takes_away ? ExactCut::TakeAway : ExactCut::KeepWithin))
+        return;
+    // Only the surface of an open skin is cut: it has no inside.
+    if (!second.known || (!convex && (!second.skin.empty() || encloses(first)))) {  // the uncut body stands
         ++approximated_;
         account_.uncut = model_.name(reference_at(values, 2));
         return;
     }
-    fill(first);
-    if (operation == "DIFFERENCE") {
+    if (takes_away) {
         for (const std::vector<Plane>& part : second.parts)
             if (!spent()) cut_away(first, part);
         return;
@@ -342,6 +396,29 @@ void IfcShapes::combine(Body& first, const Values& values, int depth) {
         common.add(std::move(within));
     }
     first = std::move(common);
+}
+
+// Half-spaces end a little beyond the first operand.
+bool IfcShapes::combine_exactly(Body& first, const Cutter& second, ExactCut cut) {
+    constexpr double kBeyond_m = 1.0;
+    Body by = second.skin;
+    if (by.empty()) {
+        const Aabb box = grown(first.bounds_m(), kBeyond_m);
+        for (std::vector<Plane> planes : second.parts) {
+            for (int axis = 0; axis < 3; ++axis) {
+                Vec3 out{0.0};
+                out[axis] = 1.0;
+                planes.push_back({out, box.max_m[axis]});
+                planes.push_back({-out, -box.min_m[axis]});
+            }
+            if (std::optional<ConvexSolid> part =
+                    solid_within(std::move(planes), box.centre_m(), glm::length(box.size_m())))
+                by.solids.push_back(std::move(*part));
+        }
+    }
+    std::optional<Body> result = cut_exactly(first, by, cut, exact_limits_, stop_);
+    if (result) first = std::move(*result);
+    return result.has_value();
 }
 
 }  // namespace handrail

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "worlds/ifc/body.h"
+#include "worlds/ifc/exact_cut.h"
 
 namespace handrail {
 
@@ -27,7 +28,9 @@ public:
     // not in either.
     struct Account {
         double stated_m3 = 0.0, made_m3 = 0.0;
-        std::string unread;         // a class that is not read
+        double stated_m2 = 0.0, made_m2 = 0.0;  // the same for the faces of open skins
+        int lost_faces = 0;                     // with too many corners, or with corners that are not there
+        std::string unread;                     // a class that is not read
         double result_share = 0.0;  // of what boolean results hold, so much is missing; below 0: too much is there
         std::string uncut;          // a class that was to be taken away, and was not
         bool formed = false;        // it has a representation that is a body
@@ -36,15 +39,20 @@ public:
     const std::map<std::string, int, std::less<>>& not_read() const { return not_read_; }
     int approximated() const { return approximated_; }  // curved faces, cuts with what has no inside
     bool too_large() const { return items_ >= kMostItems || faces_ >= kMostFaces; }
+    // What exact cuts may still cost, in all parts of the file together.
+    ExactLimits& exact_limits() { return exact_limits_; }
 
 private:
     struct Cutter {
         std::vector<std::vector<Plane>> parts;  // each a convex region, which may be open
         bool known = true;
+        Body skin;  // the whole operand, if convex parts do not hold it
     };
     Body item(std::uint64_t id, int depth);
     Body read_item(std::uint64_t id, int depth);
     void weigh(std::string_view kind, const Values& values, const Body& body);
+    double swept_m3(std::string_view kind, const Values& values) const;
+    double turned_m3(const Values& values) const;
     void weigh_faces(const std::vector<FlatFace>& faces, const Body& body);
     void note_unread(std::string_view kind);
     Body representation(std::uint64_t id, int depth);
@@ -54,19 +62,22 @@ private:
     Body swept_disk(const Values& values);
     Body boolean(std::uint64_t id, int depth);
     void combine(Body& body, const Values& values, int depth);
+    bool combine_exactly(Body& first, const Cutter& second, ExactCut cut);
     struct Form;
     std::optional<Form> form_of(std::uint64_t id, int depth);
     std::optional<Form> skin_form(const std::vector<FlatFace>& faces) const;
+    std::optional<Form> solid_form(std::string_view kind, const Values& values) const;
     std::optional<Form> result_form(std::uint64_t id, int depth);
     void compare_result(std::uint64_t id, const Body& body, Aabb box);
     Body primitive(std::string_view kind, const Values& values);
     Cutter cutter(std::uint64_t id, int depth);
     Cutter half_space(std::string_view kind, const Values& values);
+    Body body_of_skin(const std::vector<FlatFace>& faces);
     Body shells(const std::vector<std::uint64_t>& shells);
     void add_faces(std::uint64_t shell, std::vector<FlatFace>& faces);
     FlatFace face(std::uint64_t id);
     std::vector<Vec3> loop(std::uint64_t id);
-    Body tessellated(std::string_view kind, const Values& values);
+    std::vector<FlatFace> tessellated_faces(std::string_view kind, const Values& values);
     std::vector<Vec3> point_list(std::uint64_t id) const;
     bool spent() const { return too_large() || stop_.stop_requested(); }
 
@@ -79,6 +90,7 @@ private:
     std::map<std::uint64_t, std::shared_ptr<const Mapped>> maps_;  // mapped representations in their own frame
     Account account_;
     std::map<std::string, int, std::less<>> not_read_;
+    ExactLimits exact_limits_;
     std::size_t items_ = 0, faces_ = 0;
     int approximated_ = 0;
     bool within_result_ = false;  // a boolean result is compared as a whole

@@ -138,6 +138,7 @@ std::string check_words(const Scene& scene, const CheckPoint& point) {
     const StatedPortal& portal = scene.stated->portals[point.index];
     const std::string reason = door_trial_words(portal);
     return phrase(key, {{"door", one_line(portal.name)},
+                        {"named", portal.name.empty() ? "no" : "yes"},
                         {"why", point.what == ToCheck::ImpassableDoor && !reason.empty() ? "yes" : "no"},
                         {"reason", reason}});
 }
