@@ -37,8 +37,10 @@ constexpr double kDoorwayShare = 0.6;  // and narrower than this share of what l
 constexpr double kWideShare = 0.5;     // a wider opening
 constexpr double kLeastPiece_m2 = 0.3, kLeastWide_m2 = 4.0, kLeastRoom_m2 = 0.8, kNiche_m2 = 3.0, kLeastBorder_m2 = 1.0;
 constexpr double kHuge_m2 = 150.0, kHugeShare = 0.75, kLeastOfHuge_m2 = 10.0;
-constexpr double kLong = 6.0;  // a huge place of so many squares as wide as its widest part is corridors
-constexpr double kStorey_m = 2.0;
+constexpr double kLong = 6.0;           // a huge place of so many squares as wide as its widest part is corridors
+constexpr double kStorey_m = 2.0;       // floors further apart are two storeys
+constexpr double kHalfStorey_m = 1.1;   // and so are those further apart than this, if the file states both storeys
+constexpr double kOnStorey_m = 0.5;     // from the height that a file states for a storey to the floors of its rooms
 constexpr double kMostBeside_m = 10.0;  // from the middle of a landmark to the floor beside it
 constexpr double kOnePortal_m = 1.0;    // gaps in a border smaller than that do not make two portals
 
@@ -558,6 +560,14 @@ private:
         for (std::uint32_t s = 0; s < space_.spans.size(); ++s) goal_[s] = reached[s] || !comes_to[label_[s]];
     }
 
+    bool is_on_stated_storey(double floor_m) const {
+        return scene_.stated && std::any_of(scene_.stated->storeys.begin(), scene_.stated->storeys.end(),
+                                            [&](const StatedStorey& storey) {
+                                                return storey.rooms > 0 &&
+                                                       std::abs(storey.floor_m - floor_m) <= kOnStorey_m;
+                                            });
+    }
+
     void measure() {
         find_goals();
         std::vector<std::size_t> cells(graph_.rooms.size(), 0), rim(graph_.rooms.size(), 0);
@@ -593,7 +603,9 @@ private:
         double base = graph_.rooms.empty() ? 0.0 : graph_.rooms[by_height[0]].floor_m;
         for (const std::size_t r : by_height) {
             Room& room = graph_.rooms[r];
-            if (room.kind == RoomKind::Room && room.floor_m > base + kStorey_m) {
+            const bool half =
+                room.floor_m > base + kHalfStorey_m && is_on_stated_storey(room.floor_m) && is_on_stated_storey(base);
+            if (room.kind == RoomKind::Room && (room.floor_m > base + kStorey_m || half)) {
                 base = room.floor_m;
                 ++levels_;
             }
