@@ -1,6 +1,7 @@
 #include "worlds/navigation/reach.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "worlds/base/language.h"
 
@@ -72,6 +73,23 @@ std::vector<bool> spans_reached(const WalkSpace& space, std::uint32_t first) {
             go(link->second);
     }
     return seen;
+}
+
+Vec3 goal_in_room(const Navigation& navigation, const RoomGraph& graph, std::uint32_t room, const Vec3& from_m) {
+    const Vec3 middle_m = graph.rooms[room].middle_m;
+    if (navigation.reachable(from_m, middle_m)) return middle_m;
+    const WalkSpace& space = navigation.space();
+    Vec3 goal_m = middle_m;
+    double least_m = std::numeric_limits<double>::infinity();
+    for (std::uint32_t s = 0; s < space.spans.size(); ++s) {
+        if (graph.room_of_span[s] != room) continue;
+        const Vec3 place_m = space.place_m(s);
+        const double off_m = glm::length(place_m - middle_m);
+        if (off_m >= least_m || !navigation.reachable(from_m, place_m)) continue;
+        least_m = off_m;
+        goal_m = place_m;
+    }
+    return goal_m;
 }
 
 std::vector<RoomOutOfReach> rooms_out_of_reach(const Scene& scene, const WalkSpace& space, const RoomGraph& graph) {

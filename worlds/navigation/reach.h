@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "worlds/navigation/navigation.h"
 #include "worlds/navigation/rooms.h"
 
 namespace handrail {
@@ -16,6 +17,10 @@ const Start* base_of(const Scene& scene);
 std::vector<std::vector<std::uint32_t>> spans_led_to(const WalkSpace& space);
 // The spans one comes to from this one on foot and by such links; itself among them.
 std::vector<bool> spans_reached(const WalkSpace& space, std::uint32_t first);
+
+// Where a route to a room leads: to the room's middle, or, if nobody comes there from that place, to the nearest place
+// of the room that one does come to. The middle if there is none.
+Vec3 goal_in_room(const Navigation& navigation, const RoomGraph& graph, std::uint32_t room, const Vec3& from_m);
 
 struct RoomOutOfReach {
     std::string name;               // as it is told

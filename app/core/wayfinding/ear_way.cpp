@@ -40,7 +40,7 @@ void EarWay::stop() {
 }
 
 EarWay::RoomRoute EarWay::route_to(std::uint32_t room) const {
-    const Vec3 to_m = rooms_.graph().rooms[room].middle_m, from_m = context_.body.feet_m();
+    const Vec3 from_m = context_.body.feet_m(), to_m = goal_in_room(rooms_.navigation(), rooms_.graph(), room, from_m);
     // What waits for a button is told at once.
     const auto told_by_legs = [&](const Route& way) {
         return way.reaches && way.points_m.size() > 1 &&
