@@ -66,11 +66,20 @@ public:
                              "," + ref(shape) + ",$" + more + ")"));
         return parts_.back();
     }
-    // A space on the storey.
-    void space(const std::string& name, int item, int placement = kPlacement) {
+    // A space on the storey, or on another one.
+    void space(const std::string& name, int item, int placement = kPlacement, int storey = 0) {
         const int made = part("IFCSPACE", name, item, {}, placement);
         parts_.pop_back();
-        spaces_.push_back(made);
+        if (storey)
+            add("IFCRELAGGREGATES('R" + std::to_string(made) + "',$,$,$," + ref(storey) + "," + refs({made}) + ")");
+        else spaces_.push_back(made);
+    }
+    int storey(const std::string& name, double height) {
+        const int at = add("IFCLOCALPLACEMENT($," + ref(placed({0.0, 0.0, height})) + ")");
+        const int made = add("IFCBUILDINGSTOREY('S" + std::to_string(last_ + 1) + "',$,'" + name + "',$,$," + ref(at) +
+                             ",$,$,.ELEMENT.," + std::to_string(height) + ")");
+        add("IFCRELAGGREGATES('R" + std::to_string(made) + "',$,$,$,#8," + refs({made}) + ")");
+        return made;
     }
     void opening(int host, int item, int filling = 0) {
         const int made = part("IFCOPENINGELEMENT", "Opening", item, ",$");

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <random>
 
 #include "tests/unit/ifc/ifc_hut.h"
@@ -585,7 +587,7 @@ TEST(RoomsOfIfc, have_their_goal_where_one_comes_to_from_the_base) {
         hut.part("IFCWALL", "Wall", hut.block(wall.min_m, wall.max_m), ",$");
     hut.space("Hall", hut.block({0.0, 0.0, 0.0}, {8.0, 6.0, 6.0}));
     Scene placed = hut.scene();
-    placed.starts = {Start{{-2.0, 0.6, 0.0}, 0.0, true, "", {}}};
+    placed.starts = {Start{{-2.0, 0.6, 0.0}, 0.0, true, "", {}}, Start{{6.0, 4.0, 2.6}, 0.0, false, "", {}}};
     const Result<WalkSpace> space = make_walk_space(placed, WalkBody{});
     ASSERT_TRUE(space.has_value());
     const RoomGraph graph = make_rooms(placed, *space);
@@ -594,6 +596,118 @@ TEST(RoomsOfIfc, have_their_goal_where_one_comes_to_from_the_base) {
     ASSERT_NE(hall, graph.rooms.end());
     const std::vector<bool> reached = spans_reached(*space, space->at(placed.starts[0].feet_m));
     EXPECT_TRUE(reached[space->at(hall->middle_m)]);
+    // And from the gallery it is the place of the room on the gallery that is nearest to that.
+    const auto room = static_cast<std::uint32_t>(hall - graph.rooms.begin());
+    const Result<std::shared_ptr<Navigation>> ways = Navigation::make(placed, WalkBody{});
+    ASSERT_TRUE(ways.has_value());
+    std::optional<Vec3> above;
+    for (std::uint32_t s = 0; s < space->spans.size() && !above; ++s)
+        if (graph.room_of_span[s] == room && space->place_m(s).z > 2.0) above = space->place_m(s);
+    ASSERT_TRUE(above.has_value());
+    const Vec3 on_gallery = *above;
+    ASSERT_FALSE((*ways)->reachable(on_gallery, hall->middle_m));
+    const Vec3 goal = goal_in_room(**ways, graph, room, on_gallery);
+    EXPECT_EQ(room_at(graph, *space, goal), room);
+    EXPECT_TRUE((*ways)->plan(on_gallery, goal).reaches);
+    EXPECT_EQ(goal_in_room(**ways, graph, room, placed.starts[0].feet_m), hall->middle_m);
+}
+
+// Rooms of a house with half-storeys, side by side; and a sunken part of a storey, which the file states as no storey.
+TEST(RoomsOfIfc, on_half_storeys_are_on_storeys_of_their_own) {
+    for (const bool stated : {true, false}) {
+        SCOPED_TRACE(stated);
+        Hut hut;
+        const int half = hut.storey("Half", 1.4), upper = hut.storey("Upper", 2.8);
+        const auto room = [&](const std::string& name, double x, double z, int storey) {
+            hut.part("IFCSLAB", "Floor", hut.block({x, 0.0, z - 0.2}, {x + 4.0, 4.0, z}), ",$");
+            hut.part("IFCWALL", "Wall", hut.block({x + 4.0, 0.0, z - 0.2}, {x + 4.2, 4.0, z + 2.4}), ",$");
+            hut.space(name, hut.block({x, 0.0, z}, {x + 4.0, 4.0, z + 2.4}), Hut::kPlacement, storey);
+        };
+        room("Hall", 0.0, 0.0, 0);
+        room("Study", 4.2, 1.4, stated ? half : 0);
+        room("Attic", 8.4, 2.8, upper);
+        const Scene scene = hut.scene();
+        const Result<WalkSpace> space = make_walk_space(scene, WalkBody{});
+        ASSERT_TRUE(space.has_value());
+        std::map<std::string, int> level;
+        for (const Room& found : make_rooms(scene, *space).rooms) level[found.name] = found.level;
+        ASSERT_TRUE(level.contains("Hall") && level.contains("Study") && level.contains("Attic"));
+        EXPECT_EQ(level["Study"] - level["Hall"], stated ? 1 : 0);
+        EXPECT_EQ(level["Attic"] - level["Study"], 1);
+    }
+}
+
+TEST(DoorsOfIfc, without_names_are_told_in_whole_sentences) {
+    for (const std::string name : {"", "Entrance"}) {
+        Hut hut;
+        hut.part("IFCSLAB", "Floor", hut.block({0.0, -3.0, -0.2}, {6.0, 3.0, 0.0}), ",$");
+        const int wall = hut.part("IFCWALL", "South", hut.block({0.0, 0.0, 0.0}, {6.0, 0.3, 3.0}), ",$");
+        const int door = hut.part("IFCDOOR", name, hut.block({2.0, 0.1, 0.0}, {3.0, 0.15, 2.1}), ",2.1,1.,.DOOR.,$,$");
+        hut.opening(wall, hut.block({2.0, 0.0, 0.0}, {3.0, 0.3, 2.1}), door);
+        hut.part("IFCWALL", name, hut.block({2.0, 0.1, 0.0}, {3.0, 0.2, 2.1}), ",$");  // stands in the doorway
+        const Scene scene = hut.scene();
+        std::string said;
+        for (const Diagnostic& warning : scene.report.warnings) said += warning.message + "\n";
+        for (const CheckPoint& point : honest_report(scene).check) said += check_words(scene, point) + "\n";
+        if (name.empty()) {
+            EXPECT_THAT(said, testing::HasSubstr("Nobody could pass through a door without a name; a part without a "
+                                                 "name stood in its way."));
+            EXPECT_THAT(said, testing::HasSubstr("something stood in a door without a name and was cut away"));
+            EXPECT_THAT(said, testing::Not(testing::HasSubstr("door  ")));
+            EXPECT_THAT(said, testing::Not(testing::HasSubstr(" .")));
+        } else {
+            EXPECT_THAT(said, testing::HasSubstr("Nobody could pass through the door Entrance; in its way stood "
+                                                 "Entrance."));
+        }
+    }
+}
+
+// A skin that is not closed is compared by its faces, and a face that cannot be taken is counted.
+TEST(MissingParts, of_open_skins_and_lost_faces_are_named) {
+    for (const bool damaged : {false, true}) {
+        SCOPED_TRACE(damaged);
+        Hut hut;
+        hut.part("IFCSLAB", "Floor", hut.block({0.0, 0.0, -0.2}, {6.0, 6.0, 0.0}), ",$");
+        const int points = hut.add("IFCCARTESIANPOINTLIST3D(((0.,0.,0.),(3.,0.,0.),(3.,0.,2.),(0.,0.,2.)))");
+        hut.part("IFCWALL", "Sheet",
+                 hut.add("IFCTRIANGULATEDFACESET(" + Hut::ref(points) + ",$,.F.,((1,2,3),(1,3," +
+                         (damaged ? "9" : "4") + ")),$)"),
+                 ",$");
+        const Scene scene = hut.scene();
+        ASSERT_EQ(honest_report(scene).parts_missing, damaged ? 1 : 0);
+        if (damaged)
+            EXPECT_THAT(check_words(scene, honest_report(scene).check[0]),
+                        testing::HasSubstr("lacks faces that are damaged or have too many corners; their number is 1"));
+    }
+}
+
+// Turned and swept solids hold what their outlines and lengths say.
+TEST(MissingParts, know_what_turned_and_swept_solids_hold) {
+    for (const double inner : {0.0, 0.1}) {
+        Hut hut;
+        hut.part("IFCSLAB", "Floor", hut.block({0.0, 0.0, -0.2}, {6.0, 6.0, 0.0}), ",$");
+        const int line = hut.add(
+            "IFCPOLYLINE(" +
+            Hut::refs({hut.point({0.0, 0.0, 1.0}), hut.point({3.0, 0.0, 1.0}), hut.point({3.0, 4.0, 1.0})}) + ")");
+        hut.part("IFCRAILING", "Pipe",
+                 hut.add("IFCSWEPTDISKSOLID(" + Hut::ref(line) + ",0.2," + (inner > 0.0 ? "0.1" : "$") + ",$,$)"), "");
+        const Scene pipe = hut.scene();
+        EXPECT_EQ(honest_report(pipe).parts_missing, 0);
+        EXPECT_NEAR(volume_within_m3(pipe, {{-1.0, -1.0, 0.5}, {4.0, 5.0, 1.5}}),
+                    kPi * (0.2 * 0.2 - inner * inner) * 7.0, 0.01);
+    }
+    Hut hut;
+    hut.part("IFCSLAB", "Floor", hut.block({0.0, 0.0, -0.2}, {6.0, 6.0, 0.0}), ",$");
+    const int at = hut.add("IFCAXIS2PLACEMENT2D(" + Hut::ref(hut.add("IFCCARTESIANPOINT((1.,0.))")) + ",$)");
+    const int profile = hut.add("IFCRECTANGLEPROFILEDEF(.AREA.,$," + Hut::ref(at) + ",0.4,0.4)");
+    const int axis = hut.add("IFCAXIS1PLACEMENT(#1," + Hut::ref(hut.add("IFCDIRECTION((0.,1.,0.))")) + ")");
+    hut.part("IFCRAILING", "Bend",
+             hut.add("IFCREVOLVEDAREASOLID(" + Hut::ref(profile) + "," + Hut::ref(hut.placed({2.0, 2.0, 5.0})) + "," +
+                     Hut::ref(axis) + ",1.5707963267948966)"),
+             "");
+    const Scene bend = hut.scene();
+    EXPECT_EQ(honest_report(bend).parts_missing, 0);
+    EXPECT_NEAR(volume_within_m3(bend, {{0.0, 0.0, 2.0}, {6.0, 6.0, 8.0}}), 0.5 * kPi * 0.16, 0.01);
 }
 
 TEST(PartsOfIfc, stand_with_slanted_outlines) {
