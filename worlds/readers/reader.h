@@ -88,9 +88,9 @@ Result<Scene> read_imdf(std::string_view bytes, const std::string& file_name, co
 Result<Scene> read_words(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 
 // Reads any file that one of the readers accepts. Fails with one sentence fit to be spoken when it is missing,
-// unreadable, of a kind we do not read (named where recognised, with what to do), or holds nothing usable. Where
-// neither file nor options say what a unit is, and the world would be over 2 km or under 2 m wide, its first warning
-// says so and how wide it would be in millimetres, inches and feet.
+// unreadable, of a kind we do not read (named where recognised, with what to do), or holds nothing usable. If neither
+// file nor options say what a unit is, and the world would be over 2 km or under 2 m wide, or a mesh over 100 m high,
+// its first warning says so and how wide it would be in millimetres, inches and feet.
 Result<Scene> read_world(const std::filesystem::path& path, const ReadOptions& options = {});
 
 // The same of bytes that were read already. Only the name of `path` matters; without options.read_beside the files next
