@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include "app/core/kept/side_file.h"
@@ -59,10 +60,17 @@ Result<SheetWish> wishes_of(const ExportArguments& arguments) {
     return wishes;
 }
 
+// A storey, and its second plan if it has floors above each other.
+struct StoreyPlans {
+    Storey storey;
+    std::optional<Storey> upper;
+};
+
 // What would help where a sheet does not keep its promises, each tried or true of any storey.
-std::vector<std::string> helps(const Storey& storey, const SheetWish& wish, const ExportArguments& arguments) {
+std::vector<std::string> helps(const StoreyPlans& plans, const SheetWish& wish, const ExportArguments& arguments) {
+    const Storey& storey = plans.storey;
     std::vector<std::string> said;
-    if (!arguments.sheets && wish.paper.long_mm < kA3.long_mm) {
+    if (!arguments.sheets && !plans.upper && wish.paper.long_mm < kA3.long_mm) {
         SheetWish larger = wish;
         larger.paper = kA3;
         const Result<SwellSheet> sheet = swell_sheet(storey, larger);
@@ -74,37 +82,50 @@ std::vector<std::string> helps(const Storey& storey, const SheetWish& wish, cons
     return said;
 }
 
-// One sheet, or several where these are wanted; of them those with the room that is named.
-Result<std::vector<SwellSheet>> sheets_of(const Storey& storey, const SheetWish& wish,
-                                          const ExportArguments& arguments) {
-    if (!arguments.sheets && !arguments.around) {
-        Result<SwellSheet> one = swell_sheet(storey, wish);
-        if (!one) {
-            Error error = one.error();
-            ExportArguments coarse = arguments;
-            coarse.coarse = true;  // that makes no storey smaller
-            for (const std::string& help : helps(storey, wish, coarse)) error.message += "\n" + help;
-            return tl::unexpected(std::move(error));
-        }
-        return std::vector<SwellSheet>{std::move(*one)};
-    }
-    Result<std::vector<SwellSheet>> sheets = swell_sheets(storey, wish);
-    if (!sheets || !arguments.around) return sheets;
+// Of several sheets those that show the middle of a room of that name.
+Result<std::vector<SwellSheet>> sheets_around(const std::string& name, const StoreyPlans& plans,
+                                              const SheetWish& wish) {
     std::vector<std::string> names;
-    std::optional<std::size_t> room;
-    for (std::size_t i = 0; i < storey.rooms.size(); ++i) {
-        names.push_back(storey.rooms[i].name);
-        if (!room && lower_ascii(names.back()) == lower_ascii(*arguments.around)) room = i;
+    for (const Storey* storey : {&plans.storey, plans.upper ? &*plans.upper : nullptr}) {
+        if (!storey) continue;
+        for (const StoreyRoom& room : storey->rooms) {
+            if (room.elsewhere) continue;
+            names.push_back(room.name);
+            if (lower_ascii(room.name) != lower_ascii(name)) continue;
+            Result<std::vector<SwellSheet>> sheets = swell_sheets(*storey, wish);
+            if (!sheets) return sheets;
+            const Vec2& at = room.middle_m;
+            std::erase_if(*sheets, [&](const SwellSheet& sheet) {
+                return sheet.part && (at.x < sheet.part->min_m.x || at.y < sheet.part->min_m.y ||
+                                      at.x > sheet.part->max_m.x || at.y > sheet.part->max_m.y);
+            });
+            return sheets;
+        }
     }
-    if (!room)
-        return fail(phrase("export.no_place",
-                           {{"name", *arguments.around}, {"nearest", nearest_name(*arguments.around, names)}}));
-    std::erase_if(*sheets, [&](const SwellSheet& sheet) {
-        const Vec2& at = storey.rooms[*room].middle_m;
-        return sheet.part && (at.x < sheet.part->min_m.x || at.y < sheet.part->min_m.y || at.x > sheet.part->max_m.x ||
-                              at.y > sheet.part->max_m.y);
-    });
-    return sheets;
+    return fail(phrase("export.no_place", {{"name", name}, {"nearest", nearest_name(name, names)}}));
+}
+
+// One sheet, or several where these are wanted.
+Result<std::vector<SwellSheet>> sheets_of(const StoreyPlans& plans, const SheetWish& wish,
+                                          const ExportArguments& arguments) {
+    if (arguments.around) return sheets_around(*arguments.around, plans, wish);
+    if (arguments.sheets) {
+        Result<std::vector<SwellSheet>> sheets = swell_sheets(plans.storey, wish);
+        if (!sheets || !plans.upper) return sheets;
+        Result<std::vector<SwellSheet>> more = swell_sheets(*plans.upper, wish);
+        if (!more) return more;
+        std::move(more->begin(), more->end(), std::back_inserter(*sheets));
+        return sheets;
+    }
+    Result<SwellSheet> one = swell_sheet(plans.storey, wish);
+    if (!one) {
+        Error error = one.error();
+        ExportArguments coarse = arguments;
+        coarse.coarse = true;  // that makes no storey smaller
+        for (const std::string& help : helps(plans, wish, coarse)) error.message += "\n" + help;
+        return tl::unexpected(std::move(error));
+    }
+    return std::vector<SwellSheet>{std::move(*one)};
 }
 
 struct ToldOfSheets {
@@ -125,9 +146,9 @@ void add_svg(const fs::path& path, const std::string& which, const SwellSheet& s
         add(beside(path, (which.empty() ? "" : which + "-") + "key-" + std::to_string(i + 1)), sheet.key[i]);
 }
 
-Result<ToldOfSheets> add_swell(const fs::path& path, const Storey& storey, const SheetWish& wish,
+Result<ToldOfSheets> add_swell(const fs::path& path, const StoreyPlans& plans, const SheetWish& wish,
                                const ExportArguments& arguments, std::vector<MadeFile>& files) {
-    const Result<std::vector<SwellSheet>> sheets = sheets_of(storey, wish, arguments);
+    const Result<std::vector<SwellSheet>> sheets = sheets_of(plans, wish, arguments);
     if (!sheets) return tl::unexpected(sheets.error());
     std::vector<SheetPage> pages;
     if (arguments.strip) {
@@ -164,10 +185,14 @@ Result<ToldOfSheets> add_swell(const fs::path& path, const Storey& storey, const
             {beside(path, "strip"), svg_of(pages.front(), spoken_language()),
              phrase("export.wrote", {{"file", beside(path, "strip").string()}, {"title", pages.front().title}}),
              false});
+    if (plans.upper && !arguments.sheets && !arguments.around) {
+        told.simplified.push_back(phrase("export.hidden", {{"names", hidden_names(plans.storey)}}));
+        told.broken = true;
+    }
     told.simplified.push_back(phrase("export.print_as_is"));
     if (told.broken) {
         told.simplified.push_back(phrase("export.promise_broken"));
-        const std::vector<std::string> what = helps(storey, wish, arguments);
+        const std::vector<std::string> what = helps(plans, wish, arguments);
         told.simplified.insert(told.simplified.end(), what.begin(), what.end());
     }
     return told;
@@ -183,6 +208,9 @@ Result<void> add_stl(const fs::path& path, const Storey& storey, BrailleTable ta
                                                  {"x", plate->wide_mm},
                                                  {"y", plate->deep_mm},
                                                  {"things", plate->drawn.size()}})});
+    if (!storey.hidden.empty())
+        simplified.push_back(
+            phrase("export.of_plate", {{"sentence", phrase("export.hidden", {{"names", hidden_names(storey)}})}}));
     for (const std::string& sentence : plate->simplified)
         simplified.push_back(phrase("export.of_plate", {{"sentence", sentence}}));
     return {};
@@ -244,7 +272,8 @@ int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream
     progress.at(phrase("progress.sheets"));
     bool broken = false;
     if (arguments.swell) {
-        Result<ToldOfSheets> told = add_swell(*arguments.swell, *storey, *wishes, arguments, files);
+        const StoreyPlans plans{*storey, upper_part_of(*scene, rooms.graph(), space, *storey)};
+        Result<ToldOfSheets> told = add_swell(*arguments.swell, plans, *wishes, arguments, files);
         if (!told) return failed(told.error(), 1);
         simplified = std::move(told->simplified);
         broken = told->broken;

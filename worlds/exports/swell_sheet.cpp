@@ -316,10 +316,12 @@ private:
     std::string title_of(const std::string& name) const {
         if (!made_.part)
             return phrase("export.sheet_title",
-                          {{"world", name}, {"storey", storey_.number}, {"count", storey_.count}});
-        return phrase(
-            "export.part_title",
-            {{"world", name}, {"storey", storey_.number}, {"count", storey_.count}, {"sheet", made_.part->number}});
+                          {{"world", name}, {"upper", upper()}, {"storey", storey_.number}, {"count", storey_.count}});
+        return phrase("export.part_title", {{"world", name},
+                                            {"upper", upper()},
+                                            {"storey", storey_.number},
+                                            {"count", storey_.count},
+                                            {"sheet", made_.part->number}});
     }
 
     // A world with a long name keeps the first words of it, and the title its storey.
@@ -339,10 +341,12 @@ private:
 
     // Without the name of the world.
     std::string short_title() const {
-        return made_.part
-                   ? phrase("export.part_title_short", {{"storey", storey_.number}, {"sheet", made_.part->number}})
-                   : phrase("export.sheet_title_short", {{"storey", storey_.number}, {"count", storey_.count}});
+        return made_.part ? phrase("export.part_title_short",
+                                   {{"upper", upper()}, {"storey", storey_.number}, {"sheet", made_.part->number}})
+                          : phrase("export.sheet_title_short",
+                                   {{"upper", upper()}, {"storey", storey_.number}, {"count", storey_.count}});
     }
+    const char* upper() const { return storey_.upper ? "yes" : "no"; }
 
     // Name of the sheet, north, and a bar to measure by.
     Result<void> draw_frame() {
@@ -440,6 +444,9 @@ private:
 
     // A coarse plan has no signs of small rooms, and stairs are read by their lines.
     bool is_left_to_key(std::size_t room) const { return wish_.coarse && storey_.rooms[room].area_m2 < kCoarseRoom_m2; }
+    bool needs_sign(std::size_t room) const {
+        return present_[room] && !is_left_to_key(room) && !storey_.rooms[room].shut && !storey_.rooms[room].elsewhere;
+    }
     bool is_known_by_lines(std::size_t room) const {
         return std::find(stairs_.drawn.begin(), stairs_.drawn.end(), room) != stairs_.drawn.end();
     }
@@ -466,8 +473,7 @@ private:
     void keep_promises() {
         std::vector<std::string> unsigned_rooms;
         for (std::size_t i = 0; i < made_.signs.size(); ++i)
-            if (present_[i] && !made_.signs[i].is_known() && !is_left_to_key(i) && !storey_.rooms[i].shut)
-                unsigned_rooms.push_back(made_.signs[i].name);
+            if (needs_sign(i) && !made_.signs[i].is_known()) unsigned_rooms.push_back(made_.signs[i].name);
         // Of several sheets another one may have the sign: see swell_sheets.
         if (!unsigned_rooms.empty() && !made_.part)
             made_.broken.push_back(
@@ -526,6 +532,8 @@ private:
                 rooms.push_back(storey_.rooms[storey_.stairs_of_others[flight].room].name);
             add(phrase("export.key_stairs_of_others", {{"names", names_list(rooms)}}));
         }
+        if (!storey_.hidden.empty()) add(phrase("export.key_hidden", {{"names", hidden_names(storey_)}}));
+        if (storey_.upper) add(phrase("export.key_upper"));
         if (!made_.drawn.empty()) add(phrase("export.key_things"));
         std::vector<std::vector<std::string>> in_room(storey_.rooms.size());
         std::vector<std::string> outside;
@@ -586,6 +594,12 @@ private:
 };
 
 }  // namespace
+
+std::string hidden_names(const Storey& storey) {
+    std::vector<std::string> names;
+    for (const std::uint32_t room : storey.hidden) names.push_back(storey.rooms[room].name);
+    return names_list(names);
+}
 
 std::vector<RoomSign> room_signs(const Storey& storey) {
     std::set<std::string> used;

@@ -50,6 +50,9 @@ struct RoomSign {
 };
 inline constexpr int kWallPart = 1;  // SheetShape::part of all walls
 
+// The rooms that the storey's second plan shows; see Storey::hidden.
+std::string hidden_names(const Storey& storey);
+
 // In the order of Storey::rooms. First letter and a later one of the name; where it ends in a number, that.
 std::vector<RoomSign> room_signs(const Storey& storey);
 

@@ -58,7 +58,8 @@ public:
 
 private:
     bool needs_sign(std::size_t room) const {
-        return !storey_.rooms[room].shut && !(wish_.coarse && storey_.rooms[room].area_m2 < kCoarseRoom_m2);
+        return !storey_.rooms[room].shut && !storey_.rooms[room].elsewhere &&
+               !(wish_.coarse && storey_.rooms[room].area_m2 < kCoarseRoom_m2);
     }
 
     // Signs with a number have more than two cells.

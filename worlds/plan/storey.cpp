@@ -15,6 +15,7 @@ namespace {
 constexpr double kAround_m = 0.6;       // of what stands round the rooms comes along
 constexpr double kSillFrom_m = 0.3;     // above the floor: what ends lower is stepped over
 constexpr double kWindowDeep_m = 0.45;  // at most, of what closes a window
+constexpr double kUnderHead_m = 0.05;   // what reaches so far below the top of a body stops it
 constexpr double kThingFrom_m = 0.25, kLeastThing_m = 0.05;
 // A pane of glass that closes a front by itself, or a partition that a wall holds: as thin as that, as long and high.
 constexpr double kPartitionThin_m = 0.2;
@@ -28,6 +29,9 @@ constexpr double kSquare_m = 0.05, kMostSquares = 2000.0;
 constexpr double kBesidePortal_m = 0.5;  // an opening reaches so far beyond the portal's width
 constexpr double kStandsIn_m = 0.15;     // of an opening that a thing closes
 constexpr double kFloorNearPortal_m = 2.0;
+// Floors so far apart in height are above each other; what is so much of a room's floor belongs on the second plan, and
+// so much is shown around it there.
+constexpr double kFloorNearJoint_m = 0.8, kFloorsApart_m = 1.0, kLeastHidden_m2 = 1.0, kAroundUpper_m = 2.0;
 
 bool inside_any(const std::vector<PlanOutline>& outlines, const Vec2& at) {
     return std::any_of(outlines.begin(), outlines.end(), [&](const PlanOutline& o) { return within(o, at); });
@@ -67,13 +71,17 @@ class StoreyMaker {
     struct Barrier {
         FeatureId feature = kNoFeature;
         std::vector<PlanOutline> outlines_m = {};
+        std::vector<PlanOutline> reach_m = {};  // where it stops a body, if that is more than its outlines
         bool wall = false;
     };
 
 public:
-    StoreyMaker(const Scene& scene, const RoomGraph& graph, const WalkSpace& space, int number)
-        : scene_(scene), graph_(graph), space_(space), level_(number - 1) {
+    // `upper`: rooms of the graph, for the second plan of a storey.
+    StoreyMaker(const Scene& scene, const RoomGraph& graph, const WalkSpace& space, int number,
+                std::set<std::uint32_t> upper = {})
+        : scene_(scene), graph_(graph), space_(space), level_(number - 1), upper_(std::move(upper)) {
         made_.number = number;
+        made_.upper = !upper_.empty();
         made_.count = storey_count(graph);
         made_.world = spoken_name(scene);
         for (const WalkSpan& span : space.spans)
@@ -87,7 +95,9 @@ public:
         take_portals();
         take_walls();
         take_things();  // some of them close windows
+        take_low_roofs();
         if (!made_.rooms.empty()) close_rooms();
+        if (!made_.rooms.empty()) drop_ledges();
         take_gaps();
         if (!made_.rooms.empty()) open_portals();
         take_base();
@@ -111,13 +121,22 @@ private:
         return 2 * outer > all;
     }
 
+    bool is_shown(std::uint32_t room) const {
+        if (graph_.rooms[room].level != level_) return false;
+        return !made_.upper || upper_.contains(room) ||
+               std::any_of(graph_.portals.begin(), graph_.portals.end(), [&](const Portal& portal) {
+                   return (portal.rooms[0] == room && upper_.contains(portal.rooms[1])) ||
+                          (portal.rooms[1] == room && upper_.contains(portal.rooms[0]));
+               });
+    }
+
     void take_rooms() {
         const std::vector<RoomOutline> outlines = room_outlines(graph_, space_);
         double floor = 0.0, area = 0.0;
         Vec2 low(std::numeric_limits<double>::infinity()), high(-low);
         for (std::uint32_t i = 0; i < graph_.rooms.size(); ++i) {
             const Room& room = graph_.rooms[i];
-            if (room.level != level_ || outlines[i].loops_m.empty()) continue;
+            if (!is_shown(i) || outlines[i].loops_m.empty()) continue;
             StoreyRoom mine;
             mine.room = i;
             mine.name = room.name;
@@ -141,11 +160,14 @@ private:
                         std::none_of(graph_.portals.begin(), graph_.portals.end(), [&](const Portal& portal) {
                             return portal.rooms[0] == i || portal.rooms[1] == i;
                         });
-            if (!mine.outside) {
+            mine.elsewhere = made_.upper && !upper_.contains(i);
+            if (!mine.outside && !mine.elsewhere) {
                 low = glm::min(low, mine.min_m);
                 high = glm::max(high, mine.max_m);
             }
-            const double weight = room.area_m2 * (room.kind == RoomKind::Stairs || mine.outside ? 1e-6 : 1.0);
+            const double weight = mine.elsewhere                                  ? 0.0
+                                  : room.kind == RoomKind::Stairs || mine.outside ? 1e-6 * room.area_m2
+                                                                                  : room.area_m2;
             floor += weight * room.floor_m;
             area += weight;
             made_.rooms.push_back(std::move(mine));
@@ -156,11 +178,13 @@ private:
                 low = glm::min(low, room.min_m);
                 high = glm::max(high, room.max_m);
             }
+        if (area <= 0.0) return made_.rooms.clear();
         made_.floor_m = floor / area;
-        const double margin = space_.body.radius_m + kAround_m;
+        const double margin = space_.body.radius_m + (made_.upper ? kAroundUpper_m : kAround_m);
         made_.min_m = low - Vec2(margin);
         made_.max_m = high + Vec2(margin);
         take_floor();
+        find_hidden();
         put_middles_on_floor();
         take_stairs_of_others(outlines);
     }
@@ -215,16 +239,58 @@ private:
             const std::uint32_t room = graph_.room_of_span[i];
             if (room == kNothing || mine[room] == kNothing) continue;
             const Vec3 at = space_.place_m(i);
-            const int x = static_cast<int>(std::floor((at.x - made_.min_m.x) / floor.cell_m));
-            const int y = static_cast<int>(std::floor((at.y - made_.min_m.y) / floor.cell_m));
-            if (x < 0 || y < 0 || x >= floor.wide || y >= floor.high) continue;
-            const std::size_t cell =
-                static_cast<std::size_t>(y) * static_cast<std::size_t>(floor.wide) + static_cast<std::size_t>(x);
+            const auto place = cell_at(at);
+            if (!place) continue;
+            const std::size_t cell = *place;
             const std::uint32_t known = floor.room[cell], here = mine[room];
-            const bool same_kind = known == kNothing || is_ground(known) == is_ground(here);
-            if (same_kind ? at.z >= height_m[cell] : is_ground(here)) continue;
+            if (made_.upper) {  // the upper rooms first; of others what is level with them
+                if (made_.rooms[here].elsewhere &&
+                    (known != kNothing || std::abs(at.z - made_.floor_m) > kFloorsApart_m))
+                    continue;
+                if (known != kNothing && !made_.rooms[known].elsewhere && at.z <= height_m[cell]) continue;
+            } else {
+                const bool same_kind = known == kNothing || is_ground(known) == is_ground(here);
+                if (same_kind ? at.z >= height_m[cell] : is_ground(here)) continue;
+            }
             height_m[cell] = at.z;
-            floor.room[cell] = mine[room];
+            floor.room[cell] = here;
+        }
+        floor_height_m_ = std::move(height_m);
+    }
+
+    // The cell of the floor under a place; nothing beside the plan.
+    std::optional<std::size_t> cell_at(const Vec3& at) const {
+        const StoreyFloor& floor = made_.floor;
+        const int x = static_cast<int>(std::floor((at.x - made_.min_m.x) / floor.cell_m));
+        const int y = static_cast<int>(std::floor((at.y - made_.min_m.y) / floor.cell_m));
+        if (x < 0 || y < 0 || x >= floor.wide || y >= floor.high) return std::nullopt;
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(floor.wide) + static_cast<std::size_t>(x);
+    }
+
+    // Flights are seen by their lower ends, and nobody comes to where nothing leads.
+    void find_hidden() {
+        if (made_.upper) return;
+        std::map<std::uint32_t, std::uint32_t> mine;
+        for (std::uint32_t i = 0; i < made_.rooms.size(); ++i)
+            if (const StoreyRoom& room = made_.rooms[i]; !room.outside && !room.shut && room.kind != RoomKind::Stairs)
+                mine[room.room] = i;
+        std::vector<double> hidden_m2(made_.rooms.size(), 0.0);
+        std::vector<double> seen_m2 = hidden_m2;
+        for (std::uint32_t i = 0; i < space_.spans.size(); ++i) {
+            const auto room = mine.find(graph_.room_of_span[i]);
+            if (room == mine.end()) continue;
+            const Vec3 at = space_.place_m(i);
+            const auto cell = cell_at(at);
+            if (!cell) continue;
+            const std::uint32_t there = made_.floor.room[*cell];
+            if (there == room->second) seen_m2[there] += space_.cell_area_m2();
+            else if (there != kNothing && at.z > floor_height_m_[*cell] + kFloorsApart_m)
+                hidden_m2[room->second] += space_.cell_area_m2();
+        }
+        for (std::uint32_t i = 0; i < made_.rooms.size(); ++i) {
+            if (hidden_m2[i] < kLeastHidden_m2) continue;
+            made_.hidden.push_back(i);
+            made_.rooms[i].elsewhere = seen_m2[i] < kLeastHidden_m2;
         }
     }
 
@@ -372,6 +438,39 @@ private:
         });
     }
 
+    bool covers_floor(const PlanOutline& outline) const {
+        const StoreyFloor& floor = made_.floor;
+        for (std::size_t i = 0; i < floor.room.size(); ++i) {
+            const auto wide = static_cast<std::size_t>(floor.wide);
+            const Vec2 at = made_.min_m + (Vec2(i % wide, i / wide) + Vec2(0.5)) * floor.cell_m;
+            if (floor.room[i] != kNothing && within(outline, at)) return true;
+        }
+        return false;
+    }
+
+    // A roof may slope down to the eaves far outside of what is shown, and stops a head before a hand meets it: the
+    // line at which it does is the wall there.
+    void take_low_roofs() {
+        const double head_m = made_.floor_m + space_.body.height_m - kUnderHead_m;
+        for (const Solid& solid : scene_.solids) {
+            const double bottom_m = solid.shape.bounds_m.min_m.z, top_m = solid.shape.bounds_m.max_m.z;
+            if (solid.role != SolidRole::Solid || !is_structure(scene_, solid.feature) || bottom_m > head_m ||
+                top_m < head_m || !stopping(solid.shape).empty())
+                continue;
+            Barrier roof;
+            PlanOutline line = shown(section_at(solid.shape, head_m));
+            if (line.size() < 3 || covers_floor(line)) continue;
+            std::vector<Vec2> points = line;
+            for (const double at_m : {cut_m(), 0.5 * (cut_m() + head_m)}) {
+                const PlanOutline lower = section_at(solid.shape, std::max(at_m, bottom_m + kUnderHead_m));
+                points.insert(points.end(), lower.begin(), lower.end());
+            }
+            roof.reach_m.push_back(shown(convex_hull(std::move(points))));
+            roof.outlines_m.push_back(std::move(line));
+            barriers_.push_back(std::move(roof));
+        }
+    }
+
     // --- openings as the route graph has them
 
     void take_portals() {
@@ -379,10 +478,34 @@ private:
         for (std::uint32_t i = 0; i < made_.rooms.size(); ++i) mine[made_.rooms[i].room] = i;
         for (const Portal& portal : graph_.portals) {
             const auto a = mine.find(portal.rooms[0]), b = mine.find(portal.rooms[1]);
-            if (a == mine.end() || b == mine.end() || a->second == b->second) continue;
+            if (a == mine.end() || b == mine.end() || a->second == b->second || !is_seen(portal)) continue;
             made_.portals.push_back(
                 {portal.kind, {a->second, b->second}, {portal.place_m.x, portal.place_m.y}, portal.width_m});
         }
+    }
+
+    // Whether this plan of the storey shows where rooms are joined: a portal of rooms that both plans show is on one.
+    bool is_seen(const Portal& portal) const {
+        if (made_.upper && !upper_.contains(portal.rooms[0]) && !upper_.contains(portal.rooms[1])) return false;
+        const Vec2 place(portal.place_m.x, portal.place_m.y);
+        const double reach_m = 0.5 * portal.width_m + kFloorNearJoint_m;
+        const auto near = [&](std::uint32_t room) {
+            const int steps = static_cast<int>(std::ceil(reach_m / made_.floor.cell_m));
+            for (int y = -steps; y <= steps; ++y)
+                for (int x = -steps; x <= steps; ++x)
+                    if (const Vec2 off = Vec2(x, y) * made_.floor.cell_m;
+                        glm::length(off) <= reach_m && floor_at(made_, place + off) == room)
+                        return true;
+            return false;
+        };
+        return std::all_of(portal.rooms.begin(), portal.rooms.end(), [&](std::uint32_t room) {
+            for (std::uint32_t i = 0; i < made_.rooms.size(); ++i)
+                if (made_.rooms[i].room == room) return !has_two_plans(i) || near(i);
+            return !made_.upper;
+        });
+    }
+    bool has_two_plans(std::uint32_t place) const {
+        return made_.upper || std::find(made_.hidden.begin(), made_.hidden.end(), place) != made_.hidden.end();
     }
 
     // Where walls stand on a grid, and the rooms by the floor that they have.
@@ -472,9 +595,32 @@ private:
         }
     }
 
+    // A ledge outside a window, which nothing leads to, is no room of the plan, and its sign would stand outside.
+    void drop_ledges() {
+        RoomGrid grid = grid_of_walls();
+        spread_rooms(grid);
+        std::vector<std::uint32_t> kept(made_.rooms.size(), 0);
+        for (const RoomBorder& border : borders_of(grid))
+            if (border.rooms[1] == outside()) {
+                const StoreyRoom& room = made_.rooms[border.rooms[0]];
+                if (room.shut && room.kind == RoomKind::Niche) kept[border.rooms[0]] = kNothing;
+            }
+        std::uint32_t count = 0;
+        for (std::uint32_t& place : kept) place = place == kNothing ? kNothing : count++;
+        if (count == 0 || count == kept.size()) return;
+        for (std::uint32_t i = 0; i < kept.size(); ++i)
+            if (kept[i] != kNothing && kept[i] != i) made_.rooms[kept[i]] = std::move(made_.rooms[i]);
+        made_.rooms.resize(count);
+        for (std::uint32_t& room : made_.floor.room) room = room == kNothing ? kNothing : kept[room];
+        for (std::uint32_t& room : made_.hidden) room = kept[room];
+        for (StoreyStairs& stairs : made_.stairs_of_others) stairs.room = kept[stairs.room];
+        for (StoreyPortal& portal : made_.portals)
+            for (std::uint32_t& room : portal.rooms) room = kept[room];
+    }
+
     bool stands_in(const Barrier& barrier, const std::vector<Vec2>& open) const {
         std::size_t in = 0;
-        for (const PlanOutline& outline : barrier.outlines_m) {
+        for (const PlanOutline& outline : barrier.reach_m.empty() ? barrier.outlines_m : barrier.reach_m) {
             Vec2 low(std::numeric_limits<double>::infinity()), high(-low);
             for (const Vec2& p : outline) low = glm::min(low, p), high = glm::max(high, p);
             for (const Vec2& at : open)
@@ -587,7 +733,8 @@ private:
         for (const Portal& portal : graph_.portals) {
             const bool here =
                 graph_.rooms[portal.rooms[0]].level == level_ || graph_.rooms[portal.rooms[1]].level == level_;
-            if (!here || (portal.kind != PassageKind::Door && portal.kind != PassageKind::Opening)) continue;
+            if (!here || (portal.kind != PassageKind::Door && portal.kind != PassageKind::Opening) || !is_seen(portal))
+                continue;
             const Vec2 place(portal.place_m.x, portal.place_m.y);
             if (std::abs(portal.place_m.z - made_.floor_m) > 1.5 || inside_any(made_.walls_m, place)) continue;
             StoreyGap gap;
@@ -615,6 +762,7 @@ private:
         if (!base) return;
         const std::uint32_t room = room_at(graph_, space_, base->feet_m);
         if (room == kNothing || graph_.rooms[room].level != level_) return;
+        if (made_.upper && !upper_.contains(room)) return;
         made_.base = StoreyBase{{base->feet_m.x, base->feet_m.y}, base->heading_rad};
     }
 
@@ -622,6 +770,8 @@ private:
     const RoomGraph& graph_;
     const WalkSpace& space_;
     int level_;
+    std::set<std::uint32_t> upper_;
+    std::vector<double> floor_height_m_;        // of StoreyFloor::room
     std::set<std::uint32_t> trodden_, moving_;  // features
     std::vector<Barrier> barriers_;
     double square_m_ = kSquare_m;
@@ -629,69 +779,6 @@ private:
 };
 
 }  // namespace
-
-std::array<Vec2, 4> PlanBox::corners_m() const {
-    const Vec2 x = along * half_m.x, y = Vec2(-along.y, along.x) * half_m.y;
-    return {middle_m - x - y, middle_m + x - y, middle_m + x + y, middle_m - x + y};
-}
-
-PlanBox box_around(const PlanOutline& hull) {
-    PlanBox best;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < hull.size(); ++i) {
-        const Vec2 side = hull[(i + 1) % hull.size()] - hull[i];
-        const double length = glm::length(side);
-        if (length < 1e-9) continue;
-        const Vec2 along = side / length, across(-along.y, along.x);
-        Vec2 low(std::numeric_limits<double>::infinity()), high(-low);
-        for (const Vec2& p : hull) {
-            const Vec2 q(glm::dot(p, along), glm::dot(p, across));
-            low = glm::min(low, q);
-            high = glm::max(high, q);
-        }
-        const Vec2 size = high - low;
-        // A little better is no better: of equal ones the first, on every machine.
-        if (size.x * size.y > least * (1.0 - 1e-6)) continue;
-        least = size.x * size.y;
-        const Vec2 middle = 0.5 * (low + high);
-        best = {along * middle.x + across * middle.y, along, 0.5 * size};
-        if (size.y > size.x) {
-            best.along = across;
-            best.half_m = {0.5 * size.y, 0.5 * size.x};
-        }
-    }
-    return best;
-}
-
-bool within(const PlanOutline& outline, const Vec2& at) {
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Vec2& a = outline[i];
-        if (cross_of(outline[(i + 1) % outline.size()] - a, at - a) < -1e-9) return false;
-    }
-    return outline.size() >= 3;
-}
-
-bool within_loop(const std::vector<Vec2>& loop, const Vec2& at) {
-    bool within = false;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-        const Vec2 &a = loop[i], &b = loop[(i + 1) % loop.size()];
-        if ((a.y > at.y) != (b.y > at.y) && at.x < a.x + (b.x - a.x) * (at.y - a.y) / (b.y - a.y)) within = !within;
-    }
-    return within;
-}
-
-double narrowest_m(const PlanOutline& outline) {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Vec2 side = outline[(i + 1) % outline.size()] - outline[i];
-        const double length = glm::length(side);
-        if (length < 1e-9) continue;
-        double far = 0.0;
-        for (const Vec2& p : outline) far = std::max(far, std::abs(cross_of(side / length, p - outline[i])));
-        least = std::min(least, far);
-    }
-    return least;
-}
 
 std::uint32_t floor_at(const Storey& storey, const Vec2& at) {
     const StoreyFloor& floor = storey.floor;
@@ -733,6 +820,16 @@ Result<Storey> storey_of(const Scene& scene, const RoomGraph& graph, const WalkS
     Storey made = StoreyMaker(scene, graph, space, number).make();
     if (made.rooms.empty())
         return fail(phrase("export.empty_storey", {{"storey", number}, {"count", count}}), scene.source_file);
+    return made;
+}
+
+std::optional<Storey> upper_part_of(const Scene& scene, const RoomGraph& graph, const WalkSpace& space,
+                                    const Storey& storey) {
+    if (storey.upper || storey.hidden.empty()) return std::nullopt;
+    std::set<std::uint32_t> upper;
+    for (const std::uint32_t place : storey.hidden) upper.insert(storey.rooms[place].room);
+    Storey made = StoreyMaker(scene, graph, space, storey.number, std::move(upper)).make();
+    if (made.rooms.empty()) return std::nullopt;
     return made;
 }
 

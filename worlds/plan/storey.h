@@ -10,18 +10,9 @@
 #include <vector>
 
 #include "worlds/navigation/rooms.h"
-#include "worlds/plan/plan_cut.h"
+#include "worlds/plan/plan_shapes.h"
 
 namespace handrail {
-
-// A box that may lie askew: `along` (length 1) is its longer side.
-struct PlanBox {
-    Vec2 middle_m{0.0};
-    Vec2 along{1.0, 0.0};
-    Vec2 half_m{0.0};  // along, across
-
-    std::array<Vec2, 4> corners_m() const;  // counter-clockwise
-};
 
 struct StoreyRoom {
     std::uint32_t room = 0;  // of the RoomGraph
@@ -32,7 +23,8 @@ struct StoreyRoom {
     Vec2 min_m{0.0}, max_m{0.0};  // of the loops
     Vec2 middle_m{0.0};    // by area, of its largest piece; where that is in another room, its own floor nearest to it
     bool outside = false;  // on the ground that a reader laid around the building
-    bool shut = false;     // nothing leads into it, as into the niche outside of a window
+    bool shut = false;     // nothing leads into it
+    bool elsewhere = false;  // the other plan of the storey shows it: see Storey::upper
 };
 
 // Something that stands on the floor and is no part of the building.
@@ -80,6 +72,10 @@ struct StoreyFloor {
 
 struct Storey {
     int number = 1, count = 1;  // from 1, the lowest
+    // A plan shows one floor at each place. Where a storey has two, as with a footway over a platform, the storey
+    // itself shows the lower floor, and a second plan shows the rooms of the upper one, with what joins them.
+    bool upper = false;
+    std::vector<std::uint32_t> hidden;  // places in `rooms`: parts of them are above others, on the second plan
     std::string world;
     double floor_m = 0.0;         // mean height of its rooms
     Vec2 min_m{0.0}, max_m{0.0};  // what is shown; the ground around a building does not widen it
@@ -104,18 +100,13 @@ int storey_of_start(const Scene& scene, const RoomGraph& graph, const WalkSpace&
 // Fails with one sentence where there is no such storey or no room in it. Time goes with solids and spans.
 Result<Storey> storey_of(const Scene& scene, const RoomGraph& graph, const WalkSpace& space, int number);
 
+// The second plan of a storey that has floors above each other; nothing if `storey`, which storey_of() made, has none.
+std::optional<Storey> upper_part_of(const Scene& scene, const RoomGraph& graph, const WalkSpace& space,
+                                    const Storey& storey);
+
 // The place in Storey::rooms of the one whose floor is at a place; kNothing under furniture, in walls, outside.
 std::uint32_t floor_at(const Storey& storey, const Vec2& at);
 // Fills Storey::floor from the rooms' loops, for storeys that no reader made.
 void lay_floor(Storey& storey);
-
-// The smallest box around a convex outline.
-PlanBox box_around(const PlanOutline& hull);
-// Whether a place lies in a closed line, bent or not.
-bool within_loop(const std::vector<Vec2>& loop, const Vec2& at);
-// Whether a place lies in a convex outline, border included.
-bool within(const PlanOutline& outline, const Vec2& at);
-// How thin a convex outline is where it is thinnest.
-double narrowest_m(const PlanOutline& outline);
 
 }  // namespace handrail

@@ -31,7 +31,11 @@ const NamedStoreys* storeys_of(const std::string& file) {
     if (!ways) return ADD_FAILURE() << ways.error().sentence(), &made;
     const RoomGraph graph = make_rooms(*scene, (*ways)->space());
     for (int i = 1; i <= storey_count(graph); ++i)
-        if (auto storey = storey_of(*scene, graph, (*ways)->space(), i)) made.storeys.push_back(std::move(*storey));
+        if (auto storey = storey_of(*scene, graph, (*ways)->space(), i)) {
+            auto upper = upper_part_of(*scene, graph, (*ways)->space(), *storey);
+            made.storeys.push_back(std::move(*storey));
+            if (upper) made.storeys.push_back(std::move(*upper));
+        }
     return &made;
 }
 

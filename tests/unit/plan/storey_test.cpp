@@ -16,7 +16,9 @@ namespace storey_test {
 
 struct Plans {
     Scene scene;
+    RoomGraph graph;
     std::vector<Storey> storeys;
+    std::vector<Storey> uppers;  // the second plans of those that have one
 };
 
 Plans plans_of(Scene scene) {
@@ -28,11 +30,15 @@ Plans plans_of(Scene scene) {
     for (int i = 1; i <= storey_count(graph); ++i) {
         Result<Storey> storey = storey_of(scene, graph, (*made)->space(), i);
         EXPECT_TRUE(storey) << storey.error().sentence();
-        if (storey) plans.storeys.push_back(std::move(*storey));
+        if (!storey) continue;
+        if (auto upper = upper_part_of(scene, graph, (*made)->space(), *storey))
+            plans.uppers.push_back(std::move(*upper));
+        plans.storeys.push_back(std::move(*storey));
     }
     EXPECT_FALSE(storey_of(scene, graph, (*made)->space(), storey_count(graph) + 1));
     EXPECT_FALSE(storey_of(scene, graph, (*made)->space(), 0));
     plans.scene = std::move(scene);
+    plans.graph = graph;
     return plans;
 }
 
@@ -109,6 +115,90 @@ TEST(StoreyPlan, takes_a_front_of_glass_without_walls_beside_it_as_closed) {
     EXPECT_TRUE(walled(plans.storeys[0], {4.02, 1.0}));
     EXPECT_FALSE(walled(plans.storeys[0], {5.02, 1.0}));
     EXPECT_EQ(plans.storeys[0].things.size(), 3U) << "table, rail, banister";
+}
+
+std::vector<std::string> names_of(const Storey& storey, bool elsewhere) {
+    std::vector<std::string> names;
+    for (const StoreyRoom& room : storey.rooms)
+        if (room.elsewhere == elsewhere) names.push_back(room.name);
+    return names;
+}
+
+bool joins(const Storey& storey, const Portal& portal) {
+    return std::any_of(storey.portals.begin(), storey.portals.end(), [&](const StoreyPortal& shown) {
+        const std::array<std::uint32_t, 2> rooms{storey.rooms[shown.rooms[0]].room, storey.rooms[shown.rooms[1]].room};
+        return rooms == portal.rooms && glm::distance(shown.place_m, Vec2(portal.place_m.x, portal.place_m.y)) < 1e-9;
+    });
+}
+
+// A hall of 16 by 8 m; across it a deck of two rooms, joined by a door, with steps that lead up to it.
+TEST(StoreyPlan, of_floors_above_each_other_has_two_parts) {
+    SceneBuilder build;
+    const auto wall = [&](double x0, double y0, double x1, double y1, double z0) {
+        build.box({x0, y0, z0}, {x1, y1, 4.5}, "wall", SolidRole::Solid, {}, FeatureKind::Wall);
+    };
+    build.box({-0.2, -0.2, -0.2}, {16.2, 8.2, 0.0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
+    wall(-0.2, -0.2, 0.0, 8.2, 0.0);
+    wall(16.0, -0.2, 16.2, 8.2, 0.0);
+    wall(0.0, -0.2, 16.0, 0.0, 0.0);
+    wall(0.0, 8.0, 16.0, 8.2, 0.0);
+    constexpr double kDeck_m = 1.95;
+    build.box({4.0, 0.0, kDeck_m - 0.1}, {8.0, 8.0, kDeck_m}, "deck", SolidRole::Solid, {}, FeatureKind::Floor);
+    wall(4.0, 3.9, 5.5, 4.1, kDeck_m);
+    wall(6.5, 3.9, 8.0, 4.1, kDeck_m);
+    for (int i = 0; i < 9; ++i)
+        build.box({8.0 + 0.3 * i, 6.5, 0.0}, {8.3 + 0.3 * i, 8.0, kDeck_m * (9 - i) / 10.0}, "step", SolidRole::Solid,
+                  {}, FeatureKind::Floor);
+    build.start({2.0, 2.0, 0.0}, 0.0);
+    const Plans plans = plans_of(std::move(build.scene()));
+    ASSERT_EQ(plans.storeys.size(), 1U) << "the deck is not high enough for a storey";
+    ASSERT_EQ(plans.uppers.size(), 1U);
+    const Storey &lower = plans.storeys[0], &upper = plans.uppers[0];
+    EXPECT_TRUE(upper.upper);
+    EXPECT_EQ(lower.hidden.size(), 2U);
+    EXPECT_EQ(names_of(lower, true), names_of(upper, false)) << "each is shown whole on one of them";
+    EXPECT_NEAR(upper.floor_m, kDeck_m, 0.01);
+    EXPECT_LT(lower.floor_m, 0.5);
+    EXPECT_TRUE(walled(upper, {4.5, 4.0}));
+    EXPECT_FALSE(walled(lower, {4.5, 4.0})) << "that wall stands on the deck";
+    std::size_t doors = 0;
+    for (const Portal& portal : plans.graph.portals) {
+        EXPECT_TRUE(joins(lower, portal) || joins(upper, portal));
+        doors += !joins(lower, portal) && std::abs(portal.place_m.y - 4.0) < 0.5 ? 1 : 0;
+    }
+    EXPECT_EQ(doors, 1U) << "between the two rooms of the deck";
+    // And of a storey without such floors there is no second plan.
+    EXPECT_TRUE(plans_of(std::move(TwoRooms().build.scene())).uppers.empty());
+}
+
+// The roof comes down outside of where anybody can stand: a head meets it, and at the height of a hand nothing is near.
+TEST(StoreyPlan, is_closed_where_a_roof_comes_down_too_low_for_a_body) {
+    SceneBuilder build;
+    const auto wall = [&](double x0, double y0, double x1, double y1) {
+        build.box({x0, y0, 0.0}, {x1, y1, 2.5}, "wall", SolidRole::Solid, {}, FeatureKind::Wall);
+    };
+    build.box({-0.2, -0.6, -0.2}, {6.2, 4.2, 0.0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
+    wall(-0.2, -0.6, 0.0, 4.2);
+    wall(6.0, -0.6, 6.2, 4.2);
+    wall(0.0, 4.0, 6.0, 4.2);
+    build.box({-0.2, -0.6, 1.5}, {6.2, 0.0, 2.5}, "roof", SolidRole::Solid, {}, FeatureKind::Slope);
+    build.start({3.0, 2.0, 0.0}, 0.0);
+    const Plans plans = plans_of(std::move(build.scene()));
+    ASSERT_EQ(plans.storeys.size(), 1U);
+    EXPECT_TRUE(walled(plans.storeys[0], {3.0, -0.3}));
+    EXPECT_FALSE(walled(plans.storeys[0], {3.0, 1.0}));
+}
+
+TEST(StoreyPlan, has_no_room_on_a_ledge_outside_that_nothing_leads_to) {
+    TwoRooms world;
+    world.build.box({3.5, 4.2, -0.2}, {5.5, 5.0, 0.0}, "ledge", SolidRole::Solid, {}, FeatureKind::Floor);
+    const Plans plans = plans_of(std::move(world.build.scene()));
+    ASSERT_EQ(plans.storeys.size(), 1U);
+    ASSERT_EQ(plans.graph.rooms.size(), 3U) << "somebody can stand there";
+    ASSERT_EQ(plans.storeys[0].rooms.size(), 2U);
+    ASSERT_EQ(plans.storeys[0].portals.size(), 1U);
+    EXPECT_NE(floor_at(plans.storeys[0], {1.0, 3.5}), floor_at(plans.storeys[0], {8.0, 2.0}));
+    EXPECT_EQ(floor_at(plans.storeys[0], {4.5, 4.6}), kNothing);
 }
 
 // Every door that joins rooms is free of walls from jamb to jamb, and no window is.
