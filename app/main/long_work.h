@@ -24,7 +24,7 @@ public:
     static LongWork begun(std::function<void(const std::string& what)> noted = {});
 
     // ---- whoever works ----
-    // It is at this from now on, told with the time so far: "Finding rooms and ways". What was begun counts on.
+    // It is at this from now on, printed with the time so far: "Finding rooms and routes". What was begun counts on.
     void at(std::string what) const;
     // A file is being read, told by percent and by its stage, a text's key ("import.shapes"); empty: none is known yet.
     void reading(std::string_view stage = {}) const;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""check_text.py HTML-VALIDATE CONFIGURATION PAGE...: html-validate over each page as it is written.
+"""check_text.py HTML-VALIDATE CONFIGURATION PAGE...: html-validate over each page as it was written.
 
 A page whose name begins with "broken" must break at least four rules, every other none. Each fault is told with its page, line and rule.
 """

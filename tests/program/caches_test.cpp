@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr const char* kTaken = "Taken from what was kept of it the last time.";
+constexpr const char* kTaken = "Loaded from the copy saved last time.";
 
 std::vector<std::string> names_in(const fs::path& folder) {
     std::vector<std::string> names;

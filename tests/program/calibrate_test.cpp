@@ -43,10 +43,11 @@ constexpr const char* kSimulatedHand =
 TEST_F(CalibrateProgram, runs_from_start_to_end_with_a_simulated_touch) {
     const ProgramRun done = run({"calibrate", "--no-window", "--device", "sim-t"}, kSimulatedHand);
     EXPECT_EQ(done.exit_status, 0) << done.err;
-    expect_in_order(done.out, {"bell on your left", "The simulated Touch is ready.", "Take the grip in your hand",
-                               "Good.", "Push it in", "Good.", "Left hand.", "I will press against your hand",
-                               "Felt at", "Now a wall", "Normal, 2.5 newtons.", "more than 2.5 newtons",
-                               "Your hand reaches", "Your step is", "65 centimetres", "You are set up."});
+    expect_in_order(done.out,
+                    {"bell on your left", "The simulated Touch is ready.", "Take the grip in your hand", "Good.",
+                     "Push the grip in", "Good.", "Left hand.", "I will press against your hand", "You felt it at",
+                     "Now you will feel a wall", "Normal, 2.5 newtons.", "more than 2.5 newtons", "Your hand reaches",
+                     "Your step is", "65 centimetres", "The set-up is complete."});
     const std::string stored = settings();
     EXPECT_THAT(stored, HasSubstr("profile.sim-t.ceiling_n = 2.5 newtons (0.5 to 40), from: your settings file"));
     EXPECT_THAT(stored, HasSubstr("profile.sim-t.hand = \"left\""));
@@ -58,9 +59,9 @@ TEST_F(CalibrateProgram, runs_from_start_to_end_with_a_simulated_touch) {
 TEST_F(CalibrateProgram, without_a_device_says_so_and_does_the_rest) {
     const ProgramRun done = run({"calibrate", "--no-window"}, "right\nleft\n\nrepeat\n0.8\n");
     EXPECT_EQ(done.exit_status, 0) << done.err;
-    expect_in_order(done.out, {"bell on your left", "Swapped", "And now on your right",
-                               "No touch device. Everything works with keyboard and sound", "Your step is 70",
-                               "Your step is 70", "80 centimetres", "You are set up."});
+    expect_in_order(done.out, {"bell on your left", "Swapped", "on your right now?",
+                               "There is no touch device. Everything works with keyboard and sound", "Your step is 70",
+                               "Your step is 70", "80 centimetres", "The set-up is complete."});
     EXPECT_THAT(done.out, Not(HasSubstr("Take the grip")));
     EXPECT_THAT(settings(), HasSubstr("sound.swap_sides = true"));
     EXPECT_THAT(settings(), HasSubstr("walk.step_length_m = 0.8"));
@@ -71,22 +72,22 @@ TEST_F(CalibrateProgram, does_parts_alone_keeps_what_was_set_before_and_saves_wh
     const ProgramRun parts =
         run({"calibrate", "--no-window", "--device", "sim-t", "--only", "hand,strongest"}, "left\n");
     EXPECT_EQ(parts.exit_status, 0) << parts.err;
-    expect_in_order(parts.out,
-                    {"Which hand holds it", "Left hand.", "Now a wall", "Leaving. What you have set is kept."});
+    expect_in_order(parts.out, {"Which hand holds the grip?", "Left hand.", "Now you will feel a wall",
+                                "Leaving the set-up. What you have set is kept."});
     EXPECT_THAT(settings(), HasSubstr("profile.sim-t.hand = \"left\""));
     EXPECT_THAT(settings(), Not(HasSubstr("profile.sim-t.ceiling_n")));
     EXPECT_THAT(settings(), HasSubstr("walk.step_length_m = 0.55"));
     const ProgramRun wrong = run({"calibrate", "--only", "headphone"}, "");
     EXPECT_EQ(wrong.exit_status, 2);
-    EXPECT_THAT(wrong.err, HasSubstr("the nearest is headphones"));
+    EXPECT_THAT(wrong.err, HasSubstr("the nearest name is headphones"));
 }
 
 TEST_F(CalibrateProgram, the_same_wizard_runs_inside_the_program_and_gives_the_world_back) {
     const ProgramRun done =
         run({"--no-window", "--device", "sim-t"}, "calibrate\n" + std::string(kSimulatedHand) + "where\nquit\n");
     EXPECT_EQ(done.exit_status, 0) << done.err;
-    expect_in_order(done.out, {"First room,", "bell on your left", "The simulated Touch is ready.", "Felt at",
-                               "You are set up.", "Back in", "facing north"});
+    expect_in_order(done.out, {"First room,", "bell on your left", "The simulated Touch is ready.", "You felt it at",
+                               "The set-up is complete.", "Back in", "facing north"});
     EXPECT_THAT(settings(), HasSubstr("profile.sim-t.ceiling_n = 2.5"));
 }
 
@@ -95,7 +96,7 @@ TEST_F(CalibrateProgram, a_damaged_profile_is_told_at_the_start_and_kept_in_the_
     const auto file = home_.write("handrail/settings.toml", "[profile.sim-t]\nceiling_n = 900.0\nhand = \"left\"\n");
     const ProgramRun told = run({"--no-window", "--device", "sim-t"}, "quit\n");
     EXPECT_EQ(told.exit_status, 0) << told.err;
-    EXPECT_THAT(told.out, HasSubstr("This profile is set aside"));
+    EXPECT_THAT(told.out, HasSubstr("This profile is not used"));
     EXPECT_THAT(content_of(file), HasSubstr("ceiling_n = 900.0"));
     const ProgramRun anew = run({"calibrate", "--no-window", "--device", "sim-t", "--only", "strongest"}, "\n");
     EXPECT_EQ(anew.exit_status, 0) << anew.err;

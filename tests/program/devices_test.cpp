@@ -90,14 +90,14 @@ TEST(Devices, one_that_is_not_plugged_in_is_said_to_be_so) {
         EXPECT_EQ(said.exit_status, 1);
         EXPECT_THAT(said.err, HasSubstr("is not plugged in")) << name;
     }
-    EXPECT_THAT(run({"--no-window", "--device", "wooden-haptics"}).err, HasSubstr("cannot be driven yet"));
+    EXPECT_THAT(run({"--no-window", "--device", "wooden-haptics"}).err, HasSubstr("is not supported yet"));
     EXPECT_THAT(run({"--no-window", "--device", "falcoln"}).err, HasSubstr("Did you mean \"falcon\"?"));
 }
 
 TEST(Devices, a_makers_library_that_is_missing_or_lacking_costs_its_force_and_one_sentence) {
     const ProgramRun missing = run({"--no-window", "--device", "touch"});
     EXPECT_EQ(missing.exit_status, 0) << missing.err;
-    EXPECT_THAT(missing.out, HasSubstr("libHD.so of 3D Systems is not installed"));
+    EXPECT_THAT(missing.out, HasSubstr("libHD.so by 3D Systems is not installed"));
     EXPECT_THAT(missing.out, HasSubstr("First room, 6 by 4 metres.")) << "the program goes on";
     const TemporaryFolder folder;
     std::filesystem::create_symlink(test::built_standin("standin_hd_lacking"), folder.path() / "libHD.so");

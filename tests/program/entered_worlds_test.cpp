@@ -26,8 +26,8 @@ ProgramRun run_with(std::vector<std::string> arguments, const std::string& lines
 // What five steps are under the hand, each time that was asked.
 std::vector<std::string> bars_of(const std::string& out) {
     std::vector<std::string> bars;
-    for (std::size_t at = 0; (at = out.find("metres, are ", at)) != std::string::npos; ++at)
-        bars.push_back(out.substr(at + 12, out.find(' ', at + 12) - at - 12));
+    for (std::size_t at = 0; (at = out.find("metres are ", at)) != std::string::npos; ++at)
+        bars.push_back(out.substr(at + 11, out.find(' ', at + 11) - at - 11));
     return bars;
 }
 
@@ -105,7 +105,7 @@ TEST_F(BuildingOfSeveral, is_the_one_that_is_gone_on_in_after_a_crash) {
     const ProgramRun second = explore({}, "last-place\nwhere\nquit\n");
     EXPECT_THAT(second.out, HasSubstr("Test House, ")) << second.out;
     EXPECT_THAT(second.out, HasSubstr("Annex, 8 by 6 metres.")) << second.out;
-    EXPECT_THAT(second.out, HasSubstr("Where you were.")) << second.out;
+    EXPECT_THAT(second.out, HasSubstr("You are back where you were.")) << second.out;
 }
 
 }  // namespace entered_worlds_test

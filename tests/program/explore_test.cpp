@@ -144,10 +144,9 @@ TEST(Explore, after_a_crash_the_next_start_says_where_a_report_lies_that_names_n
     const ProgramRun first = explore({"--no-window", "--set", "workspace.scale=33", "--set", "haptic.device=none"},
                                      "mark\nAnna's corner\nforward 3\nback 3\nforward 3\nright 4\nheading\n", crashing);
     EXPECT_EQ(first.exit_status, 128 + SIGSEGV) << first.out << first.err;
-    const ProgramRun second =
-        explore({"--no-window"}, "menu\nReport of the session that broke off\nlist\nquit\n", call);
-    EXPECT_THAT(second.out, HasSubstr("What is known of it stands in the menu and in the file "));
-    EXPECT_THAT(second.out, HasSubstr("It ended with a wrong access to memory, signal 11."));
+    const ProgramRun second = explore({"--no-window"}, "menu\nReport on the session that crashed\nlist\nquit\n", call);
+    EXPECT_THAT(second.out, HasSubstr("Details about the crash are in the menu and in the file "));
+    EXPECT_THAT(second.out, HasSubstr("The program ended with an invalid memory access, signal 11."));
     std::vector<std::filesystem::path> reports;
     for (const auto& file : std::filesystem::directory_iterator(folder.path() / "handrail" / "crash-reports"))
         reports.push_back(file.path());
@@ -159,7 +158,7 @@ TEST(Explore, after_a_crash_the_next_start_says_where_a_report_lies_that_names_n
     EXPECT_THAT(report, HasSubstr("handrail+0x"));
     for (const char* secret : {"Anna", "corner", "/home", "/tmp", "first_room", "First room"})
         EXPECT_THAT(report, testing::Not(HasSubstr(secret)));
-    EXPECT_THAT(explore({"--no-window"}, "quit\n", call).out, testing::Not(HasSubstr("broke off")));
+    EXPECT_THAT(explore({"--no-window"}, "quit\n", call).out, testing::Not(HasSubstr("ended unexpectedly")));
 }
 
 TEST(Explore, after_a_kill_the_next_start_says_so_goes_on_at_the_last_place_and_has_the_settings) {
@@ -181,12 +180,11 @@ TEST(Explore, after_a_kill_the_next_start_says_so_goes_on_at_the_last_place_and_
     EXPECT_EQ(second.exit_status, 0) << second.err;
     EXPECT_THAT(
         second.out,
-        HasSubstr(
-            "The last session broke off without being left. To go on where you were in First room, type last-place."));
-    EXPECT_THAT(second.out, HasSubstr("Where you were. "));
+        HasSubstr("The last session ended unexpectedly. To go on where you were in First room, type last-place."));
+    EXPECT_THAT(second.out, HasSubstr("You are back where you were. "));
     const ProgramRun third = explore({"--no-window"}, "last-place\nquit\n", call);
-    EXPECT_THAT(third.out, testing::Not(HasSubstr("The last session broke off")));
-    EXPECT_THAT(third.out, HasSubstr("No session broke off"));
+    EXPECT_THAT(third.out, testing::Not(HasSubstr("The last session ended unexpectedly")));
+    EXPECT_THAT(third.out, HasSubstr("No session ended unexpectedly"));
     std::filesystem::remove_all(folder);
 }
 

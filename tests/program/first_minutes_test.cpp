@@ -47,27 +47,27 @@ TEST_F(FirstMinutes, run_from_welcome_to_choice_with_the_keyboard_alone_and_are_
         {"--device", "none"},
         "space\n\nleft\n\nforward 6\nleft 4\nforward 3\nright 8\nforward 7\nhome\nlist\nexplore freely\nwhere\nquit\n");
     EXPECT_EQ(first.exit_status, 0) << first.err;
-    expect_in_order(first.out, {"say: Welcome. Handrail is speaking with text alone. An empty line begins, space says "
-                                "it again, escape leaves.",
-                                "say: Welcome. Handrail is speaking with text alone. An empty line begins, space says "
-                                "it again, escape leaves.",
-                                "First your headphones.",
+    expect_in_order(first.out, {"say: Welcome. Handrail is speaking with text alone. Type an empty line to begin, "
+                                "space to hear this again, or escape to leave.",
+                                "say: Welcome. Handrail is speaking with text alone. Type an empty line to begin, "
+                                "space to hear this again, or escape to leave.",
+                                "First, set up your headphones.",
                                 "bell on your left",
-                                "You are set up.",
+                                "The set-up is complete.",
                                 "You are in a small room, six by four metres",
                                 "Type forward to walk",
                                 "then north wall, plaster",
-                                "Your first wall.",
+                                "That is your first wall.",
                                 "radiator",
                                 "Radiator",
-                                "Well found.",
+                                "Well done, you found it.",
                                 "then east wall, wood",
                                 "Corner.",
-                                "Back to the door: type home.",
+                                "Now go back to the door: type home.",
                                 "handle on your right",
-                                "What next.",
+                                "What to do next.",
                                 "Real buildings",
-                                "Saved. Next time you start here.",
+                                "Saved. Next time you will start here.",
                                 "facing north"});
     const ProgramRun second = run({"--device", "none"}, "where\nquit\n");
     EXPECT_THAT(second.out, Not(HasSubstr("Welcome.")));
@@ -140,63 +140,63 @@ TEST_F(FirstMinutesWithTouch, run_through_the_set_up_to_the_first_wall_and_the_c
     const std::string push = "hand-back 20\nhand-forward 20\nwait 1\nhand-back 20\n\n";
     const std::string anew = "hand-centre\nhome\n";  // in this order: what is behind a wall stays there otherwise
     const Outcome outcome = take({
-        {"An empty line begins", "space\n\n"},
+        {"Type an empty line to begin", "space\n\n"},
         {"bell on your left", "left\n"},
-        {"And now on your right?", "\n"},
+        {"Is the bell on your right now?", "\n"},
         {"Pull it all the way", "hand-back 15\n"},
-        {"Push it in", "hand-forward 30\n"},
-        {"Which hand holds it?", "hand-left 12\n"},
+        {"Push the grip in", "hand-forward 30\n"},
+        {"Which hand holds the grip?", "hand-left 12\n"},
         {"I will press", "wait 3\nbutton\n", "wait 3\nbutton\n"},
-        {"Now a wall", "up\n", "up\n"},
+        {"Now you will feel a wall", "up\n", "up\n"},
         {"Normal, 2.5 newtons.", push, "up\n" + push},
         {"Bring your hand to the middle", "hand-centre\n", anew, true},
         {"Reach forward slowly.", to_wall, anew + to_wall, true},
-        {"Slide left along it", to_radiator, anew + to_wall + to_radiator, true},
-        {"Slide right along the wall", "hand-right 30\nhand-right 40\n", anew + to_wall + "hand-right 40\n", true},
+        {"Slide left along the wall", to_radiator, anew + to_wall + to_radiator, true},
+        {"Now slide right along the wall", "hand-right 30\nhand-right 40\n", anew + to_wall + "hand-right 40\n", true},
         {"type home", "home\n", anew, true},
-        {"What next.", "list\nexplore freely\nwhere\nquit\n"},
+        {"What to do next.", "list\nexplore freely\nwhere\nquit\n"},
     });
     if (outcome == Outcome::TooBusy) GTEST_SKIP() << "this machine is too busy to give a servo its rate";
     ASSERT_EQ(outcome, Outcome::Done);
     EXPECT_EQ(program_->exit_status(), 0) << said();
-    expect_in_order(said(), {"say: Welcome. Handrail is speaking with text alone. An empty line begins, space says "
-                             "it again, escape leaves.",
-                             "say: Welcome. Handrail is speaking with text alone. An empty line begins, space says "
-                             "it again, escape leaves.",
-                             "First your headphones, and what your hand holds.",
+    expect_in_order(said(), {"say: Welcome. Handrail is speaking with text alone. Type an empty line to begin, "
+                             "space to hear this again, or escape to leave.",
+                             "say: Welcome. Handrail is speaking with text alone. Type an empty line to begin, "
+                             "space to hear this again, or escape to leave.",
+                             "First, set up your headphones and the device in your hand.",
                              "bell on your left",
-                             "And now on your right?",
+                             "Is the bell on your right now?",
                              "The simulated Touch is ready.",
                              "Take the grip in your hand. Pull it all the way towards you.",
                              "Good.",
-                             "Push it in",
+                             "Push the grip in",
                              "Good.",
                              "Left hand.",
                              "I will press against your hand, lightly",
-                             "Felt at",
-                             "Now a wall",
+                             "You felt it at",
+                             "Now you will feel a wall",
                              "Nothing will push with more than 2.5 newtons.",
-                             "You are set up.",
+                             "The set-up is complete.",
                              "Bring your hand to the middle",
                              "You are in a small room, six by four metres",
                              "Reach forward slowly.",
                              "North wall, plaster",
-                             "Your first wall.",
-                             "Slide left along it",
+                             "That is your first wall.",
+                             "Slide left along the wall",
                              "Radiator, metal",
-                             "Well found.",
-                             "Slide right along the wall",
+                             "Well done, you found it.",
+                             "Now slide right along the wall",
                              "Corner.",
-                             "Back to the door: type home.",
+                             "Now go back to the door: type home.",
                              "handle on your right",
-                             "What next.",
+                             "What to do next.",
                              "Explore freely",
-                             "Walk round the walls",
+                             "Walk along the walls",
                              "Find the clock",
-                             "Hunt game",
+                             "Play the hunt game",
                              "Real buildings",
                              "Settings",
-                             "Saved. Next time you start here.",
+                             "Saved. Next time you will start here.",
                              "facing north"});
 }
 
@@ -204,8 +204,9 @@ TEST_F(FirstMinutesWithTouch, run_through_the_set_up_to_the_first_wall_and_the_c
 TEST_F(FirstMinutes, end_in_a_hunt_where_it_is_chosen) {
     const char* const kToChoice = "\nleft\n\nforward 6\nleft 4\nforward 3\nright 8\nforward 7\nhome\n";
     const ProgramRun here = run({"--device", "none"}, std::string(kToChoice) + "find\nwhere\nquit\n");
-    expect_in_order(here.out, {"What next.", "Saved.", "A clock is hidden and ticks fast, with a cuckoo's call.",
-                               "Room with Radiator", "facing north"});
+    expect_in_order(here.out,
+                    {"What to do next.", "Saved.", "A clock is hidden here. It ticks fast and calls like a cuckoo.",
+                     "Room with Radiator", "facing north"});
     const TemporaryFolder other;
     ProgramCall call;
     call.program = test::built_program("handrail");
@@ -214,13 +215,13 @@ TEST_F(FirstMinutes, end_in_a_hunt_where_it_is_chosen) {
     call.first_start = true;
     call.environment["XDG_CONFIG_HOME"] = other.path().string();
     const ProgramRun house = run_program(call);
-    expect_in_order(house.out, {"What next.", "Saved.", "Going to House.", "say: House",
-                                "A clock is hidden and ticks fast, with a cuckoo's call."});
+    expect_in_order(house.out, {"What to do next.", "Saved.", "Going to House.", "say: House",
+                                "A clock is hidden here. It ticks fast and calls like a cuckoo."});
 }
 
 TEST_F(FirstMinutes, go_on_at_the_next_start_where_they_were_left) {
     const ProgramRun first = run({"--device", "none"}, "\nleft\n\nforward 6\nquit\n");
-    EXPECT_THAT(first.out, HasSubstr("Your first wall."));
+    EXPECT_THAT(first.out, HasSubstr("That is your first wall."));
     const ProgramRun second = run({"--device", "none"}, "quit\n");
     expect_in_order(second.out, {"Welcome back.", "radiator"});
     EXPECT_THAT(second.out, Not(HasSubstr("bell on your left")));
@@ -258,9 +259,9 @@ TEST(Terminal, every_command_of_the_table_works_by_its_word) {
     for (const CommandInfo& row : command_table())
         EXPECT_THAT(run.out, Not(HasSubstr(fmt::format("There is no command \"{}\"", row.word))));
     EXPECT_THAT(run.out, HasSubstr("Did you mean \"where\"?"));
-    for (const char* words : {"Facing north", "Level 3", "Menu.", "Forces", "Walk, turning with you", "Room, ",
-                              "5 steps, 3.5 metres", "3.0 east", "1 of ", "Input help on.", "forward: One step forward",
-                              "Welcome.", "bell on your left", "Goodbye."})
+    for (const char* words : {"Facing north", "Speech level 3", "Menu.", "Forces", "Walk: the workspace turns with you",
+                              "Room, ", "5 steps, 3.5 metres", "3 east", "1 of ", "Input help on.",
+                              "forward: One step forward", "Welcome.", "bell on your left", "Goodbye."})
         EXPECT_THAT(run.out, HasSubstr(words));
 }
 
@@ -293,10 +294,8 @@ TEST(Terminal, a_damaged_list_of_last_worlds_is_kept_aside_and_said) {
     call.arguments = {"--no-window", "--device", "none"};
     call.environment["XDG_STATE_HOME"] = folder.path().string();
     const ProgramRun run = run_program(call);
-    EXPECT_THAT(
-        run.out,
-        HasSubstr(
-            "The list of your last worlds is damaged. It is kept as recent-worlds.txt.damaged and starts empty."));
+    EXPECT_THAT(run.out, HasSubstr("The list of your recent worlds is damaged. It was saved as "
+                                   "recent-worlds.txt.damaged, and a new list starts empty."));
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "handrail" / "recent-worlds.txt.damaged"));
 }
 

@@ -45,7 +45,7 @@ TEST(HostileFiles, pipes_that_nobody_writes_and_endless_devices_are_one_sentence
     };
     const auto expect_refused = [](const ProgramRun& run, const std::string& name) {
         EXPECT_FALSE(run.timed_out) << name;
-        EXPECT_THAT(run.err + run.out, HasSubstr("no ordinary file")) << name;
+        EXPECT_THAT(run.err + run.out, HasSubstr("not an ordinary file")) << name;
         EXPECT_THAT(run.err + run.out, HasSubstr(name));
     };
     expect_refused(run({"info", fifo("world.map")}), "world.map");
@@ -118,12 +118,11 @@ TEST(HostileFiles, toml_beside_a_world_ends_its_reader_and_not_the_program) {
     call.input = "where-am-i\n";
     const ProgramRun left = run({"--no-window", "--device", "none", world.string()}, call);
     EXPECT_EQ(left.exit_status, 0) << left.err;
-    EXPECT_THAT(left.out, HasSubstr("It stays as room.map.handrail.toml"));
-    EXPECT_THAT(left.out + left.err,
-                HasSubstr("room.settings.toml: error: The process that was to read this file failed."));
+    EXPECT_THAT(left.out, HasSubstr("It remains in room.map.handrail.toml"));
+    EXPECT_THAT(left.out + left.err, HasSubstr("room.settings.toml: error: The process for reading this file failed."));
     const ProgramRun lesson = run({"lesson", "--check", (folder.path() / "a.lesson.toml").string()});
     EXPECT_EQ(lesson.exit_status, 2) << lesson.out;
-    EXPECT_THAT(lesson.err, HasSubstr("a.lesson.toml: The process that was to read this file failed."));
+    EXPECT_THAT(lesson.err, HasSubstr("a.lesson.toml: The process for reading this file failed."));
     for (const std::string& name : names) EXPECT_EQ(content_of(folder.path() / name), deadly_toml()) << name;
 }
 

@@ -101,7 +101,7 @@ protected:
     CommandWithFiles command(const std::string& name) const {
         CommandWithFiles one{name, false, {}};
         const std::string help = run({name, "--help"}).out;
-        if (help.find("Positionals:") == std::string::npos) return one;  // it reads nothing that is named to it
+        if (help.find("Arguments:") == std::string::npos) return one;  // it reads nothing that is named to it
         for (const std::string& line : lines_of(help)) {
             const std::vector<std::string> words = words_of(line);
             if (words.size() < 2 || !words[0].starts_with("--") || words[0] == "--settings") continue;
@@ -203,7 +203,7 @@ TEST_F(LearnerData, that_somebody_changed_after_it_was_written_elsewhere_stays_a
     write(scenario, content_of(scenario) + "# mine\n");
     const ProgramRun deleted = run({"learner", "delete", kAlias, "--yes"});
     EXPECT_EQ(deleted.exit_status, 1);
-    EXPECT_THAT(deleted.out, HasSubstr("Something is left: 1 hit.\n" + scenario));
+    EXPECT_THAT(deleted.out, HasSubstr("Traces of the learner are left in 1 file.\n" + scenario));
 }
 
 TEST_F(LearnerData, is_reported_under_no_other_name) {

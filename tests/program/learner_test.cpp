@@ -51,8 +51,8 @@ TEST_F(LearnerProgram, keeps_marks_and_settings_of_each_apart_records_who_agreed
     EXPECT_EQ(run({"learner", "consent", "Oak Owl", "--give", "record"}).exit_status, 0);
     const ProgramRun first = explore("Oak Owl", "verbosity\nmark\n");
     EXPECT_EQ(first.exit_status, 0) << first.err;
-    EXPECT_THAT(first.out, HasSubstr("Oak Owl learns."));
-    EXPECT_THAT(first.out, HasSubstr("This session is recorded."));
+    EXPECT_THAT(first.out, HasSubstr("Oak Owl is learning."));
+    EXPECT_THAT(first.out, HasSubstr("This session is being recorded."));
     EXPECT_EQ(recordings(), 1U);
     const ProgramRun other = explore("Fig Finch", "marks\n");
     EXPECT_THAT(other.out, HasSubstr("1 of 2"));
@@ -68,7 +68,7 @@ TEST_F(LearnerProgram, keeps_marks_and_settings_of_each_apart_records_who_agreed
     const ProgramRun deleted = run({"learner", "delete", "Oak Owl"}, "yes\n");
     EXPECT_EQ(deleted.exit_status, 0) << deleted.out << deleted.err;
     EXPECT_THAT(deleted.out, HasSubstr("2 recordings"));
-    EXPECT_THAT(deleted.out, HasSubstr("0 hits"));
+    EXPECT_THAT(deleted.out, HasSubstr("no traces found"));
     EXPECT_EQ(recordings(), 0U);
 }
 
@@ -82,17 +82,17 @@ TEST_F(LearnerProgram, is_chosen_in_the_program_and_named_in_nobody_elses_record
     EXPECT_EQ(all.exit_status, 0) << all.err;
     std::size_t at = 0;
     for (const char* words : {
-             "Oak Owl learns.",
+             "Oak Owl is learning.",
              "Oak Owl is here.",  // the list, at its entry
              "Oak Owl, is remembered and is recorded, 3 of 3",
-             "Fig Finch learns.",
+             "Fig Finch is learning.",
              "1 of 2",  // marks; the other's is not among them
              "Fig Finch is here.",
              "Fig Finch, is remembered, 2 of 3",
              "Fig Finch: is remembered. No recordings.",  // who is here already is told of
-             "Oak Owl learns.",
+             "Oak Owl is learning.",
              "1 of 3",
-             "Nobody by name is here.",
+             "No learner is signed in.",
              "facing",
          }) {
         const std::size_t found = all.out.find(words, at);
@@ -108,7 +108,7 @@ TEST_F(LearnerProgram, is_chosen_in_the_program_and_named_in_nobody_elses_record
         const ProgramRun again = run({"replay", folder.string(), "--check"});
         EXPECT_EQ(again.exit_status, 0) << again.out << again.err;
     }
-    EXPECT_THAT(run({"learner", "delete", "Fig Finch", "--yes"}).out, HasSubstr("0 hits"));
+    EXPECT_THAT(run({"learner", "delete", "Fig Finch", "--yes"}).out, HasSubstr("no traces found"));
 }
 
 TEST_F(LearnerProgram, is_recorded_in_no_folder_but_the_learners_own) {
@@ -168,7 +168,7 @@ TEST_F(LearnerProgram, goes_on_learning_where_it_ended_as_long_as_that_is_agreed
     EXPECT_EQ(rooms_learnt(), fresh) << "without consent nothing is remembered";
     EXPECT_EQ(run({"learner", "consent", "Oak Owl", "--give", "remember"}).exit_status, 0);
     EXPECT_EQ(explore("Oak Owl", "forward 4\n").exit_status, 0);
-    EXPECT_THAT(explore("Oak Owl", "where\n").out, HasSubstr("You learnt here once before"));
+    EXPECT_THAT(explore("Oak Owl", "where\n").out, HasSubstr("You have learnt this place once before"));
     const std::string remembered = rooms_learnt();
     EXPECT_THAT(remembered, HasSubstr("Rooms learnt"));
     EXPECT_NE(remembered, fresh);
@@ -183,7 +183,7 @@ TEST_F(LearnerProgram, is_reported_on_over_all_sessions_and_shared_only_where_th
     const std::string page = (home_.path() / "page.html").string(), table = (home_.path() / "table.csv").string();
     const std::vector<std::string> report = {"report", "--learner", "Oak Owl", "--html", page, "--csv", table};
     EXPECT_EQ(run({"learner", "consent", "Oak Owl", "--give", "share"}).exit_status, 0);
-    EXPECT_THAT(run(report).err, HasSubstr("no recorded session of Oak Owl"));
+    EXPECT_THAT(run(report).err, HasSubstr("any recorded session of Oak Owl"));
     EXPECT_EQ(run({"learner", "consent", "Oak Owl", "--withdraw", "share"}).exit_status, 0);
     for (int i = 0; i < 2; ++i) EXPECT_EQ(explore("Oak Owl", "where\nforward 3\n").exit_status, 0);
     const ProgramRun refused = run(report);

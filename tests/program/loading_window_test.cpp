@@ -126,7 +126,7 @@ TEST_F(LoadingWindow, escape_gives_up_a_second_world_and_the_first_goes_on) {
     press("Return");
     ASSERT_TRUE(says("Going to Endless.")) << said();
     press("Escape");
-    ASSERT_TRUE(says("Endless is not read any further. You stay in First room.")) << said();
+    ASSERT_TRUE(says("Reading Endless was stopped. You stay in First room.")) << said();
     press("c");
     ASSERT_TRUE(says("Facing north")) << said();
     press("Escape");

@@ -38,7 +38,7 @@ TEST(RecordedSession, holds_every_line_that_was_said_in_order) {
     call.input = "forward 3\nwhere\nexits\nescape\nverbosity\n";
     const ProgramRun run = run_program(call);
     EXPECT_EQ(run.exit_status, 0) << run.err;
-    EXPECT_THAT(run.out, HasSubstr("This session is recorded."));
+    EXPECT_THAT(run.out, HasSubstr("This session is being recorded."));
     const auto folders = folders_in(folder.path());
     ASSERT_EQ(folders.size(), 1U);
     const auto read = read_recording(folders[0]);
@@ -203,7 +203,7 @@ TEST(ReplayCommand, checks_hears_and_tells_what_differs) {
     call.arguments = {"replay", recording.string(), "--check"};
     const ProgramRun same = run_program(call);
     EXPECT_EQ(same.exit_status, 0) << same.err;
-    EXPECT_THAT(same.out, HasSubstr("said again as they were recorded, in the same order."));
+    EXPECT_THAT(same.out, HasSubstr("said again as recorded, in the same order."));
     call.arguments = {"replay", recording.string(), "--speed", "4"};
     const ProgramRun heard = run_program(call);
     EXPECT_EQ(heard.exit_status, 0);
@@ -229,7 +229,7 @@ TEST(ReplayCommand, checks_hears_and_tells_what_differs) {
     call.arguments = {"replay", recording.string(), "--check"};
     const ProgramRun other = run_program(call);
     EXPECT_EQ(other.exit_status, 1);
-    EXPECT_THAT(other.err, HasSubstr("differs. Recorded, by version"));
+    EXPECT_THAT(other.err, HasSubstr("differs. Recorded by version"));
     folder.write("events.jsonl", "x\n");
     call.arguments = {"replay", folder.path().string()};
     EXPECT_THAT(run_program(call).err, HasSubstr("A recording begins with a line that says what it is."));
@@ -255,7 +255,7 @@ TEST(ReportCommand, makes_a_page_and_tables_of_a_recording_and_replaces_nothing_
     EXPECT_THAT(html, HasSubstr("Kim"));
     EXPECT_THAT(html, HasSubstr("<svg"));
     // The course is what was said. What the program says by itself at the start is cut by what is typed early.
-    EXPECT_THAT(html, HasSubstr("Hall, at the door, base, facing north."));
+    EXPECT_THAT(html, HasSubstr("Hall, at the base, by the door, facing north."));
     EXPECT_THAT(content_of(table),
                 testing::AllOf(HasSubstr(",time,"), HasSubstr(",contacts_hand,"), testing::Not(HasSubstr("Kim"))));
     EXPECT_TRUE(std::filesystem::exists(table + "-metadata.json"));
@@ -293,7 +293,7 @@ TEST(RecordedSession, that_cannot_be_recorded_says_so_and_goes_on) {
     const ProgramRun run = run_program(call);
     EXPECT_EQ(run.exit_status, 0) << run.err;
     EXPECT_THAT(run.out, HasSubstr("Nothing is recorded."));
-    EXPECT_THAT(run.out, HasSubstr("At the door, base"));
+    EXPECT_THAT(run.out, HasSubstr("At the base, by the door"));
 }
 
 }  // namespace record_test

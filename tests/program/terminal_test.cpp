@@ -52,8 +52,12 @@ TEST(Terminal, says_first_how_to_act_there_and_names_keys_that_exist) {
     ASSERT_TRUE(at.in_first_room()) << at.job->said();
     EXPECT_TRUE(at.job->gives_keys());
     const std::string& said = at.job->said();
-    EXPECT_LT(said.find("Handrail. Keys act here at once. A colon begins a word, and Enter does it."), 40U) << said;
-    EXPECT_TRUE(at.job->says("Press Up to walk a step."));
+    EXPECT_LT(
+        said.find(
+            "Handrail. Keys act immediately here. To type a command word, begin with a colon and end with Enter."),
+        40U)
+        << said;
+    EXPECT_TRUE(at.job->says("Press Up to walk."));
     EXPECT_EQ(said.find("Type forward"), std::string::npos);
 }
 
@@ -81,7 +85,7 @@ TEST(Terminal, digits_function_keys_space_and_escape_act_as_in_the_window) {
     EXPECT_TRUE(at.after(" ", "facing north")) << "Space: the same again";
     EXPECT_TRUE(at.after("\x1b[1;2Q", "Turned to the nearest wall")) << "Shift+F2: I am lost";
     EXPECT_TRUE(at.after("\x1b[15;2~", "one storey")) << "Shift+F5: the building";
-    EXPECT_TRUE(at.after("\x1b[1;2R", "Describe which room")) << "Shift+F3: a room from afar";
+    EXPECT_TRUE(at.after("\x1b[1;2R", "Which room to describe")) << "Shift+F3: a room from afar";
     EXPECT_TRUE(at.after("\x1b", "Closed")) << "Escape closes a list,";
     EXPECT_TRUE(at.after("\x1b", "Press Escape again to leave.")) << "and asks before it leaves";
     EXPECT_TRUE(at.after(":exit\r", "Goodbye.")) << "the word is the same question, answered";
@@ -93,7 +97,7 @@ TEST(Terminal, by_lines_where_it_knows_no_keys) {
     const AtTerminal at({}, {{"TERM", "dumb"}});
     ASSERT_TRUE(at.in_first_room()) << at.job->said();
     EXPECT_TRUE(at.job->as_before()) << "untouched";
-    EXPECT_TRUE(at.job->says("Type forward to walk a step."));
+    EXPECT_TRUE(at.job->says("Type forward to walk."));
     EXPECT_TRUE(at.after("heading\n", "Facing north"));
     at.job->type("quit\n");
     EXPECT_EQ(at.job->ends(), 0);

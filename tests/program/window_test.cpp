@@ -29,10 +29,10 @@ until timeout 300 xdotool search --onlyvisible --name Handrail windowfocus --syn
   tries=$((tries+1)); [ $tries -gt 30 ] && { kill $pid; exit 8; }; sleep 0.5
 done
 sleep 1; import -window root "$out/first.png"
-xdotool key F4; said "Walk, turning with you"
+xdotool key F4; said "Walk: the workspace turns with you"
 xdotool key Right; said "North-north-east"
 xdotool key Left; sleep 0.5
-xdotool key F4; said "Map, north up"
+xdotool key F4; said "Map: north stays up"
 xdotool keydown Up; said "North wall, plaster"; sleep 8; xdotool keyup Up
 sleep 1; import -window root "$out/wall.png"
 xdotool key F3; said "Plan"

@@ -40,7 +40,7 @@ public:
         ask(Command::Routes);
         app_.apply(LineTyped{room}, now_s_);
         run(0.05);
-        if (heard("No walking way", 0)) return give_up(End::NoWay);
+        if (heard("No walking route", 0)) return give_up(End::NoWay);
         std::string leg = ask(Command::RepeatLeg);
         for (int legs = 0, idle = 0; legs < kMostLegs && climbs_ < kMostClimbs; ++legs) {
             if (arrived()) return End::Arrived;
@@ -49,7 +49,7 @@ public:
                 // Nothing came that can be obeyed: once more, after a moment.
                 run(1.0);
                 if (!arrived() && !obey(ask(Command::RepeatLeg)))
-                    return give_up(heard("No walking way", 0) ? End::NoWay : End::NotUnderstood);
+                    return give_up(heard("No walking route", 0) ? End::NoWay : End::NotUnderstood);
             }
             if (arrived()) return End::Arrived;
             idle = moves() == before ? idle + 1 : 0;
@@ -150,11 +150,11 @@ private:
 
     // False: it has no form that can be obeyed.
     bool obey(const std::string& text) {
-        if (text.find("You stand at them. ") != std::string::npos) {
+        if (text.find("You are standing at them. ") != std::string::npos) {
             ++climbs_;
             ask(Command::Use);
             run(1.0);
-        } else if (text.find("You stand in it. ") != std::string::npos) {
+        } else if (text.find("You are standing in it. ") != std::string::npos) {
             ride();
         } else if (const auto leg = understood(text, form_)) {
             walk_leg(*leg);

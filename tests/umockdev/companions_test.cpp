@@ -225,7 +225,7 @@ TEST_F(Companions, program_takes_a_dual_sense_as_cues_and_walking) {
     call.input = "forward 8\nwhere\n";
     const test::ProgramRun run = test::run_program(call);
     EXPECT_EQ(run.exit_status, 0) << run.err;
-    EXPECT_THAT(run.out, HasSubstr("The DualSense gives cues and walks; it has no hand to touch with."));
+    EXPECT_THAT(run.out, HasSubstr("The DualSense gives cues and lets you walk, but you cannot touch with it."));
     EXPECT_THAT(run.out, HasSubstr("I found a DualSense. The left stick walks"));
     EXPECT_THAT(run.out, HasSubstr("There is no touch device")) << "asked by circle";
     const std::lock_guard guard(node.lock);

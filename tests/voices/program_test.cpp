@@ -48,7 +48,7 @@ TEST_F(ProgramSpeaking, through_the_speech_server_says_each_line_of_text_there_a
         EXPECT_THAT(program->said(), HasSubstr(": " + entry.words + "\n"));
     }
     EXPECT_TRUE(server->spoke("Handrail.")) << server->everything();
-    EXPECT_THAT(program->said(), Not(HasSubstr("voice speaks"))) << "the built-in voice was never needed";
+    EXPECT_THAT(program->said(), Not(HasSubstr("uses the built-in voice"))) << "the built-in voice was never needed";
 }
 
 TEST_F(ProgramSpeaking, goes_on_when_the_speech_server_is_killed_and_takes_it_back_when_it_returns) {
@@ -58,11 +58,12 @@ TEST_F(ProgramSpeaking, goes_on_when_the_speech_server_is_killed_and_takes_it_ba
     ASSERT_NO_FATAL_FAILURE(explore());
     if (!program) return;
     server->kill();
-    EXPECT_TRUE(program->says("alert: The speech server has gone; the built-in voice speaks now.")) << program->said();
+    EXPECT_TRUE(program->says("alert: The speech server is no longer available; speech now uses the built-in voice."))
+        << program->said();
     program->type("right 2\n");
     EXPECT_TRUE(program->says("say: North-east")) << program->said();
     ASSERT_TRUE(server->start_again()) << server->everything();
-    EXPECT_TRUE(program->says("alert: The speech server speaks now.")) << program->said();
+    EXPECT_TRUE(program->says("Speech now uses alert: The speech server.")) << program->said();
     program->type("heading\n");
     EXPECT_TRUE(eventually([&] { return server->spoke("Facing north-east, 45 degrees"); }))
         << program->said() << server->everything();
@@ -75,7 +76,8 @@ TEST_F(ProgramSpeaking, a_frozen_speech_server_holds_up_neither_text_nor_the_nex
     server->freeze();
     program->type("heading\n");
     EXPECT_TRUE(program->says("say: Facing north, 0 degrees")) << program->said();
-    EXPECT_TRUE(program->says("alert: The speech server has gone; the built-in voice speaks now.")) << program->said();
+    EXPECT_TRUE(program->says("alert: The speech server is no longer available; speech now uses the built-in voice."))
+        << program->said();
     leave();
 }
 
@@ -83,7 +85,7 @@ TEST_F(ProgramSpeaking, by_a_voice_that_was_asked_for_and_is_not_there_says_so) 
     program = std::make_unique<Exploring>(
         folder, Environment{},
         std::vector<std::string>{"--no-window", "--device", "none", "--set", "speech.through=speech-dispatcher"});
-    EXPECT_TRUE(program->says("alert: The speech server cannot be reached; the built-in voice speaks instead."))
+    EXPECT_TRUE(program->says("alert: The speech server cannot be reached; speech uses the built-in voice instead."))
         << program->said();
     leave();
 }

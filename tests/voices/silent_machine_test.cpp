@@ -22,7 +22,7 @@ namespace silent_machine_test {
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr const char* kThreeKeys = "Press Enter to begin, Space to hear again, Escape to leave.";
+constexpr const char* kThreeKeys = "Press Enter to begin, Space to hear this again, or Escape to leave.";
 
 double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -61,7 +61,7 @@ protected:
         EXPECT_TRUE(says_times(welcome + "\n", 2)) << "word for word\n" << said();
         ASSERT_TRUE(display.xdotool("key Return"));
         ASSERT_TRUE(eventually([&] { return said().find("bell on your left") != std::string::npos; })) << said();
-        EXPECT_LT(said().find("First your headphones."), said().find("bell on your left"));
+        EXPECT_LT(said().find("First, set up your headphones."), said().find("bell on your left"));
         const std::string question = line_with("bell on your left");
         ASSERT_TRUE(display.xdotool("key space"));
         EXPECT_TRUE(says_times(question + "\n", 2)) << "word for word\n" << said();

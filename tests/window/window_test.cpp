@@ -30,7 +30,8 @@ TEST(WindowOpen, says_that_there_is_no_display) {
     ::unsetenv("WAYLAND_DISPLAY");
     const auto window = Window::open();
     ASSERT_FALSE(window.has_value());
-    EXPECT_TRUE(window.error().message.starts_with("There is no display; ")) << window.error().message;
+    EXPECT_TRUE(window.error().message.starts_with("There is no display, so no picture is shown"))
+        << window.error().message;
 }
 
 TEST(WindowOpen, says_so_when_the_display_does_not_answer_and_can_be_tried_again) {
@@ -38,7 +39,8 @@ TEST(WindowOpen, says_so_when_the_display_does_not_answer_and_can_be_tried_again
     for (int attempt = 0; attempt < 2; ++attempt) {
         const auto window = Window::open();
         ASSERT_FALSE(window.has_value());
-        EXPECT_TRUE(window.error().message.starts_with("There is no display; ")) << window.error().message;
+        EXPECT_TRUE(window.error().message.starts_with("There is no display, so no picture is shown"))
+            << window.error().message;
     }
 }
 
@@ -298,10 +300,10 @@ TEST_F(WindowTest, shows_on_the_screen_what_it_drew_and_follows_its_size) {
 
 TEST_F(WindowTest, puts_an_open_list_on_the_screen_in_black_and_white) {
     ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
-    view.last_spoken = "Menu. What I can do, 1 of 3";
+    view.last_spoken = "Menu. What you can do, 1 of 3";
     view.dialogue.kind = DialogueView::Kind::List;
     view.dialogue.title = "Menu";
-    view.dialogue.items = {{"What I can do", "", false}, {"Worlds", "", false}, {"Settings", "", false}};
+    view.dialogue.items = {{"What you can do", "", false}, {"Worlds", "", false}, {"Settings", "", false}};
     Desktop desktop;
     ASSERT_TRUE(desktop.found());
     Picture screen;

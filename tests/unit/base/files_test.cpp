@@ -83,10 +83,10 @@ TEST(ReadWholeFile, opens_ordinary_files_only_and_waits_for_nothing) {
          {fifo, socket, folder.path() / "link.map", fs::path("/dev/zero"), fs::path("/dev/null")}) {
         const auto content = read_whole_file(path);
         ASSERT_FALSE(content) << path;
-        EXPECT_THAT(content.error().sentence(), HasSubstr("no ordinary file")) << path;
+        EXPECT_THAT(content.error().sentence(), HasSubstr("not an ordinary file")) << path;
         const auto saved = write_named_file_atomically(path, "x");
         ASSERT_FALSE(saved) << path;
-        EXPECT_THAT(saved.error().sentence(), HasSubstr("no ordinary file")) << path;
+        EXPECT_THAT(saved.error().sentence(), HasSubstr("not an ordinary file")) << path;
     }
     EXPECT_TRUE(fs::is_fifo(fifo)) << "and it is still one";
     ::close(listener);

@@ -30,7 +30,7 @@ TEST(SpokenTime, is_as_people_write_it) {
 
 TEST(Phrase, puts_values_in_and_keeps_to_the_language_spoken) {
     EXPECT_EQ(phrase("language.unknown", {{"code", "xx"}, {"codes", "en, de"}}),
-              "There is no language \"xx\"; there are: en, de.");
+              "Handrail has no language \"xx\". Available languages: en, de.");
     const test::InLanguage german("de");
     EXPECT_EQ(phrase("language.unknown", {{"code", "xx"}, {"codes", "en, de"}}),
               "Die Sprache „xx“ gibt es nicht; es gibt: en, de.");
@@ -45,7 +45,7 @@ TEST(Phrase, says_the_key_where_no_language_has_it) {
 
 TEST(Phrase, keeps_curly_brackets_and_apostrophes_of_values) {
     EXPECT_EQ(phrase("language.unknown_key", {{"key", "it's {odd} '{'"}}),
-              "\"it's {odd} '{'\" is no text of Handrail; it is left out.");
+              "Handrail has no text called \"it's {odd} '{'\"; this entry is ignored.");
 }
 
 TEST(InSpokenLanguage, gives_a_text_that_outlives_what_it_was_made_of) {
@@ -201,7 +201,7 @@ TEST(Phrase, said_again_with_other_values_is_as_if_it_were_said_first_on_every_t
 TEST(Phrase, has_a_second_form_for_who_types_words_in_every_language) {
     const std::string for_keys = phrase("session.begin_with_keys");
     speak_to_typist(true);
-    EXPECT_EQ(phrase("session.begin_with_keys"), "Type forward to walk a step.");
+    EXPECT_EQ(phrase("session.begin_with_keys"), "Type forward to walk.");
     EXPECT_EQ(phrase("error.line", {{"line", 3}}), "line 3") << "the same where it names no key";
     speak_to_typist(false);
     EXPECT_EQ(phrase("session.begin_with_keys"), for_keys);

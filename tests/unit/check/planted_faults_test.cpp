@@ -168,9 +168,9 @@ const std::vector<Planted> kPlanted{
      [](MapCopy map) { return map.add(wall(test::box_brush(160, 353, 0, 192, 358, 67))); }},
     {"a cupboard before a door", FaultKind::ImpassableDoor, "Cupboard stands in the way",
      [](MapCopy map) { return map.add(thing("Cupboard", test::box_brush(150, 354, 0, 202, 370, 64))); }},
-    {"a doorway half walled up", FaultKind::ImpassableDoor, "nobody gets through",
+    {"a doorway half walled up", FaultKind::ImpassableDoor, "nobody can get through",
      [](MapCopy map) { return map.add(wall(test::box_brush(160, 349, 0, 180, 355, 67))); }},
-    {"a door with a bar across it", FaultKind::ImpassableDoor, "nobody gets through",
+    {"a door with a bar across it", FaultKind::ImpassableDoor, "nobody can get through",
      [](MapCopy map) { return map.add(wall(test::box_brush(150, 345, 28, 202, 350, 32))); }},
     {"a doorway too low", FaultKind::ImpassableDoor, "Room 5 door",
      [](MapCopy map) { return map.add(wall(test::box_brush(158, 349, 48, 194, 355, 68))); }},
@@ -198,7 +198,7 @@ const std::vector<Planted> kPlanted{
          return map.add(
              wall(test::box_brush(300, -220, 0, 340, -210, 60) + test::box_brush(340.6, -220, 0, 380, -210, 60)));
      }},
-    {"a crack as wide as fingers", FaultKind::Crack, "5.0 centimetres",
+    {"a crack as wide as fingers", FaultKind::Crack, "5 centimetres",
      [](MapCopy map) {
          return map.add(wall(test::box_brush(60, 470, 0, 90, 474, 40) + test::box_brush(91.6, 470, 0, 120, 474, 40)));
      }},
@@ -206,7 +206,7 @@ const std::vector<Planted> kPlanted{
      [](MapCopy map) { return map.add(wall(test::box_brush(60, 470, 0.8, 120, 474, 40))); }},
     {"a yard without its fence", FaultKind::FloorEnds, "Yard: the floor ends",
      [](MapCopy map) { return map.remove_brush("( -256 -390.4 0 ) ( -262.4 -390.4 0 )"); }},
-    {"a balcony without a rail", FaultKind::UnguardedDrop, "one falls",
+    {"a balcony without a rail", FaultKind::UnguardedDrop, "there is a drop",
      [](MapCopy map) {
          return map.add(
              wall(test::box_brush(300, -220, 0, 348, -172, 48) + test::box_brush(300, -172, 0, 348, -164, 40) +
@@ -415,11 +415,11 @@ TEST(CheckCommand, ends_with_0_where_nothing_blocks_and_with_1_where_something_d
     const test::TemporaryFolder folder;
     const Outcome good = check(test::bundled_world("school.map"), false);
     EXPECT_EQ(good.status, 0);
-    EXPECT_EQ(good.out, "School, from school.map: nothing to mend.\n");
+    EXPECT_EQ(good.out, "School, from school.map: no problems.\n");
     const Outcome unnamed =
         check(folder.write("unnamed.map", MapCopy(school()).remove("info_room", "Library").text()), false);
     EXPECT_EQ(unnamed.status, 0);
-    EXPECT_THAT(unnamed.out, testing::HasSubstr("one thing to mend."));
+    EXPECT_THAT(unnamed.out, testing::HasSubstr("one problem."));
     const Outcome walled =
         check(folder.write("walled.map",
                            MapCopy(school()).replace("func_door", "Room 5 door", "func_door", "func_wall").text()),
@@ -443,7 +443,7 @@ TEST(CheckCommand, offers_what_could_be_a_landmark) {
     ASSERT_EQ(found.faults.size(), 1U) << listed(found);
     ASSERT_FALSE(found.faults[0].candidates.empty());
     EXPECT_EQ(found.scene.features[found.faults[0].candidates[0].value].name, "Girls' wash basin");
-    EXPECT_THAT(fault_advice(found.scene, found.faults[0]), testing::HasSubstr("it could be Girls' wash basin"));
+    EXPECT_THAT(fault_advice(found.scene, found.faults[0]), testing::HasSubstr("such as Girls' wash basin"));
 }
 
 }  // namespace planted_faults_test

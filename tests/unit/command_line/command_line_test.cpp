@@ -75,7 +75,7 @@ TEST(CommandLine, calibrates_all_parts_or_those_that_are_named) {
     EXPECT_EQ(some.arguments.device, "falcon");
     EXPECT_EQ(some.settings.file, "mine.toml");
     EXPECT_FALSE(parsed_as<ExploreCall>({}).arguments.calibrate);
-    EXPECT_THAT(refused({"calibrate", "--only", "rech"}), HasSubstr("nearest is reach"));
+    EXPECT_THAT(refused({"calibrate", "--only", "rech"}), HasSubstr("nearest name is reach"));
 }
 
 TEST(CommandLine, opens_a_world_named_like_a_command_by_its_path) {
@@ -141,14 +141,14 @@ TEST(CommandLine, refuses_numbers_that_are_negative_or_not_finite_or_no_numbers)
          {"--radius", "--stiffness", "--damping", "--friction-static", "--friction-kinetic", "--scale", "--map-scale"})
         for (const char* word : {"-1", "nan", "inf", "1e999", "1,5", "x", ""})
             EXPECT_THAT(refused({"touch", "a", "--path", "i", "--out", "o", option, word}), HasSubstr(option));
-    EXPECT_THAT(refused({"touch", "a", "--path", "i", "--out", "o", "--scale", "0"}), HasSubstr("above 0"));
+    EXPECT_THAT(refused({"touch", "a", "--path", "i", "--out", "o", "--scale", "0"}), HasSubstr("greater than 0"));
     refused({"a.map", "--map-scale", "0"});
 }
 
 TEST(CommandLine, names_the_nearest_option_or_command_in_one_sentence_and_exits_with_2) {
-    EXPECT_THAT(refused({"info", "x.map", "--jsno"}), HasSubstr("the nearest is --json"));
-    EXPECT_THAT(refused({"x.map", "--no-windoe"}), HasSubstr("the nearest is --no-window"));
-    EXPECT_THAT(refused({"inof"}), HasSubstr("the nearest is info"));
+    EXPECT_THAT(refused({"info", "x.map", "--jsno"}), HasSubstr("the nearest name is --json"));
+    EXPECT_THAT(refused({"x.map", "--no-windoe"}), HasSubstr("the nearest name is --no-window"));
+    EXPECT_THAT(refused({"inof"}), HasSubstr("the nearest name is info"));
     EXPECT_THAT(refused({"tuoch", "a.map", "--path", "x"}), HasSubstr("touch"));
     EXPECT_THAT(refused({"x.map", "y.map"}), HasSubstr("\"y.map\""));
     EXPECT_THAT(refused({"info"}), HasSubstr("WORLD"));
@@ -162,13 +162,13 @@ TEST(CommandLine, names_the_nearest_option_or_command_in_one_sentence_and_exits_
 TEST(CommandLine, tells_what_is_wrong_with_the_commands_for_recordings_worlds_and_learners) {
     EXPECT_THAT(refused({"report"}), HasSubstr("--html OUT.html"));
     EXPECT_THAT(refused({"report", "--html"}), StartsWith("--html needs a value: OUT.html."));
-    EXPECT_THAT(refused({"report", "--html", "a", "--html", "b"}), StartsWith("--html is given more than once"));
+    EXPECT_THAT(refused({"report", "--html", "a", "--html", "b"}), StartsWith("--html may be given only once"));
     EXPECT_THAT(refused({"report", "one", "two"}), HasSubstr("\"two\""));
-    EXPECT_THAT(refused({"report", "--htlm", "a"}), HasSubstr("the nearest is --html"));
+    EXPECT_THAT(refused({"report", "--htlm", "a"}), HasSubstr("the nearest name is --html"));
     EXPECT_THAT(refused({"export"}), HasSubstr("WORLD is required"));
     EXPECT_THAT(refused({"export", "first_room"}), HasSubstr("--swell"));
     EXPECT_THAT(refused({"export", "first_room", "--swell", "a.txt"}), HasSubstr(".svg or .pdf"));
-    EXPECT_THAT(refused({"export", "first_room", "--swell", "a.svg", "--paper", "a5"}), HasSubstr("a4 and a3"));
+    EXPECT_THAT(refused({"export", "first_room", "--swell", "a.svg", "--paper", "a5"}), HasSubstr("a4 or a3"));
     EXPECT_THAT(refused({"export", "first_room", "--swell", "a.svg", "--storey", "x"}), HasSubstr("whole number"));
     EXPECT_THAT(refused({"export", "first_room", "--from", "Door"}), HasSubstr("--route-card"));
     for (const char* speed : {"0.4", "9", "fast", "nan"})
@@ -179,11 +179,11 @@ TEST(CommandLine, tells_what_is_wrong_with_the_commands_for_recordings_worlds_an
     EXPECT_THAT(refused({"learner", "consent", "Rook"}), HasSubstr("--give"));
     EXPECT_THAT(refused({"learner", "consent", "Rook", "--give", "everything"}), HasSubstr("remember, record"));
     EXPECT_THAT(refused({"learner", "consent", "Rook", "--give", "record", "--until", "soon"}),
-                HasSubstr("a day such as"));
+                HasSubstr("a date such as"));
     EXPECT_THAT(refused({"check"}), HasSubstr("WORLD is required"));
-    EXPECT_THAT(refused({"check", "a.map", "--jsn"}), HasSubstr("the nearest is --json"));
+    EXPECT_THAT(refused({"check", "a.map", "--jsn"}), HasSubstr("the nearest name is --json"));
     EXPECT_THAT(refused({"check", "a.map", "--unit", "mile"}), HasSubstr("--unit"));
-    EXPECT_THAT(refused({"info", "a.map", "--language", "de"}), StartsWith("--language needs --as-words"));
+    EXPECT_THAT(refused({"info", "a.map", "--language", "de"}), StartsWith("--language also needs --as-words"));
     EXPECT_THAT(refused({"info", "a.map", "--as-words", "--language", "fr"}), HasSubstr("en or de"));
     EXPECT_THAT(refused({"lesson", "a.toml", "--session", "one"}), StartsWith("--session needs a whole number"));
 }
@@ -356,8 +356,9 @@ TEST(SettingsCommand, explains_every_setting_and_prints_problems_of_the_file) {
     EXPECT_THAT(out.str(),
                 HasSubstr("workspace.scale = 30.0 world metres per hand metre (1 to 500), from: your settings file " +
                           file + ":2."));
-    EXPECT_THAT(out.str(),
-                HasSubstr("speech.voice = \"de\" (auto, an espeak-ng voice or language), from: command line --set."));
+    EXPECT_THAT(
+        out.str(),
+        HasSubstr("speech.voice = \"de\" (auto, or an espeak-ng voice or language), from: command line --set."));
     EXPECT_THAT(err.str(), StartsWith("mine.toml, line 3"));
     const std::string text = out.str();
     EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')), SettingsStore{}.explain().size());
@@ -371,10 +372,10 @@ TEST(CommandLine, helps_and_refuses_in_german_while_its_words_stay) {
         EXPECT_THAT(help, HasSubstr(line));
     EXPECT_THAT(std::get<PrintedText>(parse_command_line({"--help"})).text, HasSubstr("Befehle:\n  info "));
     const auto refusal = [](const Words& words) { return std::get<UsageError>(parse_command_line(words)).sentence; };
-    EXPECT_EQ(refusal({"info"}), "WORLD fehlt. Mehr sagt --help dieses Befehls.");
-    EXPECT_EQ(refusal({"bench", "--map"}), "--map braucht einen Wert: FILE. Mehr sagt --help dieses Befehls.");
+    EXPECT_EQ(refusal({"info"}), "WORLD fehlt. Mehr zeigt dieser Befehl mit --help.");
+    EXPECT_EQ(refusal({"bench", "--map"}), "--map braucht einen Wert: FILE. Mehr zeigt dieser Befehl mit --help.");
     EXPECT_EQ(refusal({"info", "a.map", "--lint", "--json"}),
-              "--json und --lint schließen einander aus. Mehr sagt --help dieses Befehls.");
+              "--json und --lint schließen einander aus. Mehr zeigt dieser Befehl mit --help.");
     EXPECT_EQ(refusal({"info", "x.map", "--jsno"}), "Die Option --jsno gibt es nicht; am nächsten kommt --json.");
 }
 

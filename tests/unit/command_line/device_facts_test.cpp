@@ -15,7 +15,7 @@ FoundDevice falcon() {
     FoundDevice device;
     device.name = "falcon";
     device.model = "Novint Falcon";
-    device.driver = "Handrail's own, over libusb";
+    device.driver = "Handrail's own, through libusb";
     device.connection = "USB bus 1, device 7";
     device.firmware = "running";
     device.calibration = "homed";
@@ -25,28 +25,30 @@ FoundDevice falcon() {
 }
 
 TEST(DeviceFacts, tell_what_a_device_is_good_for_its_reach_and_force_and_whether_it_was_ever_met) {
-    EXPECT_THAT(device_sentences(falcon()),
-                ElementsAre("Novint Falcon, called falcon, on USB bus 1, device 7. It pushes the hand in space.",
-                            "Driver: Handrail's own, over libusb.", "Firmware: running.", "Calibration: homed.",
-                            "Reach 4 centimetres around its middle, force up to 3 newtons, walls up to 1000 newtons "
-                            "per metre.",
-                            "Its driver was proven with an emulator and has not met such a device yet.",
-                            "Up to 1000 times a second.", "State: ready."));
+    EXPECT_THAT(
+        device_sentences(falcon()),
+        ElementsAre("Novint Falcon, called falcon, on USB bus 1, device 7. It can push the hand in every direction.",
+                    "Driver: Handrail's own, through libusb.", "Firmware: running.", "Calibration: homed.",
+                    "It reaches 4 centimetres around its middle. It gives up to 3 newtons of force, and walls of up to "
+                    "1000 newtons "
+                    "per metre.",
+                    "Its driver has been tested with an emulator, but not yet with a real device.",
+                    "It is updated up to 1000 times a second.", "State: ready."));
     FoundDevice met = falcon();
     met.met_hardware = true;
-    EXPECT_THAT(device_sentences(met), Contains("Its driver has been tried with such a device."));
+    EXPECT_THAT(device_sentences(met), Contains("Its driver has been tested with a real device of this kind."));
     FoundDevice pad;
     pad.kind = DeviceKind::Cues;
     EXPECT_THAT(device_sentences(pad), Contains(HasSubstr("it cannot stop the hand")));
     const test::InLanguage german("de");
-    EXPECT_THAT(device_sentences(falcon()), Contains(HasSubstr("noch nicht an einem solchen Gerät")));
+    EXPECT_THAT(device_sentences(falcon()), Contains(HasSubstr("noch nicht an einem echten Gerät")));
 }
 
 TEST(DeviceFacts, of_all_end_with_those_that_are_always_there) {
     const std::vector<std::string> none = device_sentences(std::span<const FoundDevice>());
     ASSERT_EQ(none.size(), 2U);
     EXPECT_THAT(none[0], HasSubstr("No touch device was found."));
-    EXPECT_THAT(none[1], HasSubstr("sim-t, sim-f"));
+    EXPECT_THAT(none[1], HasSubstr("sim-t and sim-f"));
     const std::vector<FoundDevice> two{falcon(), falcon()};
     EXPECT_EQ(device_sentences(two).size(), 2 * device_sentences(falcon()).size() + 1);
 }

@@ -40,8 +40,8 @@ TEST(ExportCommand, writes_a_sheet_its_key_and_samples_and_tells_what_was_simpli
     }
     EXPECT_THAT(done.out,
                 testing::HasSubstr("plan.svg: House with a garden, storey 2 of 2, 1 to 75, 6 rooms, 4 things."));
-    EXPECT_THAT(done.out, testing::HasSubstr("Left out for lack of room:"));
-    EXPECT_THAT(done.out, testing::HasSubstr("Print at 100 percent"));
+    EXPECT_THAT(done.out, testing::HasSubstr("Left out for lack of space:"));
+    EXPECT_THAT(done.out, testing::HasSubstr("Print it at 100 percent"));
 }
 
 TEST(ExportCommand, writes_a_plate_for_a_printer) {
@@ -51,7 +51,7 @@ TEST(ExportCommand, writes_a_plate_for_a_printer) {
     ASSERT_EQ(done.status, 0) << done.err;
     EXPECT_GT(read_whole_file(stl)->size(), 100'000U);
     EXPECT_THAT(done.out, testing::HasSubstr("plate.stl: 1 to 128, "));
-    EXPECT_THAT(done.out, testing::HasSubstr("Plate: Left out for lack of room: "));
+    EXPECT_THAT(done.out, testing::HasSubstr("Plate: Left out for lack of space: "));
 }
 
 TEST(ExportCommand, writes_ways_in_words_in_print_and_in_braille) {
@@ -60,11 +60,11 @@ TEST(ExportCommand, writes_ways_in_words_in_print_and_in_braille) {
     ASSERT_EQ(run({house(), "--route-card", txt.string(), "--to", "kitchen"}).status, 0);
     const std::string text = *read_whole_file(txt);
     EXPECT_THAT(text, testing::StartsWith("From the base to Kitchen.\nFace north.\n"));
-    EXPECT_THAT(text, testing::HasSubstr("until you meet"));
+    EXPECT_THAT(text, testing::HasSubstr("until you come to"));
     EXPECT_THAT(text, testing::HasSubstr("Open it."));
     const Outcome all = run({house(), "--route-card", brf.string(), "--set", "walk.step_length_m=0.5"});
     ASSERT_EQ(all.status, 0) << all.err;
-    EXPECT_THAT(all.out, testing::HasSubstr("ways in words."));
+    EXPECT_THAT(all.out, testing::HasSubstr("routes in words."));
     const std::string cells = *read_whole_file(brf);
     std::size_t line = 0, lines = 0;
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -122,7 +122,7 @@ TEST(ExportCommand, replaces_files_only_when_told_to_and_then_all_of_them) {
     std::ofstream(pdf) << "mine";
     const Outcome refused = run({house(), "--swell", pdf.string(), "--storey", "2"});
     EXPECT_EQ(refused.status, 1);
-    EXPECT_EQ(refused.err, pdf.string() + " is there already; with --force it is replaced.\n");
+    EXPECT_EQ(refused.err, pdf.string() + " already exists; --force replaces it.\n");
     EXPECT_EQ(*read_whole_file(pdf), "mine");
     EXPECT_EQ(run({house(), "--swell", pdf.string(), "--storey", "2", "--force"}).status, 0);
     EXPECT_EQ(read_whole_file(pdf)->substr(0, 5), "%PDF-");
@@ -144,10 +144,10 @@ TEST(ExportCommand, refuses_what_it_cannot_do_in_one_sentence) {
     };
     EXPECT_THAT(sentence({house()}, 2), testing::HasSubstr("Say what to export"));
     EXPECT_THAT(sentence({house(), "--swell", "plan.png"}, 2), testing::HasSubstr(".svg or .pdf"));
-    EXPECT_THAT(sentence({house(), "--swell", svg, "--paper", "a5"}, 2), testing::HasSubstr("a4 and a3"));
+    EXPECT_THAT(sentence({house(), "--swell", svg, "--paper", "a5"}, 2), testing::HasSubstr("a4 or a3"));
     EXPECT_THAT(sentence({house(), "--swell", svg, "--braille", "x"}, 2), testing::HasSubstr("en-ueb-g1"));
     EXPECT_THAT(sentence({house(), "--swell", svg, "--storey", "0"}, 2), testing::HasSubstr("whole number"));
-    EXPECT_THAT(sentence({house(), "--swell", svg, "--storey", "7"}, 1), testing::HasSubstr("there are 2"));
+    EXPECT_THAT(sentence({house(), "--swell", svg, "--storey", "7"}, 1), testing::HasSubstr("the lowest, to 2."));
     EXPECT_THAT(sentence({house(), "--swell", svg, "--to", "Kitchen"}, 2), testing::HasSubstr("--route-card"));
     EXPECT_THAT(sentence({house(), "--route-card", svg}, 2), testing::HasSubstr(".brf or .txt"));
     EXPECT_THAT(sentence({house(), "--route-card", "card.txt", "--to", "kitschen"}, 1),

@@ -49,7 +49,7 @@ TEST(Patience, is_over_after_two_seconds_and_then_every_five) {
 TEST(LongWork, tells_nothing_of_what_is_over_within_two_seconds) {
     const LongWork progress = LongWork::begun();
     EXPECT_THAT(told_from(progress, 0.0, 10.0), IsEmpty()) << "there is no work";
-    progress.at("Finding rooms and ways");
+    progress.at("Finding rooms and routes");
     EXPECT_THAT(told_from(progress, 10.0, 12.0), IsEmpty());
     progress.done();
     EXPECT_THAT(told_from(progress, 12.0, 20.0), IsEmpty());
@@ -59,13 +59,13 @@ TEST(LongWork, tells_nothing_of_what_is_over_within_two_seconds) {
 
 TEST(LongWork, tells_what_takes_longer_with_the_time_so_far) {
     const LongWork progress = LongWork::begun();
-    progress.at("Finding rooms and ways");
+    progress.at("Finding rooms and routes");
     EXPECT_THAT(told_from(progress, 100.0, 103.0),
-                ElementsAre(Told{102.0, "Finding rooms and ways, 2 seconds so far."}));
-    progress.at("Looking for what should be mended");
+                ElementsAre(Told{102.0, "Finding rooms and routes, 2 seconds so far."}));
+    progress.at("Looking for problems to fix");
     EXPECT_THAT(told_from(progress, 103.0, 113.0),
-                ElementsAre(Told{107.0, "Looking for what should be mended, 7 seconds so far."},
-                            Told{112.0, "Looking for what should be mended, 12 seconds so far."}));
+                ElementsAre(Told{107.0, "Looking for problems to fix, 7 seconds so far."},
+                            Told{112.0, "Looking for problems to fix, 12 seconds so far."}));
 }
 
 TEST(LongWork, tells_how_far_a_file_is_read_and_what_the_reader_is_at) {
@@ -116,8 +116,8 @@ TEST(CommandWork, of_info_and_check_is_reading_rooms_and_the_rest_but_none_besid
         });
     };
     EXPECT_THAT(info(false, false),
-                ElementsAre("reading the file", "Making it ready to touch", "Finding rooms and ways", ""));
-    EXPECT_THAT(info(false, true), ElementsAre("reading the file", "Finding rooms and ways", ""));
+                ElementsAre("reading the file", "Preparing the world for touch", "Finding rooms and routes", ""));
+    EXPECT_THAT(info(false, true), ElementsAre("reading the file", "Finding rooms and routes", ""));
     EXPECT_THAT(info(true, false), IsEmpty());
     const auto check = [](bool json) {
         return stages([json](std::ostream& out, std::ostream& err, const LongWork& progress) {
@@ -128,7 +128,7 @@ TEST(CommandWork, of_info_and_check_is_reading_rooms_and_the_rest_but_none_besid
         });
     };
     EXPECT_THAT(check(false),
-                ElementsAre("reading the file", "Finding rooms and ways", "Looking for what should be mended", ""));
+                ElementsAre("reading the file", "Finding rooms and routes", "Looking for problems to fix", ""));
     EXPECT_THAT(check(true), IsEmpty());
 }
 
@@ -140,7 +140,7 @@ TEST(CommandWork, of_export_and_scenario_is_each_part_of_the_work) {
                     arguments.swell = folder.path() / "plan.svg";
                     return run_export(arguments, out, err, progress);
                 }),
-                ElementsAre("reading the file", "Finding rooms and ways", "Drawing the storey", ""));
+                ElementsAre("reading the file", "Finding rooms and routes", "Drawing the storey", ""));
     EXPECT_THAT(stages([&](std::ostream& out, std::ostream& err, const LongWork& progress) {
                     ScenarioArguments arguments;
                     arguments.paths = {(test::project_root() / "tests/scenarios/03_first_wall_keyboard.toml").string()};

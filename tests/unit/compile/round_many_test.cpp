@@ -37,7 +37,8 @@ TEST(RoundMany, leaves_all_edges_sharp_beyond_a_number_of_solids_and_says_so) {
     EXPECT_FALSE(any_rounded(*haptic));
     EXPECT_EQ(haptic->obstacles.size(), RoundingReport::kMostRounded + 1);
     EXPECT_THAT(many.rounding.sentences(),
-                testing::ElementsAre("All edges stay sharp: 100001 solids are more than the 100000 that are rounded."));
+                testing::ElementsAre(
+                    "All edges stay sharp: there are 100001 solids, and edges are rounded for at most 100000."));
 }
 
 TEST(RoundMany, makes_nothing_once_it_is_not_wanted_any_more) {

@@ -59,8 +59,9 @@ TEST(CompileReports, are_whole_sentences_in_german_too) {
     rounding.too_thin = 3;
     rounding.thin_names = {"Tisch", "Stuhl"};
     EXPECT_THAT(rounding.sentences(),
-                ElementsAre("Kanten von 2 Körpern fühlen sich um 0,05 Meter der Welt gerundet an, 1 davon um weniger, "
-                            "weil sie dünn sind.",
+                ElementsAre("Kanten von 2 Körpern fühlen sich rund an, mit einem Radius von 0,05 Metern in der Welt; "
+                            "einer davon ist dünn und "
+                            "weniger rund.",
                             "3 Körper behalten scharfe Kanten: zu dünn zum Runden (Tisch, Stuhl und andere)."));
 }
 

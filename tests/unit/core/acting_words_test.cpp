@@ -23,11 +23,12 @@ TEST(ActingWords, are_the_words_of_commands_for_who_types) {
     test::AppSession s;
     s.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
     s.run(0.1);
-    EXPECT_TRUE(s.heard("Type forward to walk a step. The word where tells where you are, help the words."))
+    EXPECT_TRUE(s.heard("Type forward to walk. Type where to hear where you are, or help for a list of words."))
         << s.news();
-    EXPECT_EQ(s.ask(Command::Ways), "No way is kept here yet. keep-way keeps the one that you planned or walked last.");
-    EXPECT_EQ(s.ask(Command::WhatIsThis), "There is no touch device. The word where tells what is around you.");
-    EXPECT_EQ(s.ask(Command::StopEverything), "Stopped. forces lets sounds be heard again.");
+    EXPECT_EQ(s.ask(Command::Ways),
+              "You have not kept a route here yet. keep-way keeps the route that you planned or walked last.");
+    EXPECT_EQ(s.ask(Command::WhatIsThis), "There is no touch device. Type where to hear what is around you.");
+    EXPECT_EQ(s.ask(Command::StopEverything), "Stopped. forces turns sounds on again.");
     // All that was said names no key.
     for (const std::string& line : s.said)
         for (const char* word : {"Press", "F1", "F2", "F12", "Shift+", "Enter", "Escape", "Grave"})
@@ -38,9 +39,9 @@ TEST(ActingWords, are_keys_for_who_presses_them) {
     test::AppSession s;
     s.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
     s.run(0.1);
-    EXPECT_TRUE(s.heard("Press Up to walk a step. F2 tells where you are, F1 the keys."));
+    EXPECT_TRUE(s.heard("Press Up to walk. F2 says where you are, and F1 lists the keys."));
     EXPECT_EQ(s.ask(Command::Ways),
-              "No way is kept here yet. Control+8 keeps the one that you planned or walked last.");
+              "You have not kept a route here yet. Control+8 keeps the route that you planned or walked last.");
 }
 
 TEST(WithNoDevice, no_force_is_spoken_of) {
@@ -54,7 +55,7 @@ TEST(WithNoDevice, no_force_is_spoken_of) {
     }
     EXPECT_TRUE(s.heard("There is no touch device."));
     EXPECT_TRUE(s.heard("Stopped."));
-    EXPECT_TRUE(s.heard("Going on"));
+    EXPECT_TRUE(s.heard("Sounds on again"));
     for (const std::string& line : s.said) EXPECT_EQ(line.find("orce"), std::string::npos) << line;
     EXPECT_EQ(s.count(SoundKind::ForcesOn) + s.count(SoundKind::ForcesOff), 0);
     EXPECT_FALSE(s.app.hand().tuning.panic);

@@ -212,7 +212,7 @@ TEST(FindList, holds_several_of_one_name_once_and_finds_by_any_word) {
     s.listen();
     EXPECT_EQ(s.said.back(), "Closed");
     s.ask(Command::Find);
-    EXPECT_THAT(s.line("table"), HasSubstr("Table: which one. Table, "));
+    EXPECT_THAT(s.line("table"), HasSubstr("Table: which one? Table, "));
     s.app.apply(KeyTapped{"Enter"}, s.now);
     ASSERT_TRUE(s.app.guide().goal());
     EXPECT_EQ(s.app.guide().goal()->name, "Table");
@@ -245,7 +245,7 @@ TEST(Lists, answer_what_only_asks_and_refuse_other_commands_with_the_reason) {
     ASSERT_TRUE(s.app.dialogue().is_open());
     EXPECT_THAT(s.line("where"), HasSubstr("acing north"));
     EXPECT_TRUE(s.app.dialogue().is_open());
-    EXPECT_EQ(s.line("forward"), "\"forward\" works once this list is closed. Escape closes it.");
+    EXPECT_EQ(s.line("forward"), "\"forward\" works only when this list is closed. Escape closes it.");
     EXPECT_TRUE(s.app.dialogue().is_open());
 }
 

@@ -28,16 +28,16 @@ TEST(Climbs, one_hears_of_the_stairs_on_coming_to_them_and_takes_them_up_and_dow
     Visit visit;
     visit.go_in();
     ASSERT_GT(visit.app.feet_m().y, 6.3) << "in the stairwell";
-    EXPECT_TRUE(visit.heard("Stairs, 3.0 metres up, in one go: Enter takes them"));
+    EXPECT_TRUE(visit.heard("Stairs, 3 metres up, in one go: Enter takes them"));
     visit.run(1.0);
     const std::string up = visit.ask(Command::Use);
-    EXPECT_THAT(up, HasSubstr("You took the stairs up, 3.0 metres"));
+    EXPECT_THAT(up, HasSubstr("You took the stairs up, 3 metres"));
     EXPECT_NEAR(visit.app.feet_m().z, 3.0, 0.02);
     visit.said.clear();
     visit.run(2.0);
     EXPECT_FALSE(visit.heard("takes them")) << "who has just taken them knows them";
     const std::string down = visit.ask(Command::Use);
-    EXPECT_THAT(down, HasSubstr("You took the stairs down, 3.0 metres"));
+    EXPECT_THAT(down, HasSubstr("You took the stairs down, 3 metres"));
     EXPECT_NEAR(visit.app.feet_m().z, 0.0, 0.02);
 }
 
@@ -71,7 +71,7 @@ TEST(Climbs, on_a_way_the_key_takes_the_flight_that_the_way_leads_over_in_its_di
         person.ask(Command::Routes);
         person.line(to);
         for (const double z_m : {3.0, to_z_m}) {
-            EXPECT_THAT(person.ask(Command::RepeatLeg), HasSubstr("You stand at them")) << person.news();
+            EXPECT_THAT(person.ask(Command::RepeatLeg), HasSubstr("You are standing at them")) << person.news();
             person.ask(Command::Use);
             person.run(1.0);
             EXPECT_NEAR(person.app.feet_m().z, z_m, 0.05) << "to " << to << ": " << person.news();

@@ -23,12 +23,12 @@ using testing::Not;
 
 TEST(CrashNotes, tell_the_last_acts_with_the_time_before_the_latest_and_repeated_ones_once) {
     CrashNotes notes({"Handrail 1."});
-    EXPECT_THAT(notes.text(), HasSubstr("Nothing was done before."));
+    EXPECT_THAT(notes.text(), HasSubstr("No actions were recorded before the end."));
     notes.note("forward", 10.0);
     notes.note("forward", 10.5);
     notes.note("where", 12.0);
     EXPECT_THAT(notes.text(), HasSubstr("Handrail 1.\n"));
-    EXPECT_THAT(notes.text(), HasSubstr("forward, 2 times: 1.5 seconds.\nwhere: 0.0 seconds.\n"));
+    EXPECT_THAT(notes.text(), HasSubstr("forward, 2 times: 1.5 seconds.\nwhere: 0 seconds.\n"));
     EXPECT_EQ(notes.changes(), 4U);
     for (int i = 0; i < 1000; ++i) notes.note(i % 2 ? "left" : "right", 20.0 + i);
     EXPECT_THAT(notes.text(), Not(HasSubstr("where")));
@@ -42,8 +42,8 @@ TEST(CrashNotes, hold_values_of_settings_only_where_they_name_nobody) {
     EXPECT_TRUE(may_be_reported("\"text\"", "auto, screen-reader, speech-dispatcher, embedded or text"));
     EXPECT_TRUE(may_be_reported("\"screen-reader\"", "auto, screen-reader or text"));
     EXPECT_FALSE(may_be_reported("\"reader\"", "auto, screen-reader or text")) << "a part of a word";
-    EXPECT_FALSE(may_be_reported("\"annas-falcon\"", "auto, none or a device's name"));
-    EXPECT_FALSE(may_be_reported("\"A9001\"", "auto, none or a device's name"));
+    EXPECT_FALSE(may_be_reported("\"annas-falcon\"", "auto, none or the name of a device"));
+    EXPECT_FALSE(may_be_reported("\"A9001\"", "auto, none or the name of a device"));
     EXPECT_FALSE(may_be_reported("\"/srv/anna/lou.wav\"", "a file"));
     EXPECT_FALSE(may_be_reported("[1, 2]", "a list"));
     EXPECT_FALSE(may_be_reported("\"", "\""));
@@ -92,7 +92,7 @@ TEST(CrashReport, lies_beside_the_sessions_with_how_it_ended_and_where) {
         ASSERT_TRUE(fs::exists(next.report()));
         const std::string text = test::content_of(next.report());
         EXPECT_EQ(text,
-                  "Report of a session that broke off.\nIt ended with a wrong access to memory, signal 11.\n"
+                  "Crash report.\nThe program ended with an invalid memory access, signal 11.\n"
                   "Handrail 1.\nforward: 0.0 seconds.\nhandrail+0x1f\n-\n");
         EXPECT_EQ(fs::status(next.report()).permissions() & fs::perms::others_read, fs::perms::none);
         next.end();
@@ -115,7 +115,7 @@ TEST(CrashReport, of_a_kill_says_that_its_end_was_not_seen_and_a_session_that_wa
     EXPECT_TRUE(reports_beside(sessions).empty());
     die_with(sessions, "Handrail 1.\n", "");
     const SessionTrace next(sessions);
-    EXPECT_THAT(test::content_of(next.report()), HasSubstr("How it ended was not seen"));
+    EXPECT_THAT(test::content_of(next.report()), HasSubstr("How the program ended is not known"));
 }
 
 TEST(CrashReport, only_the_newest_five_stay) {
@@ -135,13 +135,13 @@ TEST(MenuOfReports, reads_a_crash_report_and_the_devices_line_by_line) {
     session.app.apply(WorldEntered{make_ready(test::our_world("first_room.map"))}, 0.0);
     session.run(0.1);
     session.ask(Command::Menu);
-    EXPECT_FALSE(session.heard("Report of the session")) << "there is none";
+    EXPECT_FALSE(session.heard("Report on the session")) << "there is none";
     session.line("escape");
     session.app.apply(CrashReportKnown{"/a/report.txt", {"It ended.", "forward: 0.0 seconds."}}, session.now);
     session.ask(Command::Menu);
-    session.line("Report of the session that broke off");
+    session.line("Report on the session that crashed");
     session.run(0.1);
-    EXPECT_TRUE(session.heard("Report of a session that broke off")) << session.news();
+    EXPECT_TRUE(session.heard("Crash report")) << session.news();
     session.line("list");
     EXPECT_TRUE(session.heard("forward: 0.0 seconds")) << session.news();
     session.line("escape");
@@ -152,7 +152,7 @@ TEST(MenuOfReports, reads_a_crash_report_and_the_devices_line_by_line) {
     EXPECT_FALSE(session.app.requests().take_devices());
     session.app.apply(DevicesFound{{"Novint Falcon, called falcon.", "State: ready."}}, session.now);
     session.listen();
-    EXPECT_TRUE(session.heard("In use: no hand, all by keyboard and sound, 1 of 3")) << session.news();
+    EXPECT_TRUE(session.heard("In use: no hand; everything works by keyboard and sound, 1 of 3")) << session.news();
     session.news();
     session.line("list");
     EXPECT_TRUE(session.heard("State: ready")) << session.news();
@@ -165,7 +165,7 @@ TEST(MenuOfReports, lists_every_fault_of_the_settings) {
     session.app.apply(SettingsFaultsKnown{{"settings.toml, line 2: one fault.", "settings.toml, line 9: another."}},
                       session.now);
     session.ask(Command::Menu);
-    session.line("Faults in your settings");
+    session.line("Problems in your settings");
     session.run(0.1);
     EXPECT_TRUE(session.heard("line 2: one fault")) << session.news();
     session.line("list");
@@ -178,7 +178,7 @@ TEST(MenuOfReports, opens_the_devices_by_their_word_and_from_the_desk) {
     test::AppSession session({}, falcon);
     session.app.apply(WorldEntered{make_ready(test::our_world("first_room.map"))}, 0.0);
     session.run(0.1);
-    EXPECT_EQ(session.ask(Command::Devices), "Looking for what is plugged in.");
+    EXPECT_EQ(session.ask(Command::Devices), "Looking for devices that are plugged in.");
     EXPECT_FALSE(session.app.idle()) << "what is typed next waits for the list";
     EXPECT_TRUE(session.app.requests().take_devices());
     session.app.apply(DevicesFound{{"Novint Falcon, called falcon."}}, session.now);
@@ -191,10 +191,10 @@ TEST(MenuOfReports, opens_the_devices_by_their_word_and_from_the_desk) {
     ASSERT_TRUE(control);
     EXPECT_EQ(desk.words(*control), "Touch device, Falcon, reach 4 centimetres, up to 3 newtons");
     session.app.apply(HandChanged{{true, true, *find_device_spec("sim-t")}, {}, true}, session.now);
-    EXPECT_EQ(desk.value(*control), "a simulated hand for the keys, since no device is there");
+    EXPECT_EQ(desk.value(*control), "a simulated hand that you move with the keys, because no device was found");
     session.app.apply(HandChanged{{}, {}}, session.now);
-    EXPECT_EQ(desk.value(*control), "no hand, all by keyboard and sound");
-    EXPECT_EQ(session.app.desk_visit().press(*control), "Looking for what is plugged in.");
+    EXPECT_EQ(desk.value(*control), "no hand; everything works by keyboard and sound");
+    EXPECT_EQ(session.app.desk_visit().press(*control), "Looking for devices that are plugged in.");
     EXPECT_TRUE(session.app.requests().take_devices());
 }
 

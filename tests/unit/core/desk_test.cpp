@@ -230,7 +230,7 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
                     break;
                 case DeskKind::Assign: {
                     by_hand.press(control.name);
-                    EXPECT_TRUE(by_hand.heard("on the knob", from)) << by_hand.all_heard(from);
+                    EXPECT_TRUE(by_hand.heard("set by the knob", from)) << by_hand.all_heard(from);
                     by_hand.find("Volume knob");
                     // Round the knob until one position is heard to be passed; anticlockwise: down.
                     ASSERT_TRUE(by_hand.reach("Volume knob", 0.0, 0.0045, -by_hand.deep_m()));
@@ -277,7 +277,7 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
                 EXPECT_EQ(by_keys.app().desk_visit().desk().value(i), desk.value(i));
             }
             if (control.kind != DeskKind::Indicator && control.kind != DeskKind::Knob) {
-                EXPECT_TRUE(by_hand.heard(of_hand ? "Looking for what is plugged in." : desk.value(i), from))
+                EXPECT_TRUE(by_hand.heard(of_hand ? "Looking for devices that are plugged in." : desk.value(i), from))
                     << by_hand.all_heard(from);
             }
             for (const DeskSetting& row : desk_settings()) {
@@ -404,7 +404,7 @@ TEST(Desk, quantities_are_numbers_and_go_to_the_nearest_position) {
     EXPECT_EQ(desk.value(volume), "100 percent");
     EXPECT_EQ(app.desk_visit().put_number(rate, 262.0), "250 words per minute");
     EXPECT_EQ(desk.number(rate)->step, 25.0);
-    EXPECT_EQ(app.desk_visit().put_number(force, 2.0), "full, all that the device can do")
+    EXPECT_EQ(app.desk_visit().put_number(force, 2.0), "full, as strong as the device allows")
         << "a slider of words counts its positions";
     EXPECT_EQ(desk.number(force)->most, 2.0);
     for (const double none : {std::nan(""), HUGE_VAL, -HUGE_VAL})
@@ -502,7 +502,7 @@ TEST(Desk, a_value_between_two_positions_goes_to_the_next_one_either_way) {
     EXPECT_EQ(app.desk_visit().step(volume, -1), "0 percent");
     EXPECT_EQ(app.desk_visit().put(volume, 99), "100 percent");
     const std::size_t force = *app.desk_visit().desk().find("Strongest force");
-    EXPECT_EQ(app.desk_visit().step(force, 1), "full, all that the device can do");
+    EXPECT_EQ(app.desk_visit().step(force, 1), "full, as strong as the device allows");
     EXPECT_EQ(app.settings().haptic.ceiling, ForceCeiling::Full);
     const auto changes = app.take_setting_changes();
     ASSERT_FALSE(changes.empty());

@@ -47,7 +47,7 @@ TEST(Dialogue, goes_through_a_list_and_stops_at_its_ends) {
 }
 
 TEST(Dialogue, puts_no_stop_behind_a_title_that_ends_its_sentence) {
-    for (const std::string title : {"Which way?", "Put 3 places in order, the first one first.", "Stop!"}) {
+    for (const std::string title : {"Which route?", "Put 3 places in order, starting with the first.", "Stop!"}) {
         Fruit f;
         ListSpec list = f.list();
         list.title = title;
@@ -148,7 +148,7 @@ TEST(Dialogue, may_be_changed_by_what_was_chosen) {
 
 TEST(Dialogue, says_that_a_list_is_empty_and_opens_nothing) {
     Dialogue dialogue;
-    EXPECT_EQ(dialogue.open({.title = "Marks", .items = {}, .chosen = {}}), "Marks: nothing there.");
+    EXPECT_EQ(dialogue.open({.title = "Marks", .items = {}, .chosen = {}}), "Marks: the list is empty.");
     EXPECT_FALSE(dialogue.is_open());
 }
 
@@ -245,10 +245,12 @@ TEST(SessionLists, hold_everything_that_can_be_done_and_do_it) {
     EXPECT_TRUE(s.app.apply(KeyTapped{"Enter"}, 0.0));  // all of it
     ASSERT_EQ(s.app.dialogue().view().items.size(), command_table().size());
     s.said();
-    EXPECT_TRUE(s.app.apply(TextTyped{"w"}, 0.0));  // "Where am I ..." or "Which way ...", whichever comes first
-    EXPECT_TRUE(s.app.apply(TextTyped{"h"}, 0.1));
-    EXPECT_TRUE(s.app.apply(TextTyped{"i"}, 0.2));
-    EXPECT_TRUE(s.app.apply(KeyTapped{"Enter"}, 0.3));
+    double now_s = 0.0;
+    for (const char letter : std::string("say which")) {  // which way you face
+        EXPECT_TRUE(s.app.apply(TextTyped{std::string(1, letter)}, now_s));
+        now_s += 0.1;
+    }
+    EXPECT_TRUE(s.app.apply(KeyTapped{"Enter"}, now_s));
     EXPECT_FALSE(s.app.dialogue().is_open());
     EXPECT_THAT(s.said().back(), HasSubstr("Facing north"));
 }

@@ -68,7 +68,7 @@ TEST(IAmLost, knows_the_doorway_one_came_through_and_else_the_base) {
     Visitor far("house.map");
     far.app.apply(Placed{far.app.feet_m() + Vec3(0.0, 3.0, 0.0), 0.0}, far.now);
     far.run(0.2);
-    EXPECT_THAT(far.ask(Command::Lost), HasSubstr("Last known place: where you asked last, in Hall, "))
+    EXPECT_THAT(far.ask(Command::Lost), HasSubstr("Last known place: where you last heard your position, in Hall, "))
         << "the exits were asked for there";
 }
 
@@ -109,7 +109,7 @@ TEST(DescribeRoom, names_what_stands_where) {
     EXPECT_THAT(kitchen, HasSubstr("Kitchen: "));
     EXPECT_THAT(kitchen, HasSubstr(" metres, "));
     EXPECT_THAT(kitchen, HasSubstr("exit"));
-    EXPECT_THAT(kitchen, HasSubstr("On storey 1"));
+    EXPECT_THAT(kitchen, HasSubstr("It is on storey 1"));
 }
 
 TEST(Overview, tells_storeys_shape_and_neighbours_in_three_sentences) {

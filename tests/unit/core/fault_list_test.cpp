@@ -38,7 +38,7 @@ TEST(FaultList, leads_from_fault_to_fault_and_says_where_each_is_and_what_to_do)
     EXPECT_THAT(faults.items[1].name, HasSubstr("has no landmark"));
     EXPECT_FALSE(faults.items[0].value.empty()) << "where it is";
     p.line("2");
-    EXPECT_THAT(p.app().dialogue().view().title, HasSubstr("it could be Stove"));
+    EXPECT_THAT(p.app().dialogue().view().title, HasSubstr("such as Stove"));
     EXPECT_THAT(names_of(p.app().dialogue().view()),
                 testing::ElementsAre("Mark Stove as a landmark", "Find this place or go there"));
     p.key("Escape");
@@ -56,12 +56,12 @@ TEST(FaultList, mends_a_missing_name_and_a_missing_landmark_in_place) {
     EXPECT_THAT(p.app().dialogue().view().items[0].name, HasSubstr("Kitchen has no landmark"));
     p.line("1");
     p.line("Mark Stove as a landmark");
-    EXPECT_TRUE(p.heard("Stove is a landmark from now on")) << p.all_heard(0);
+    EXPECT_TRUE(p.heard("Stove is now a landmark")) << p.all_heard(0);
     const Scene& scene = *p.app().scene();
     EXPECT_EQ(std::count_if(scene.features.begin(), scene.features.end(), [](const Feature& f) { return f.landmark; }),
               1);
     p.tap(Command::Faults);
-    EXPECT_TRUE(p.heard("Nothing is to be mended here.")) << p.all_heard(0);
+    EXPECT_TRUE(p.heard("No problems found here.")) << p.all_heard(0);
 }
 
 // Of two rooms the second has no door.
@@ -81,28 +81,28 @@ TEST(FaultList, makes_a_missing_door_that_is_kept_and_takes_it_away_again) {
     p.line("Kitchen cannot be reached");
     const std::vector<std::string> acts = names_of(p.app().dialogue().view());
     ASSERT_FALSE(acts.empty());
-    EXPECT_EQ(acts[0], "A door is missing here: make it, to Hall");
+    EXPECT_EQ(acts[0], "A door is missing here: add a door to Hall");
     p.line("1");
-    EXPECT_TRUE(p.heard("There is a door now between Kitchen, Hall. The world is read again.")) << p.all_heard(0);
+    EXPECT_TRUE(p.heard("There is now a door between Kitchen, Hall. The world is being read again.")) << p.all_heard(0);
     EXPECT_TRUE(p.app().requests().take_read_again()) << "its owner is to read it again";
     EXPECT_FALSE(p.app().requests().take_read_again());
     p.tap(Command::Faults);
     const std::vector<std::string> now = names_of(p.app().dialogue().view());
     ASSERT_FALSE(now.empty());
-    EXPECT_EQ(now.back(), "Door made between Kitchen, Hall");
+    EXPECT_EQ(now.back(), "Door added between Kitchen, Hall");
     p.line(std::to_string(now.size()));
-    p.line("Take this door away");
+    p.line("Remove this door");
     EXPECT_TRUE(p.heard("The door between Kitchen, Hall is a wall again.")) << p.all_heard(0);
     EXPECT_TRUE(p.app().requests().take_read_again());
     p.tap(Command::Faults);
     for (const std::string& name : names_of(p.app().dialogue().view()))
-        EXPECT_EQ(name.find("Door made"), std::string::npos);
+        EXPECT_EQ(name.find("Door added"), std::string::npos);
 }
 
 TEST(FaultList, finds_nothing_in_the_school) {
     Explorer p(test::our_world("school.map"), nullptr);
     p.tap(Command::Faults);
-    EXPECT_TRUE(p.heard("Nothing is to be mended here.")) << p.all_heard(0);
+    EXPECT_TRUE(p.heard("No problems found here.")) << p.all_heard(0);
     EXPECT_FALSE(p.app().dialogue().is_open());
 }
 

@@ -221,7 +221,7 @@ TEST(FoundInTheHouse, by_a_hand_that_follows_the_lines_from_the_front_door) {
     double longest_s = 0.0;
     const std::vector<NamedThing> things = sought_things(*house);
     for (const NamedThing& thing : things) {
-        const Search search(p, thing, "Lines to it");
+        const Search search(p, thing, "Lines leading there");
         SeekingHand hand(p, search.from);
         p.run(1.6);  // told, and come in
         const auto felt = [&] {
@@ -291,7 +291,7 @@ TEST(FoundInTheHouse, by_a_hand_along_the_lines_that_cross_there) {
         const auto feet = approach.before(thing, kBefore_m);
         ASSERT_TRUE(feet) << told(thing);
         stand(p, *feet);
-        ASSERT_TRUE(p.ask(told(thing), thing.feature, "Lines to it")) << told(thing);
+        ASSERT_TRUE(p.ask(told(thing), thing.feature, "Lines leading there")) << told(thing);
         const double begins_s = p.now_s();
         p.run(1.6);  // told, and come in
         Vec3 at(0.0);
@@ -537,7 +537,7 @@ void lead_to_piano(Explorer& p) {
         std::find_if(features.begin(), features.end(), [](const Feature& feature) { return feature.name == "Piano"; });
     ASSERT_TRUE(p.ask("Piano", FeatureId{static_cast<std::uint32_t>(piano - features.begin())}, "Take me there"));
     EXPECT_TRUE(p.heard("Taking your hand to Piano")) << p.all_heard(0);
-    EXPECT_TRUE(p.heard("By way of Stairs, 2.9 metres up, Music room door.")) << p.all_heard(0);
+    EXPECT_TRUE(p.heard("The route goes through: Stairs, 2.9 metres up, Music room door.")) << p.all_heard(0);
     p.push();
     p.run(1.5);
     ASSERT_EQ(p.tool().guidance.phase, GuidancePhase::Acts);
@@ -561,12 +561,12 @@ TEST(TakenAlongAWay, a_hand_whose_body_walks_off_or_is_put_elsewhere_gets_a_new_
         }
         p.run(3.0);
         if (how == std::string("pulls")) {
-            EXPECT_TRUE(p.heard("Let go", from)) << p.all_heard(from);
+            EXPECT_TRUE(p.heard("Guiding stopped", from)) << p.all_heard(from);
             EXPECT_EQ(p.app().guide().path().number, 0U);
             continue;
         }
-        EXPECT_FALSE(p.heard("Let go", from)) << how << ": " << p.all_heard(from);
-        EXPECT_TRUE(p.heard("You have left the way. Taking your hand to Piano", from))
+        EXPECT_FALSE(p.heard("Guiding stopped", from)) << how << ": " << p.all_heard(from);
+        EXPECT_TRUE(p.heard("You have left the route. Taking your hand to Piano", from))
             << how << ": " << p.all_heard(from);
         EXPECT_GT(p.app().guide().path().number, first) << how;
         EXPECT_EQ(p.tool().guidance.phase, GuidancePhase::Acts) << how;

@@ -99,7 +99,7 @@ TEST(HandOnBodies, the_key_takes_what_the_hand_touches_turns_it_and_lets_it_go) 
     const Rotation turned = hand.turned("Crate");
     EXPECT_NEAR(std::abs(turned.w), std::sqrt(0.5), 0.05) << turned.w << " " << turned.z;
     hand.tap(Command::Use, 0.2);
-    EXPECT_TRUE(hand.heard("Crate let go."));
+    EXPECT_TRUE(hand.heard("Crate released."));
     hand.run(1.5);
     EXPECT_NEAR(hand.at("Crate").z, 0.25, 0.01);
     EXPECT_EQ(hand.app().free_bodies().held_by_hand(0), kNoFeature);
@@ -170,7 +170,7 @@ TEST(HandOnBodies, a_crate_that_falls_on_the_hand_is_felt) {
     }
     EXPECT_GT(felt_n, 0.5);
     EXPECT_LE(felt_n, 2.5 + 1e-9);
-    EXPECT_TRUE(hand.heard("Crate let go."));
+    EXPECT_TRUE(hand.heard("Crate released."));
 }
 
 TEST(HandOnBodies, random_pushes_grips_and_drops_leave_all_in_the_hall_and_no_force_above_the_ceiling) {

@@ -178,7 +178,7 @@ TEST(Marks, that_are_damaged_are_put_aside_and_told) {
     folder.write("room.map.handrail.toml", "[[mark]\n");
     Person p;
     p.enter(world);
-    EXPECT_TRUE(p.heard("kept as room.map.handrail.toml.damaged"));
+    EXPECT_TRUE(p.heard("saved as room.map.handrail.toml.damaged"));
     EXPECT_TRUE(p.app.world().marks.empty());
     folder.write("room.map.handrail.toml",
                  "[[mark]]\nname = \"a\"\n[[mark]]\nname = \"b\"\nplace_m = [1.0, 1.0, 0.0]\n");
@@ -186,8 +186,8 @@ TEST(Marks, that_are_damaged_are_put_aside_and_told) {
     q.enter(world);
     EXPECT_TRUE(
         q.heard("room.map.handrail.toml, line 1: the mark a needs place_m with three decimal numbers, such as [1.0, "
-                "2.5, 0.0]. Write them, or "
-                "delete the entry. The rest of your additions is there."))
+                "2.5, 0.0]. Add them, or "
+                "delete the entry. The rest of your additions was read."))
         << testing::PrintToString(q.said);
     ASSERT_EQ(q.app.world().marks.size(), 1U);
     q.tap(Command::DropMark);
@@ -321,7 +321,7 @@ TEST(BeaconTest, calls_from_the_way_round_what_one_sees_over_and_cannot_walk_thr
     p.run(0.2);
     p.tap(Command::SetBeacon);
     EXPECT_TRUE(p.heard("Beacon on North wall")) << testing::PrintToString(p.said);
-    EXPECT_TRUE(p.heard("Along the way")) << testing::PrintToString(p.said);
+    EXPECT_TRUE(p.heard("Along the route")) << testing::PrintToString(p.said);
     p.run(3.0);
     EXPECT_EQ(p.count(SoundKind::BeaconAhead), 0);
     EXPECT_GE(p.count(SoundKind::Beacon), 5);
@@ -380,7 +380,7 @@ TEST(WarmerTest, is_told_ticks_for_hand_or_body_and_is_off_when_asked_again) {
         away(4.0);
         EXPECT_EQ(ticks(), 0) << "not asked for";
         ASSERT_NO_FATAL_FAILURE(seek(p, "Radiator", "Warmer and colder"));
-        EXPECT_TRUE(p.heard("Radiator: the faster it ticks, the nearer")) << testing::PrintToString(p.said);
+        EXPECT_TRUE(p.heard("Radiator: faster ticking means you are nearer")) << testing::PrintToString(p.said);
         int before = 0;
         for (const double metres : {4.0, 2.8, 2.0, 1.4}) {
             away(metres);
@@ -525,7 +525,7 @@ TEST(TakeMe, is_told_a_second_before_the_servo_knows_of_it_and_only_one_is_known
     EXPECT_NE(p.app.guide().path().number, 0U);
     EXPECT_EQ(p.app.guide().path().points_m[p.app.guide().path().count - 1].x, 5.8);
     p.tap(Command::TakeMe);
-    EXPECT_TRUE(p.heard("Let go"));
+    EXPECT_TRUE(p.heard("Guiding stopped"));
     EXPECT_EQ(p.app.guide().path().number, 0U);
 }
 
@@ -537,10 +537,10 @@ TEST(TakeMe, says_why_the_hand_is_led_no_longer) {
     };
     const Case cases[] = {
         {[](Person& p) { p.tool.fault = Fault::Stalled; },
-         "No longer led. The computer stopped for a moment. The force comes back slowly."},
+         "You are no longer guided. The computer stopped for a moment. The force comes back slowly."},
         {[](Person& p) { p.tool.pause = Fault::ButtonReleased; },
-         "No longer led. Button released. The force is off until you hold it."},
-        {[](Person&) {}, "No longer led. The force was off for a moment. H leads again."},
+         "You are no longer guided. Button released. The force is off until you hold the button again."},
+        {[](Person&) {}, "You are no longer guided. The force was off for a moment. Use H to be guided again."},
     };
     for (const Case& one : cases) {
         SCOPED_TRACE(one.said);
@@ -578,7 +578,7 @@ TEST(TakeMe, waits_for_a_hand_on_the_grip_and_says_so) {
     EXPECT_TRUE(p.heard("The force waits until you move the grip. Follow the beacon to Radiator"))
         << testing::PrintToString(p.said);
     p.run(2.0);
-    EXPECT_FALSE(p.heard("No longer led"));
+    EXPECT_FALSE(p.heard("You are no longer guided"));
 }
 
 TEST(TakeMe, leads_round_what_stands_between_along_the_planned_way_and_by_ear_where_there_is_no_force) {
@@ -636,7 +636,7 @@ TEST(TakeMe, says_where_no_way_leads_and_goes_to_the_nearest_place_that_can_be_r
     hand.run(0.1);
     ask(hand);
     EXPECT_TRUE(
-        hand.heard("No walking way found to Chest. Taking your hand to the nearest place that can be reached, "))
+        hand.heard("No walking route found to Chest. Taking your hand to the nearest place that can be reached, "))
         << testing::PrintToString(hand.said);
     hand.run(1.1);
     const GuidancePath& path = hand.app.guide().path();
@@ -645,7 +645,7 @@ TEST(TakeMe, says_where_no_way_leads_and_goes_to_the_nearest_place_that_can_be_r
     Person keys;
     keys.enter({}, scene);
     ask(keys);
-    EXPECT_TRUE(keys.heard("No walking way found to Chest. The nearest place you can reach is"))
+    EXPECT_TRUE(keys.heard("No walking route found to Chest. The nearest place you can reach is"))
         << testing::PrintToString(keys.said);
     EXPECT_TRUE(keys.heard("To the nearest place to Chest.")) << testing::PrintToString(keys.said);
     keys.stand_at({4.65, 2.2, 0.0});
@@ -665,7 +665,7 @@ TEST(TakeMe, without_a_device_tells_the_way_follows_it_and_stops_when_asked_agai
     EXPECT_TRUE(p.heard("To Radiator. ")) << testing::PrintToString(p.said);
     EXPECT_TRUE(p.heard("steps in all.")) << testing::PrintToString(p.said);
     p.tap(Command::TakeMe);
-    EXPECT_TRUE(p.heard("No way is followed any more."));
+    EXPECT_TRUE(p.heard("You are no longer following a route."));
     EXPECT_FALSE(p.app.guide().beacon().on());
     p.tap(Command::TakeMe);
     EXPECT_TRUE(p.heard("To Radiator. "));

@@ -80,7 +80,7 @@ TEST(AHandForWantOfADevice, is_where_one_stands_and_touches_nothing_on_the_way_t
     from = p->lines();
     p->tap(Command::DropMark, 0.5);
     EXPECT_FALSE(p->heard("clock", from)) << p->all_heard(from);
-    EXPECT_FALSE(p->heard("Hand back with you"));
+    EXPECT_FALSE(p->heard("Hand brought back to you"));
 }
 
 TEST(AHandForWantOfADevice, stays_ahead_where_keys_moved_it_and_comes_along_through_a_door) {
@@ -128,7 +128,7 @@ TEST(AHandOnADevice, comes_along_through_a_door_from_no_force_and_with_a_word) {
     EXPECT_TRUE(asked);
     EXPECT_TRUE(came);
     EXPECT_LT(most_gain_after, 0.02);
-    EXPECT_TRUE(p.heard("Hand back with you"));
+    EXPECT_TRUE(p.heard("Hand brought back to you"));
     const std::size_t from = p.lines();
     p.tap(Command::WhereAmI, 0.5);
     EXPECT_TRUE(p.heard("Study", from)) << p.all_heard(from);

@@ -60,7 +60,7 @@ TEST(Labyrinth, first_level_is_finished_by_a_newcomer_who_knows_only_what_is_sai
         ASSERT_FALSE(way.empty()) << text;
         player.taps(keys.at(way), std::max(1, static_cast<int>(std::min(can.at(way), wanted.at(way)))));
     }
-    EXPECT_TRUE(player.heard("Finished, ")) << player.news();
+    EXPECT_TRUE(player.heard("Finished in ")) << player.news();
     EXPECT_LT(player.now - began_s, 120.0);
 }
 
@@ -70,11 +70,11 @@ TEST(Labyrinth, a_hole_swallows_the_ball_and_all_is_back_at_the_start) {
     player.tap(Command::Use, 0.5);
     player.taps(Command::TurnRight, 2);
     player.run(3.0);
-    EXPECT_TRUE(player.heard("In the hole."));
+    EXPECT_TRUE(player.heard("The ball fell into the hole."));
     EXPECT_TRUE(player.heard("Back at the start."));
     EXPECT_FALSE(player.heard("Finished"));
     const std::string news = player.news();
-    EXPECT_EQ(news.find("Ball moved.", news.find("In the hole.")), std::string::npos) << news;
+    EXPECT_EQ(news.find("Ball moved.", news.find("The ball fell into the hole.")), std::string::npos) << news;
     const Vec3 ball = player.app.thing_at("Ball").value_or(Placement{}).position_m;
     EXPECT_NEAR(ball.x, 1.25, 1e-3);
     EXPECT_NEAR(ball.z, 0.55, 2e-3);
@@ -110,19 +110,19 @@ TEST(Labyrinth, a_hole_hums_the_faster_the_nearer_the_ball_is_and_is_heard_to_sw
 TEST(Labyrinth, corridors_are_a_list_with_what_lies_in_them_and_where_they_lead) {
     Player player("labyrinth2.map");
     player.tap(Command::Overview, 0.5);
-    EXPECT_TRUE(
-        player.heard("3 corridors. Corridor 1, 7.5 rolls from west to east, Plank after 1 roll, Ball after 2.5 "
-                     "rolls, hole after 4 rolls, corridor 2 to the north after 7 rolls, 1 of 3"))
+    EXPECT_TRUE(player.heard(
+        "3 corridors. Corridor 1, running west to east, 7.5 rolls long, Plank after 1 roll, Ball after 2.5 "
+        "rolls, hole after 4 rolls, corridor 2 to the north after 7 rolls, 1 of 3"))
         << player.news();
     for (int i = 0; i < 2; ++i) {
         player.app.apply(KeyTapped{"Down"}, player.now);
         player.run(0.1);
     }
     EXPECT_TRUE(
-        player.heard("Corridor 2, 3 rolls from south to north, corridor 1 to the south at the beginning, "
+        player.heard("Corridor 2, running south to north, 3 rolls long, corridor 1 to the south at the beginning, "
                      "corridor 3 to the north at the end"));
     EXPECT_TRUE(
-        player.heard("Corridor 3, 7.5 rolls from west to east, goal at the beginning, corridor 2 to the south "
+        player.heard("Corridor 3, running west to east, 7.5 rolls long, goal at the beginning, corridor 2 to the south "
                      "after 7 rolls"));
 }
 
@@ -173,21 +173,22 @@ TEST(Labyrinth, second_level_is_finished_over_the_plank_and_again_after_starting
         EXPECT_TRUE(player.heard("Plank held, 0.4 kilograms."));
         EXPECT_TRUE(player.heard("The hole is covered."));
         EXPECT_TRUE(player.heard("Ball stopped by Border, wood."));
-        EXPECT_TRUE(player.heard("That is the first time here.")) << player.news();
-        EXPECT_EQ(player.ask(Command::PutBack), "All back at the start.");
+        EXPECT_TRUE(player.heard("That is the first result recorded here.")) << player.news();
+        EXPECT_EQ(player.ask(Command::PutBack), "Everything is back at the start.");
         player.said.clear();
         player.run(0.5);
         EXPECT_NE(player.stands().find("A hole is 1.5 rolls east."), std::string::npos);
         const std::string before = player.stands();
-        EXPECT_EQ(player.ask(Command::RepeatLeg), "No way is followed.") << "who asks for a leg loses no game";
+        EXPECT_EQ(player.ask(Command::RepeatLeg), "You are not following a route.")
+            << "who asks for a leg loses no game";
         EXPECT_EQ(player.stands(), before);
     }
     EXPECT_TRUE(std::filesystem::exists(options.records_in / "labyrinth.handrail.toml"));
     Player again("labyrinth2.map", options);
     again.run(20.0);  // the clock waits for the ball
     finish_second(again);
-    EXPECT_TRUE(again.heard("Finished, "));
-    EXPECT_TRUE(again.heard("The best time here is ") || again.heard("The best time here, before")) << again.news();
+    EXPECT_TRUE(again.heard("Finished in "));
+    EXPECT_TRUE(again.heard("The best time here is ") || again.heard("That is a new best time")) << again.news();
 }
 
 // Where all things are at every frame of a second of each tap.
@@ -222,7 +223,8 @@ TEST(Labyrinth, begun_anew_goes_with_the_same_bits_as_in_another_run) {
     // The ball has gone somewhere, and the plank too.
     EXPECT_GT(glm::length(once.back().position_m - once[1].position_m), 0.3);
     EXPECT_GT(glm::length(once[once.size() - 2].position_m - once[0].position_m), 0.3);
-    for (Player* player : {&first, &second}) EXPECT_EQ(player->ask(Command::PutBack), "All back at the start.");
+    for (Player* player : {&first, &second})
+        EXPECT_EQ(player->ask(Command::PutBack), "Everything is back at the start.");
     const std::vector<Placement> again = course_of(first);
     EXPECT_EQ(again, course_of(second));
 }
@@ -250,7 +252,7 @@ TEST(Labyrinth, third_level_is_finished_by_filling_the_pit_and_lifting_the_crate
     player.taps(Command::TurnRight, 9);
     player.taps(Command::Forward, 6);
     player.taps(Command::TurnLeft, 12);
-    EXPECT_TRUE(player.heard("Finished, ")) << player.news();
+    EXPECT_TRUE(player.heard("Finished in ")) << player.news();
 }
 
 TEST(Labyrinth, safe_of_the_third_level_bars_the_shorter_way) {
@@ -285,7 +287,7 @@ TEST(Labyrinth, is_nothing_of_in_other_worlds) {
     house.app.apply(WorldEntered{make_ready(test::our_world("first_room.map"))}, 0.0);
     house.run(0.1);
     EXPECT_FALSE(house.heard("Labyrinth"));
-    EXPECT_EQ(house.ask(Command::Labyrinth), "This world is no labyrinth. The list of worlds has some.");
+    EXPECT_EQ(house.ask(Command::Labyrinth), "This world is not a labyrinth. The list of worlds has some.");
     EXPECT_EQ(house.ask(Command::PutBack), "Nothing can be moved here.");
 }
 
@@ -316,7 +318,7 @@ TEST(LabyrinthKeys, that_make_no_game_are_told_with_their_line) {
     EXPECT_NE(warnings_of(key("labyrinth", "1"), kGoal).find("a labyrinth needs a ball"), std::string::npos);
     EXPECT_NE(warnings_of(key("labyrinth", "1"), kBall).find("a labyrinth needs a goal"), std::string::npos);
     EXPECT_NE(warnings_of("", kBall + kGoal).find("belong to a labyrinth"), std::string::npos);
-    EXPECT_NE(warnings_of(key("labyrinth", "nan"), kBall + kGoal).find("labyrinth is no number"), std::string::npos);
+    EXPECT_NE(warnings_of(key("labyrinth", "nan"), kBall + kGoal).find("labyrinth is not a number"), std::string::npos);
 }
 
 TEST(LabyrinthKeys, of_single_things_that_fit_nothing_are_left_out_and_the_rest_is_played) {
@@ -334,13 +336,13 @@ TEST(LabyrinthKeys, of_single_things_that_fit_nothing_are_left_out_and_the_rest_
     };
     told(entity("trigger_hole", "", box_brush(50, 50, -40, 60, 60, -20, "trigger")), "there is floor over this hole");
     told(entity("thing", key("name", "Bench") + key("role", "plank"), box_brush(50, 50, 0, 60, 60, 10)),
-         "only what is free to move");
+         "only a thing that is free to move");
     told(entity("thing", key("cs_name", "dynamic_box") + key("name", "Bench") + key("role", "plonk"),
                 box_brush(50, 50, 0, 60, 60, 10)),
          "the nearest is plank");
     told(entity("thing", key("cs_name", "dynamic_sphere") + key("name", "Second") + key("role", "ball"),
                 box_brush(50, 50, 0, 60, 60, 10)),
-         "there is a ball already");
+         "there is already a ball");
 }
 
 }  // namespace labyrinth_test

@@ -66,7 +66,7 @@ TEST(Language, that_there_is_not_is_told_and_changes_nothing) {
     wanted.speech.language = "xx";
     p.said.clear();
     p.app.apply(SettingsChanged{wanted}, p.now);
-    EXPECT_THAT(p.news(), HasSubstr("There is no language \"xx\"; there are: "));
+    EXPECT_THAT(p.news(), HasSubstr("Handrail has no language \"xx\". Available languages: "));
     EXPECT_EQ(spoken_language(), "en");
 }
 

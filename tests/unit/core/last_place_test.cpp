@@ -164,7 +164,7 @@ TEST(GoOnAtLastPlace, puts_the_body_there_and_home_stays_home) {
     session.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
     session.run(0.1);
     const Vec3 home = session.app.feet_m();
-    EXPECT_THAT(session.ask(Command::LastPlace), HasSubstr("No session broke off"));
+    EXPECT_THAT(session.ask(Command::LastPlace), HasSubstr("No session ended unexpectedly"));
     session.hold(Command::Forward, 2.0);
     session.run(1.0);
     const LastPlace last{{"/house.map"}, session.app.feet_m(), 1.0};
@@ -176,7 +176,7 @@ TEST(GoOnAtLastPlace, puts_the_body_there_and_home_stays_home) {
     ASSERT_TRUE(wanted);
     EXPECT_FALSE(session.app.requests().take_last_place());
     session.app.apply(WentOnAt{*wanted}, session.now);
-    EXPECT_THAT(session.news(), HasSubstr("Where you were. "));
+    EXPECT_THAT(session.news(), HasSubstr("You are back where you were. "));
     EXPECT_LT(glm::length(session.app.feet_m() - last.feet_m), 0.05);
     EXPECT_NEAR(session.app.heading_rad(), 1.0, 1e-9);
     session.ask(Command::Home);
@@ -189,7 +189,7 @@ TEST(GoOnAtLastPlace, moves_nobody_out_of_the_world_or_into_a_wall) {
     session.run(0.1);
     const Vec3 home = session.app.feet_m();
     session.app.apply(WentOnAt{{{"/house.map"}, {1e6, 0.0, 0.0}, 0.0}}, session.now);
-    EXPECT_THAT(session.news(), HasSubstr("no longer there"));
+    EXPECT_THAT(session.news(), HasSubstr("no longer part of this world"));
     EXPECT_LT(glm::length(session.app.feet_m() - home), 1e-9);
     const std::string inside_nothing = session.ask(Command::BringOut);
     // Anywhere in its bounds one can move afterwards, or is at home.

@@ -402,7 +402,7 @@ TEST(Learning, walls_that_nobody_touched_are_not_told_as_done) {
     lap.ask(Command::LearnPlace);
     lap.walk(Command::TrailLeft, 60.0);
     lap.walk(0.5);
-    EXPECT_TRUE(lap.told("All walls done but")) << testing::PrintToString(lap.said);
+    EXPECT_TRUE(lap.told("All walls done except")) << testing::PrintToString(lap.said);
     for (const std::string& line : lap.said) EXPECT_EQ(line.find("All walls done,"), std::string::npos) << line;
 }
 
@@ -458,14 +458,14 @@ TEST(Learning, the_place_is_the_room_of_the_graph_and_its_portals_are_the_exits)
 
 TEST(Learning, what_is_known_of_a_room_is_kept_while_one_is_elsewhere_and_all_rooms_can_be_asked_for) {
     Lap lap(two_rooms().share());
-    EXPECT_TRUE(words_in_order("Learning Study Base here", lap.ask(Command::LearnPlace)));
+    EXPECT_TRUE(words_in_order("Learning Study The base is here", lap.ask(Command::LearnPlace)));
     lap.walk(Command::TrailLeft, 4.0);
     const std::string before = lap.ask(Command::ProgressReport);
     const auto percents = [](const std::string& report) { return report.substr(0, report.find(" percent, floor")); };
     // To the other room, by a leap, so that nothing more is touched on the way.
     lap.app.apply(Placed{{8, 2, 0}, 0.0}, lap.now);
     lap.run(1.5);
-    EXPECT_TRUE(lap.told("Next to learn Kitchen Base here")) << lap.said.back();
+    EXPECT_TRUE(lap.told("Next room to learn Kitchen The base is here")) << lap.said.back();
     EXPECT_TRUE(words_in_order("Walls 0 percent", lap.ask(Command::ProgressReport))) << lap.said.back();
     lap.walk(Command::TrailLeft, 2.0);
     lap.app.apply(CommandDown{Command::LearntRooms}, lap.now);
@@ -479,7 +479,7 @@ TEST(Learning, what_is_known_of_a_room_is_kept_while_one_is_elsewhere_and_all_ro
     lap.app.apply(KeyTapped{"Escape"}, lap.now);
     lap.app.apply(Placed{{2, 1, 0}, 0.0}, lap.now);
     lap.run(1.5);
-    EXPECT_TRUE(lap.told("Learning goes on Study")) << lap.said.back();
+    EXPECT_TRUE(lap.told("Learning continues Study")) << lap.said.back();
     EXPECT_EQ(percents(lap.ask(Command::ProgressReport)), percents(before));
 }
 

@@ -130,7 +130,7 @@ TEST(Lessons, of_the_beacon_lead_a_body_to_the_thing_it_chose) {
     app.apply(CommandUp{Command::Forward}, now);
     run(3.0);
     EXPECT_THAT(text, HasSubstr("Here: Radiator"));
-    EXPECT_THAT(text, HasSubstr("That was the lesson."));
+    EXPECT_THAT(text, HasSubstr("That is the end of the lesson."));
 }
 
 TEST(Lessons, say_little_enough_for_two_minutes) {
@@ -192,10 +192,10 @@ TEST(FirstMinutes, go_on_where_they_were_left_and_are_not_begun_again_once_done)
 
     // Escape explains, and leaves at the second press; nothing asks again.
     app.apply(CommandDown{Command::Leave}, now += 10.0);
-    EXPECT_THAT(said(), HasSubstr("Press Escape again to leave it"));
+    EXPECT_THAT(said(), HasSubstr("Press Escape again to leave the lesson"));
     app.apply(CommandUp{Command::Leave}, now);
     app.apply(CommandDown{Command::Leave}, now += 1.0);
-    EXPECT_THAT(said(), HasSubstr("The introduction is left"));
+    EXPECT_THAT(said(), HasSubstr("You have left the introduction"));
     EXPECT_EQ(saved["welcome.done"], "true");
     EXPECT_FALSE(app.requests().leave);
 }

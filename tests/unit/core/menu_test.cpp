@@ -53,8 +53,8 @@ struct Person : test::AppSession {
 
 TEST(Menu, leads_to_every_command_by_topic_each_with_its_key) {
     Person p;
-    EXPECT_THAT(p.key("Tab"), HasSubstr("What I can do"));
-    p.line("what i can do");
+    EXPECT_THAT(p.key("Tab"), HasSubstr("What you can do"));
+    p.line("what you can do");
     const std::string topics = p.line("list");
     EXPECT_THAT(topics, HasSubstr("Questions and speech"));
     std::set<std::string> told;
@@ -68,7 +68,7 @@ TEST(Menu, leads_to_every_command_by_topic_each_with_its_key) {
     }
     for (const CommandInfo& row : command_table()) EXPECT_TRUE(told.contains(std::string(row.word))) << row.word;
     p.line("4");
-    EXPECT_THAT(p.line("list"), HasSubstr("Which way do I face, C."));
+    EXPECT_THAT(p.line("list"), HasSubstr("Say which way you face, C."));
     EXPECT_THAT(p.line("which way"), HasSubstr("Facing north"));
     EXPECT_FALSE(p.app.dialogue().is_open()) << "what is done closes the lists";
 }
@@ -77,10 +77,10 @@ TEST(Rebinding, takes_the_key_that_is_pressed_and_saves_it) {
     Person p;
     p.key("Tab");
     p.line("keys");
-    p.line("all of it");
-    EXPECT_THAT(p.line("which way do i face"), HasSubstr("Another key instead"));
+    p.line("all topics");
+    EXPECT_THAT(p.line("say which way you face"), HasSubstr("Replace with another key"));
     EXPECT_THAT(p.line("another key"), HasSubstr("Press the new key"));
-    EXPECT_THAT(p.key("Control+Shift+J"), HasSubstr("Which way do I face has Control+Shift+J."));
+    EXPECT_THAT(p.key("Control+Shift+J"), HasSubstr("Say which way you face: now on Control+Shift+J."));
     EXPECT_EQ(p.saved()["keys.heading"], "Control+Shift+J");
     p.key("Escape");
     p.key("Escape");
@@ -95,21 +95,21 @@ TEST(Rebinding, tells_conflicts_and_lets_the_person_decide_and_gives_the_built_i
     const auto ask_for = [&](const std::string& what) {
         p.key("Tab");
         p.line("keys");
-        p.line("all of it");
-        p.line("which way do i face");
+        p.line("all topics");
+        p.line("say which way you face");
         p.line(what);
     };
     const auto leave = [&] {
         while (p.app.dialogue().is_open()) p.key("Escape");
     };
-    ask_for("one more");
-    EXPECT_THAT(p.key("E"), HasSubstr("E does already: What is the hand touching"));
-    EXPECT_THAT(p.line("leave it"), HasSubstr("Left as it is."));
+    ask_for("add another");
+    EXPECT_THAT(p.key("E"), HasSubstr("E is already used for: Say what the hand is touching"));
+    EXPECT_THAT(p.line("leave"), HasSubstr("Left as it is."));
     EXPECT_EQ(p.app.keys().find("E"), Command::WhatIsThis);
     leave();
-    ask_for("one more");
+    ask_for("add another");
     p.key("E");
-    EXPECT_THAT(p.line("take it"), HasSubstr("has C or E."));
+    EXPECT_THAT(p.line("take the key"), HasSubstr("now on C or E."));
     EXPECT_EQ(p.app.keys().find("E"), Command::Heading);
     EXPECT_EQ(p.app.keys().find("C"), Command::Heading);
     EXPECT_EQ(p.app.keys().keys_of(Command::WhatIsThis), "");
@@ -122,26 +122,26 @@ TEST(Rebinding, tells_conflicts_and_lets_the_person_decide_and_gives_the_built_i
     again.keys = {{"what", "none"}, {"heading", "C E"}};
     EXPECT_TRUE(KeyMap(again.keys).problems().empty());
     EXPECT_EQ(KeyMap(again.keys).find("none"), std::nullopt);
-    ask_for("the key it came with");
+    ask_for("restore the default key");
     EXPECT_EQ(p.app.keys().keys_of(Command::Heading), "C");
     leave();
-    ask_for("another");
+    ask_for("replace");
     EXPECT_THAT(p.line("Escape"), HasSubstr("Left as it is."));
     leave();
-    ask_for("another");
-    EXPECT_THAT(p.line("what key?"), HasSubstr("is no key's name"));
+    ask_for("replace");
+    EXPECT_THAT(p.line("what key?"), HasSubstr("is not the name of a key"));
     leave();
-    ask_for("another");
+    ask_for("replace");
     EXPECT_FALSE(p.app.apply(KeyTapped{"F12"}, p.now)) << "the stop key stops, whatever is asked";
 }
 
 TEST(InputHelp, explains_keys_and_does_nothing_until_it_is_pressed_again) {
     Person p;
     EXPECT_THAT(p.key("Shift+F1"), StartsWith("Input help on."));
-    EXPECT_THAT(p.key("Up"), StartsWith("Up: One step forward"));
-    EXPECT_THAT(p.key("F4"), StartsWith("F4: Change between Map"));
+    EXPECT_THAT(p.key("Up"), StartsWith("Up: Walk one step forward"));
+    EXPECT_THAT(p.key("F4"), StartsWith("F4: Switch between Map"));
     EXPECT_THAT(p.key("Pause"), StartsWith("Pause: does nothing."));
-    EXPECT_THAT(p.line("scale-bar"), StartsWith("scale-bar: How long five steps are"));
+    EXPECT_THAT(p.line("scale-bar"), StartsWith("scale-bar: Say how long five steps are"));
     EXPECT_TRUE(p.app.idle());
     EXPECT_EQ(p.app.settings().workspace.frame, FrameChoice::Map);
     EXPECT_FALSE(p.app.apply(KeyTapped{"F12"}, p.now));
@@ -230,20 +230,20 @@ TEST(SettingsMenu, changes_every_setting_by_steps_or_by_typing_and_refuses_with_
     p.line("escape");
     p.line("speech");
     const std::string all = p.line("list");
-    EXPECT_THAT(all, HasSubstr("Verbosity, 2"));
+    EXPECT_THAT(all, HasSubstr("Amount of speech, 2"));
     EXPECT_THAT(all, HasSubstr("Distances in steps, on"));
     while (p.key("Down").find("Distances in steps") == std::string::npos) {
     }
     EXPECT_THAT(p.key("Right"), HasSubstr("off"));
     EXPECT_FALSE(p.app.settings().speech.distances_in_steps);
     EXPECT_EQ(p.saved()["speech.distances_in_steps"], "false");
-    EXPECT_THAT(p.line("verbosity"), HasSubstr("How much is said"));
+    EXPECT_THAT(p.line("amount of speech"), HasSubstr("How much is said"));
     EXPECT_THAT(p.line("9"), HasSubstr("must be a whole number, 0 to 4"));
     EXPECT_EQ(p.app.settings().speech.verbosity, 2);
-    p.line("verbosity");
+    p.line("amount of speech");
     EXPECT_THAT(p.line("3"), HasSubstr("3"));
     EXPECT_EQ(p.app.settings().speech.verbosity, 3);
-    EXPECT_THAT(p.line("list"), HasSubstr("Verbosity, 3"));
+    EXPECT_THAT(p.line("list"), HasSubstr("Amount of speech, 3"));
 }
 
 TEST(AdjustSettings, every_setting_steps_up_and_down_within_its_range_and_comes_back) {

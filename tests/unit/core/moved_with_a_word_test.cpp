@@ -74,8 +74,8 @@ TEST(Trailing, says_so_when_the_wall_is_walked_to_first) {
     s.app.apply(Placed{{4, 3, 0}, 0.0}, s.now);
     s.news();
     s.ask(Command::TrailLeft);
-    EXPECT_THAT(s.said.back(), HasSubstr("To the wall, "));
-    EXPECT_THAT(s.said.back(), HasSubstr("with it on your left"));
+    EXPECT_THAT(s.said.back(), HasSubstr("Going to the wall, "));
+    EXPECT_THAT(s.said.back(), HasSubstr("with the wall on your left"));
 }
 
 TEST(Trailing, waits_before_stairs_until_it_is_asked_again) {

@@ -127,9 +127,9 @@ TEST(Meeting, a_lift_under_a_low_ceiling_goes_back_and_does_not_try_again_while_
     const double highest = rider.highest_m(10.0);
     EXPECT_GT(highest, 1.2) << "up to where the head is at the beam";
     EXPECT_LE(highest, 100.0 / 32.0 - 1.7);
-    EXPECT_TRUE(rider.heard("Lift met you and goes back"));
+    EXPECT_TRUE(rider.heard("Lift touched you and is going back"));
     EXPECT_EQ(std::count_if(rider.said.begin(), rider.said.end(),
-                            [](const std::string& s) { return s.find("met you") != std::string::npos; }),
+                            [](const std::string& s) { return s.find("touched you") != std::string::npos; }),
               1);
     EXPECT_NEAR(rider.app.feet_m().z, 0.0, 0.02);
 }
@@ -149,7 +149,7 @@ TEST(Meeting, a_lift_that_comes_down_on_somebody_goes_back_up) {
         rider.run(1.0 / 60.0);
         ASSERT_FALSE(rider.in_something()) << i;
     }
-    EXPECT_TRUE(rider.heard("Lift met you and goes back"));
+    EXPECT_TRUE(rider.heard("Lift touched you and is going back"));
     EXPECT_NEAR(rider.app.feet_m().z, 0.0, 0.02);
 }
 
@@ -241,7 +241,7 @@ TEST(Trains, go_through_a_doorway_with_their_passenger_and_wait_for_who_stands_i
         rider.run(1.0 / 60.0);
         ASSERT_FALSE(rider.in_something()) << i;
     }
-    EXPECT_TRUE(rider.heard("Car met you and waits"));
+    EXPECT_TRUE(rider.heard("Car touched you and is waiting"));
     EXPECT_NEAR(rider.app.feet_m().y, 9.75, 1e-6) << "it pushes nobody";
     EXPECT_GT(rider.thing(0).position_m.y, 9.9);
     rider.app.apply(Placed{{9.0, 9.0, 0.0}, 0.0}, rider.now);
@@ -347,7 +347,7 @@ TEST(TurningParts, wait_for_who_stands_in_their_way) {
         rider.run(1.0 / 60.0);
         ASSERT_FALSE(rider.in_something()) << i;
     }
-    EXPECT_TRUE(rider.heard("Paddle met you and waits"));
+    EXPECT_TRUE(rider.heard("Paddle touched you and is waiting"));
     const Placement waits = rider.thing(0);
     rider.run(1.0);
     EXPECT_TRUE(rider.thing(0) == waits);

@@ -15,7 +15,7 @@ bool begins(const std::string& text, const std::string& with) {
            (text.size() == with.size() || std::isalnum(static_cast<unsigned char>(text[with.size()])) == 0);
 }
 
-// "Kitchen" of "Way to. Kitchen, 12 steps, 1 of 5" and of "Kitchen, 12 steps, 1 of 5".
+// "Kitchen" of "Route to which room. Kitchen, 12 steps, 1 of 5" and of "Kitchen, 12 steps, 1 of 5".
 std::string entry_of(std::string spoken) {
     static const std::regex count(", \\d+ of \\d+\\s*$");
     return std::regex_replace(spoken, count, "");
@@ -97,7 +97,7 @@ bool Newcomer::walk(int steps) {
     for (int i = 0; i < steps; ++i) {
         const std::size_t sounds = audio_.sounds().size(), said = lines();
         tap("Up", 0.9);
-        if (heard("Again to go over it", said)) {
+        if (heard("Step again to go over the edge", said)) {
             if (!over_edges_) return true;
             tap("Up", 1.2);
             continue;
@@ -152,11 +152,11 @@ void Newcomer::ride() {
 }
 
 bool Newcomer::obey(const std::string& text) {
-    if (text.find("You stand in it. Enter makes it go") != std::string::npos) {
+    if (text.find("You are standing in it. Enter starts it") != std::string::npos) {
         ride();
         return true;
     }
-    if (text.find("You stand at them. Enter takes them") != std::string::npos) {
+    if (text.find("You are standing at them. Use Enter to take them") != std::string::npos) {
         ask("Enter", 1.0);
         return true;
     }
@@ -192,7 +192,7 @@ std::string Newcomer::choose(const std::string& key, const std::string& begin) {
         if (begins(spoken, begin)) {
             const std::string answer = ask("Enter", 0.8);
             // Several of that name: the nearest.
-            return answer.find(": which one") == std::string::npos ? answer : ask("Enter", 0.8);
+            return answer.find(": which one?") == std::string::npos ? answer : ask("Enter", 0.8);
         }
         if (spoken == before || spoken.empty()) break;
         before = spoken;
@@ -205,7 +205,7 @@ std::string Newcomer::choose(const std::string& key, const std::string& begin) {
 bool Newcomer::go_to_room(const std::string& room) {
     const std::size_t since = lines();
     const std::string way = choose("Shift+4", room);
-    if (way.empty() || way.find("No walking way") != std::string::npos) return false;
+    if (way.empty() || way.find("No walking route") != std::string::npos) return false;
     return follow_words_to(room, since);
 }
 
@@ -214,7 +214,7 @@ bool Newcomer::go_by_words_to_thing(const std::string& thing) {
     if (choose("Shift+H", thing).empty()) return false;
     tap("Down");
     const std::string way = ask("Enter", 0.8);
-    if (way.empty() || way.find("No walking way") != std::string::npos) return false;
+    if (way.empty() || way.find("No walking route") != std::string::npos) return false;
     return follow_words_to(thing, since);
 }
 
@@ -222,7 +222,7 @@ bool Newcomer::follow_words_to(const std::string& goal, std::size_t since) {
     locked_.reset();
     for (int asked = 0; asked < 120 && !locked_; ++asked) {
         if (heard(goal + " You are there", since)) return true;
-        const std::string on = choose("Shift+4", "Where the way goes on");
+        const std::string on = choose("Shift+4", "Where the route continues");
         if (heard(goal + " You are there", since)) return true;
         if (!obey(on)) return false;
     }

@@ -328,7 +328,7 @@ TEST(ANewcomer, rides_the_lift_of_a_building_without_stairs_to_its_highest_store
     (void)n.entries("Shift+4");
     EXPECT_TRUE(n.go_to_room("Hall, Level 2")) << n.last_lines(40);
     EXPECT_NEAR(n.feet_m().z, 6.0, 0.1);
-    EXPECT_TRUE(n.heard("You stand in it. Enter makes it go")) << n.last_lines(40);
+    EXPECT_TRUE(n.heard("You are standing in it. Enter starts it")) << n.last_lines(40);
     EXPECT_TRUE(n.go_to_room("Hall, Level 0")) << n.last_lines(40);
     EXPECT_NEAR(n.feet_m().z, 0.0, 0.1);
 }

@@ -136,7 +136,7 @@ TEST(OnePlace, of_a_room_is_as_far_in_the_list_of_ways_as_its_way_is_long_and_te
                 s.ask(Command::Routes);
                 s.line(name);
                 const std::string distance = value.substr(0, value.find(','));
-                EXPECT_TRUE(s.heard(distance + " in all") || s.heard("No walking way")) << name << ": " << s.news();
+                EXPECT_TRUE(s.heard(distance + " in all") || s.heard("No walking route")) << name << ": " << s.news();
                 ways += s.heard(" in all") ? 1 : 0;
                 s.ask(Command::Routes);
                 s.line("stop following");

@@ -182,9 +182,10 @@ TEST(LookRound, begins_ahead_goes_round_by_sixteenths_and_follows_the_hand) {
 TEST(ScaleBar, is_five_steps_under_a_roof_and_25_metres_outdoors_with_north) {
     Telling how;
     how.heading_rad = kPi / 2.0;
-    EXPECT_EQ(scale_bar_words(false, how, 60.0, 0.0),
-              "5 steps, 3.5 metres, are 5.8 centimetres under your hand. North is away from you for your hand, and "
-              "left for your feet.");
+    EXPECT_EQ(
+        scale_bar_words(false, how, 60.0, 0.0),
+        "5 steps or 3.5 metres are 5.8 centimetres under your hand. Under your hand, north is away from you; from "
+        "where you stand, it is left.");
     EXPECT_EQ(scale_bar_words(true, how, 0.0, 0.0), "25 metres, 36 steps. North is left.");
     how.directions = DirectionChoice::Clock;
     EXPECT_THAT(scale_bar_words(true, how, 0.0, 0.0), HasSubstr("North is at 9 o'clock."));
@@ -198,8 +199,8 @@ TEST(ScaleBar, is_five_steps_under_a_roof_and_25_metres_outdoors_with_north) {
 }
 
 TEST(Coordinates, say_metres_from_the_origin_and_height_above_what_is_below) {
-    EXPECT_EQ(coordinates_words({3.04, -0.51, 1.0}), "3.0 east, 0.5 south, height 1.0 metres");
-    EXPECT_EQ(coordinates_words({-2.0, 0.0, -0.0001}), "2.0 west, 0.0 north, height 0.0 metres");
+    EXPECT_EQ(coordinates_words({3.04, -0.51, 1.0}), "3 east, 0.5 south, height 1 metre");
+    EXPECT_EQ(coordinates_words({-2.0, 0.0, -0.0001}), "2 west, 0 north, height 0 metres");
     const BodyWorld world(hall().share());
     EXPECT_NEAR(above_floor_m(world, {4, 4, 1.3}).value(), 1.3, 1e-3);
     EXPECT_NEAR(above_floor_m(world, {4, 6.2, 1.3}).value(), 0.8, 1e-3) << "above the bench";
@@ -227,7 +228,7 @@ TEST(SessionQuestions, are_answered_in_the_chosen_vocabulary_and_at_the_chosen_l
     EXPECT_THAT(ask(Command::AroundMe), HasSubstr("9 o'clock: Clock, 4 steps."));
     EXPECT_THAT(ask(Command::LookNext), HasSubstr("At 12 o'clock: Bench"));
     EXPECT_THAT(ask(Command::LookNext), HasSubstr("At 1 o'clock: Bench, 3 steps; north wall, plaster, 6 steps."));
-    EXPECT_THAT(ask(Command::Coordinates), HasSubstr("4.0 east, 4.0 north, height 0.0 metres"));
+    EXPECT_THAT(ask(Command::Coordinates), HasSubstr("4 east, 4 north, height 0 metres"));
     EXPECT_THAT(ask(Command::ScaleBar), HasSubstr("25 metres"));
     settings.speech.verbosity = 1;
     settings.speech.directions = DirectionChoice::Compass;

@@ -93,13 +93,13 @@ TEST(NamesOfRooms, may_have_200_bytes_and_no_more_and_are_not_given_twice) {
     p.ask(Command::NameRoom);
     p.app.apply(LineTyped{std::string(201, 'b')}, p.now);
     p.listen();
-    EXPECT_THAT(p.said.back(), HasSubstr("as long as it can be"));
+    EXPECT_THAT(p.said.back(), HasSubstr("cannot be any longer"));
     p.app.apply(KeyTapped{"Escape"}, p.now);
     p.listen();
-    EXPECT_EQ(p.said.back(), "The name stays.");
+    EXPECT_EQ(p.said.back(), "The name was not changed.");
     p.app.apply(Placed{{9.0, 2.5, 0.0}, 0.0}, p.now);
     p.run(0.1);
-    EXPECT_THAT(p.name(std::string(200, 'A')), HasSubstr("Another room is called"));
+    EXPECT_THAT(p.name(std::string(200, 'A')), HasSubstr("Another room is already called"));
     EXPECT_THAT(p.ask(Command::WhereAmI), testing::StartsWith("Room, east, "));
 }
 
@@ -146,7 +146,8 @@ TEST(NamesOfRooms, that_are_damaged_are_kept_aside_said_and_started_empty) {
     ASSERT_TRUE(write_file_atomically(world.beside(), "[[room_name]]\nname = \"Shop\nplace_m = [1.0, 2.5, 0.0]\n"));
     {
         Person p(world.path);
-        EXPECT_TRUE(p.heard("is damaged in line 2. It is kept as flat.map.handrail.toml.damaged")) << p.said.front();
+        EXPECT_TRUE(p.heard("is damaged in line 2. It has been saved as flat.map.handrail.toml.damaged"))
+            << p.said.front();
         EXPECT_THAT(p.ask(Command::WhereAmI), testing::StartsWith("Room, west, "));
         EXPECT_EQ(p.name("Shop"), "This room is now called Shop.");
     }
@@ -157,9 +158,9 @@ TEST(NamesOfRooms, that_are_damaged_are_kept_aside_said_and_started_empty) {
         "[[room_name]]\nplace_m = [1.0, 2.5, 0.0]\n"));
     Person p(world.path);
     EXPECT_TRUE(
-        p.heard("flat.map.handrail.toml, line 4: the name of a room Attic needs place_m with three decimal numbers, "
-                "such as [1.0, 2.5, 0.0]. Write them, or "
-                "delete the entry. 1 more name of a room cannot be read."))
+        p.heard("flat.map.handrail.toml, line 4: the room name Attic needs place_m with three decimal numbers, "
+                "such as [1.0, 2.5, 0.0]. Add them, or "
+                "delete the entry. 1 more room name cannot be read."))
         << testing::PrintToString(p.said);
     EXPECT_THAT(p.ask(Command::WhereAmI), testing::StartsWith("Shop, "));
     p.name("Store");

@@ -51,7 +51,8 @@ TEST(RoomsInASession, name_the_room_and_its_exits_clockwise) {
     Visitor s;
     s.app.apply(WorldEntered{make_ready(house())}, 0.0);
     s.run(0.1);
-    EXPECT_TRUE(s.ask(Command::WhereAmI).starts_with("Hall, at the door, base, facing north. ")) << s.said.back();
+    EXPECT_TRUE(s.ask(Command::WhereAmI).starts_with("Hall, at the base, by the door, facing north. "))
+        << s.said.back();
     const std::string exits = s.ask(Command::Exits);
     EXPECT_TRUE(exits.starts_with("Hall. ")) << exits;
     // Facing north from the front door: the way up ahead, then east, south, west.
@@ -89,7 +90,7 @@ TEST(RoomsInASession, lead_to_another_room_in_words_and_along_the_way) {
     s.app.apply(WorldEntered{make_ready(house())}, 0.0);
     s.run(0.1);
     s.ask(Command::Routes);
-    EXPECT_TRUE(s.said.back().starts_with("Way to")) << s.said.back();
+    EXPECT_TRUE(s.said.back().starts_with("Route to which room")) << s.said.back();
     ASSERT_TRUE(s.app.apply(LineTyped{"Music room"}, s.now));
     s.run(0.1);
     const auto told = std::find_if(s.said.begin(), s.said.end(),
@@ -111,12 +112,12 @@ TEST(RoomsInASession, lead_to_another_room_in_words_and_along_the_way) {
     // Carried far off, a new way is told.
     s.app.apply(Placed{{6.0, -4.0, 0.0}, 0.0}, s.now);
     s.run(0.3);
-    EXPECT_TRUE(s.heard("You have left the way."));
+    EXPECT_TRUE(s.heard("You have left the route."));
     EXPECT_TRUE(s.heard("To Music room. "));
     s.ask(Command::Routes);
-    ASSERT_TRUE(s.app.apply(LineTyped{"Stop following the way"}, s.now));
+    ASSERT_TRUE(s.app.apply(LineTyped{"Stop following the route"}, s.now));
     s.listen();
-    EXPECT_EQ(s.said.back(), "No way is followed any more.");
+    EXPECT_EQ(s.said.back(), "You are no longer following a route.");
 }
 
 TEST(RoomsInASession, say_plainly_where_there_is_no_way) {
@@ -164,8 +165,8 @@ TEST(RoomsInASession, say_plainly_where_there_is_no_way) {
     ASSERT_TRUE(s.app.apply(LineTyped{"Balcony"}, s.now));
     s.run(0.1);
     s.listen();
-    EXPECT_TRUE(s.heard("No walking way found to Balcony. The nearest place you can reach is in ")) << s.news();
-    EXPECT_EQ(s.said.back(), "Give it a door, or stairs or a lift to its storey.");
+    EXPECT_TRUE(s.heard("No walking route found to Balcony. The nearest place you can reach is ")) << s.news();
+    EXPECT_EQ(s.said.back(), "Give the room a door, or add stairs or a lift to its storey.");
 }
 
 TEST(RoomsInASession, are_found_on_a_thread_while_everything_goes_on) {
@@ -195,8 +196,8 @@ struct LateRooms {
     }
     Arrivals arrivals;
     test::AppSession session{{}, {}, options()};
-    const std::string waited_for = "Rooms and ways are still being looked for. All else works.",
-                      there = "Rooms and ways are known now.";
+    const std::string waited_for = "Rooms and routes are still being worked out. Everything else works.",
+                      there = "Rooms and routes have been worked out.";
 };
 
 TEST(RoomsInASession, that_take_long_are_told_of_once_and_again_when_they_are_there) {

@@ -108,8 +108,8 @@ TEST(RouteFollower, says_every_10_m_that_one_is_on_the_way) {
     follower.follow(route, nodes(route));
     const Walked walked = walk(follower, route.points_m);
     ASSERT_EQ(walked.said.size(), 6U);
-    for (std::size_t i = 0; i < 4; ++i) EXPECT_THAT(walked.said[i], HasSubstr("On the way, "));
-    EXPECT_EQ(walked.said[0], "On the way, 55 steps left");
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_THAT(walked.said[i], HasSubstr("On the route, "));
+    EXPECT_EQ(walked.said[0], "On the route, 55 steps to go");
     EXPECT_EQ(walked.said[4], "Kitchen, 9 steps");
 }
 

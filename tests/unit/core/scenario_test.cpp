@@ -62,7 +62,7 @@ TEST_F(ScenarioFile, a_sweep_is_three_moves_for_each_direction) {
 // Each bad file names its line and what to do; nothing is half read.
 TEST_F(ScenarioFile, says_what_is_wrong_and_where) {
     const std::string head = kHead;
-    EXPECT_THAT(error("title = \"t\"\n"), testing::HasSubstr("needs \"world\""));
+    EXPECT_THAT(error("title = \"t\"\n"), testing::HasSubstr("needs the key \"world\""));
     EXPECT_THAT(error("title = \"t\"\nworld = \"gone.map\"\n"), testing::HasSubstr("line 2"));
     EXPECT_THAT(error(head), testing::HasSubstr("expects nothing"));
     EXPECT_THAT(error(head + "[[do]]\npress = \"forwrad\"\n"),

@@ -80,7 +80,7 @@ TEST(Session, says_once_on_entering_where_many_materials_crowd_unless_that_is_sw
             for (double now = 0.0; now < 1.0; now += 0.1) {
                 app.tick(now, ToolState{});
                 for (const CueRequest& cue : app.take_cues())
-                    told += cue.text.find("6 materials within one view") != std::string::npos;
+                    told += cue.text.find("6 materials are close together") != std::string::npos;
             }
             EXPECT_EQ(told, hint && scene.triangles.size() == 6 ? 1 : 0);
         }
@@ -221,11 +221,11 @@ TEST(Session, map_frame_never_turns_the_felt_world_and_walk_frame_does) {
     const std::uint32_t jump = s.app.hand().pose.jump;
     s.tap(Command::SwitchFrame);
     s.run(0.1);
-    EXPECT_EQ(s.said().back(), "Walk, turning with you");
+    EXPECT_EQ(s.said().back(), "Walk: the workspace turns with you");
     EXPECT_NE(s.app.hand().pose.jump, jump);
     EXPECT_NEAR(degrees_from_radians(s.app.hand().pose.heading_rad), 22.5, 1e-9);
     s.tap(Command::SwitchFrame);
-    EXPECT_EQ(s.said().back(), "Map, north up");
+    EXPECT_EQ(s.said().back(), "Map: north stays up");
     EXPECT_EQ(s.app.take_setting_changes().back().second, "map");
 }
 
@@ -315,7 +315,8 @@ TEST(Session, f_says_why_there_is_no_force_yet_and_when_there_may_be) {
     EXPECT_EQ(s.said().back(), "The touch device is not plugged in.");
     s.tool.fault_lasts = false;
     s.run(0.1);
-    EXPECT_EQ(s.said().back(), "The touch device is plugged in again. Press F or the grave key to feel with it.");
+    EXPECT_EQ(s.said().back(),
+              "The touch device is plugged in again. Press F or the key to the left of 1 to feel again.");
     const std::uint32_t confirm = s.app.hand().tuning.confirm;
     s.tap(Command::ToggleForces);
     EXPECT_NE(s.app.hand().tuning.confirm, confirm);
@@ -347,7 +348,7 @@ TEST(Session, a_device_plugged_in_later_is_offered_and_taken_with_the_force_key)
     SessionAlone s(false);
     s.app.apply(HandOffered{"Falcon"}, s.now);
     s.run(0.1);
-    EXPECT_EQ(s.said().back(), "I found a Falcon. Press F or the grave key to use it.");
+    EXPECT_EQ(s.said().back(), "I found a Falcon. Press F or the key to the left of 1 to use it.");
     EXPECT_FALSE(s.app.requests().take_offered_hand());
     s.tap(Command::ToggleForces);
     EXPECT_TRUE(s.app.requests().take_offered_hand());
@@ -484,12 +485,12 @@ TEST(Session, brings_body_and_hand_out_of_what_they_are_in) {
     s.tool.hip_m = Vec3(3.0, 1.5, 1.0);
     s.run(0.1);
     s.tap(Command::BringOut);
-    EXPECT_EQ(s.said().back(), "You are inside nothing.");
+    EXPECT_EQ(s.said().back(), "You are not inside anything.");
     s.tool.hip_m = Vec3(1.5, 3.25, 0.6);  // in the table
     s.run(0.1);
     const Vec3 before = s.app.hand().pose.origin_m;
     s.tap(Command::BringOut);
-    EXPECT_NE(s.said().back().find("Your hand was in Table"), std::string::npos) << s.said().back();
+    EXPECT_NE(s.said().back().find("Your hand was inside Table"), std::string::npos) << s.said().back();
     const Vec3 hand = s.tool.hip_m + s.app.hand().pose.origin_m - before;
     EXPECT_GE(surrounding_of(*s.app.haptic_scene(), {}, hand, 1.0).distance_m, s.app.hand().tuning.touch.radius_m);
     s.app.apply(Placed{{3, 2, 0}, 0.0}, s.now);
@@ -498,7 +499,7 @@ TEST(Session, brings_body_and_hand_out_of_what_they_are_in) {
     s.tool.hip_m = Vec3(0.5, 0.5, 1.0);
     s.run(0.1);
     s.tap(Command::BringOut);
-    EXPECT_NE(s.said().back().find("You stood in something"), std::string::npos) << s.said().back();
+    EXPECT_NE(s.said().back().find("You were inside something"), std::string::npos) << s.said().back();
     EXPECT_GE(std::max(std::abs(s.app.feet_m().x - 3.0), std::abs(s.app.feet_m().y - 2.0)), 1.25 - 1e-3);
 }
 
@@ -513,7 +514,7 @@ TEST(Session, says_the_scale_first_and_keeps_the_place_under_the_hand) {
     s.cues.clear();
     for (const auto& [command, sentence, scale] :
          {std::tuple{Command::ScaleDetail, "Detail, 2.4 metres wide, 3 steps", 15.0},
-          std::tuple{Command::ScaleFloor, "Floor, 19 metres wide, 25 steps", 120.0},
+          std::tuple{Command::ScaleFloor, "Storey, 19 metres wide, 25 steps", 120.0},
           std::tuple{Command::ScaleRoom, "Room, 9.6 metres wide, 14 steps", 60.0}}) {
         const std::uint32_t jump = s.app.hand().pose.jump;
         s.app.apply(CommandDown{command}, s.now);

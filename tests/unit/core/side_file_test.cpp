@@ -206,9 +206,10 @@ TEST(SideFile, keeps_the_file_aside_before_it_writes_over_what_is_no_list_of_ent
         EXPECT_TRUE(faults.empty());
         read_list(file, "mark", own_name, faults);
         ASSERT_EQ(faults.size(), 1U) << odd;
-        EXPECT_EQ(faults[0].sentence(),
-                  "a.map.handrail.toml, line 2: mark is no list of entries, each under [[mark]]. Mend it. Before "
-                  "anything is added there, the file is kept as a.map.handrail.toml.damaged.");
+        EXPECT_EQ(
+            faults[0].sentence(),
+            "a.map.handrail.toml, line 2: mark must be a list of entries, each under [[mark]]. Correct it. Before "
+            "any change, the file is copied to a.map.handrail.toml.damaged.");
         file.set_entries("way", file.entries("way"));
         ASSERT_TRUE(file.save());
         EXPECT_FALSE(fs::exists(kept)) << "it is still there";

@@ -84,7 +84,7 @@ TEST(Simplified, lists_what_it_is_and_leads_to_each) {
             std::find_if(items.begin(), items.end(), [&](const ListItem& one) { return one.name == name; });
         return found == items.end() ? std::string("none") : found->value;
     };
-    EXPECT_THAT(item("Front door"), HasSubstr("felt 1.7 metres wide, truly 1 metre, "));
+    EXPECT_THAT(item("Front door"), HasSubstr("feels 1.7 metres wide but is really 1 metre, "));
     EXPECT_THAT(item("Bedroom door"), HasSubstr("above"));
     EXPECT_THAT(item("Coat stand"), HasSubstr("left out, "));
     EXPECT_EQ(item("Grandfather clock"), "none") << "a landmark stays";
@@ -109,7 +109,7 @@ TEST(Simplified, is_off_by_a_setting_at_once_and_says_so) {
     EXPECT_TRUE(is_felt(*p.app().haptic_scene(), coats));
     from = p.lines();
     p.tap(Command::Simplified);
-    EXPECT_TRUE(p.heard("Simplifying is switched off: everything is felt as it is.", from));
+    EXPECT_TRUE(p.heard("Simplifying is switched off: everything feels as it really is.", from));
     Settings settings = p.app().settings();
     settings.haptic.simplify = true;
     p.app().apply(SettingsChanged{settings}, p.now_s());
@@ -176,7 +176,8 @@ TEST(Simplified, is_said_in_whole_german_sentences) {
     EXPECT_TRUE(p.heard(" verbreitert, 6 kleine Dinge weggelassen.", from)) << p.all_heard(from);
     p.tap(Command::Simplified);
     EXPECT_TRUE(p.heard("Vereinfacht in diesem Maßstab", from)) << p.all_heard(from);
-    EXPECT_THAT(p.app().dialogue().view().items[0].value, HasSubstr("gefühlt 1,7 Meter breit, in Wahrheit 1 Meter, "));
+    EXPECT_THAT(p.app().dialogue().view().items[0].value,
+                HasSubstr("fühlt sich 1,7 Meter breit an, ist aber 1 Meter, "));
     p.leave_lists();
     from = p.lines();
     p.tap(Command::ScaleDetail, 0.2);
@@ -438,7 +439,7 @@ void tells_the_truth_of_each_scale(const std::shared_ptr<const Scene>& world) {
         const std::string building = at_scale(Command::ScaleBuilding, "Building");
         EXPECT_THAT(building, HasSubstr("Simplified: "));
         EXPECT_THAT(building, HasSubstr("widened"));
-        at_scale(Command::ScaleFloor, "Floor");
+        at_scale(Command::ScaleFloor, "Storey");
         EXPECT_THAT(at_scale(Command::ScaleRoom, "Room"), Not(HasSubstr("Simplified: ")));
         at_scale(Command::ScaleDetail, "Detail");
         EXPECT_THAT(at_scale(Command::ScaleRoom, "Room"), Not(HasSubstr("Simplified: ")));

@@ -53,7 +53,7 @@ TEST(Storeys, of_the_house_are_listed_from_below_with_their_rooms_and_ones_own_m
     s.app.apply(KeyTapped{"Escape"}, s.now);
     const std::string whole = s.ask(Command::Overview);
     const std::string upper = storeys[1].value, lower = storeys[0].value.substr(0, storeys[0].value.find(','));
-    EXPECT_THAT(whole, HasSubstr("from the lowest up " + lower + ", " + upper));
+    EXPECT_THAT(whole, HasSubstr("from the lowest up: " + lower + ", " + upper));
 }
 
 TEST(Storeys, that_are_chosen_are_walked_to_by_the_way_to_their_nearest_room) {

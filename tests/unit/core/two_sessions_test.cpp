@@ -250,7 +250,7 @@ TEST(TwoSessions, one_waits_for_the_others_save_and_says_so_where_it_does_not_en
         ASSERT_TRUE(other.held());
         const auto saved = mine.save();
         ASSERT_FALSE(saved);
-        EXPECT_THAT(saved.error().sentence(), HasSubstr("another session"));
+        EXPECT_THAT(saved.error().sentence(), HasSubstr("Another session"));
         EXPECT_FALSE(fs::exists(folder.path() / "a.map.handrail.toml"));
     }
     EXPECT_TRUE(mine.save()) << "nothing was forgotten";
@@ -290,7 +290,7 @@ TEST(Additions, that_cannot_be_saved_are_said_to_be_unsaved_each_time_and_saved_
     fs::remove(link);
     visitor.news();
     visitor.run(31.0);
-    EXPECT_THAT(visitor.news(), HasSubstr("What you added is saved now."));
+    EXPECT_THAT(visitor.news(), HasSubstr("What you added has now been saved."));
     EXPECT_THAT(names(SideFile::of_world(world, {}).entries("mark")), ElementsAre("Shoes"));
     EXPECT_THAT(visitor.mark("Hat"), Not(HasSubstr("Not saved")));
 }
@@ -333,7 +333,7 @@ TEST(TwoSessions, both_keep_their_marks_and_a_conflict_is_said) {
     first.news();
     first.line("Coat");
     EXPECT_THAT(first.news(),
-                HasSubstr("Another session changed the same as you did: Jacket. What both wrote is kept."));
+                HasSubstr("Another session changed the same things as you did: Jacket. Both versions are kept."));
     EXPECT_THAT(first.marks(), testing::AllOf(HasSubstr("Jacket"), Not(HasSubstr("Coat"))));
 }
 

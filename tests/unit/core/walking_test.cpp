@@ -100,7 +100,7 @@ TEST(Walking, square_up_faces_the_nearest_wall_or_along_it) {
     for (int i = 0; i < 3; ++i) w.tap(Command::TurnRight, 0.5);  // 67.5 degrees
     w.tap(Command::SquareUp);
     EXPECT_NEAR(degrees_from_radians(w.app.heading_rad()), 90.0, 1e-9);
-    EXPECT_TRUE(w.said("Square. Facing east"));
+    EXPECT_TRUE(w.said("Turned square. Facing east"));
 }
 
 TEST(Walking, free_turns_have_no_notches_and_notches_are_as_large_as_they_are_set) {
@@ -136,7 +136,7 @@ TEST(Walking, a_leap_and_home_are_taken_back_one_after_the_other) {
     for (int i = 0; i < 4; ++i) w.tap(Command::UndoLeap);
     EXPECT_LT(glm::length(w.app.feet_m() - here), 1e-3);
     w.tap(Command::UndoLeap);
-    EXPECT_TRUE(w.said("There is nothing to take back"));
+    EXPECT_TRUE(w.said("There is nothing to undo"));
 }
 
 TEST(Walking, a_leap_leads_to_ones_own_mark_too_and_right_onto_it) {
@@ -175,7 +175,7 @@ TEST(Walking, going_back_follows_the_way_one_came_to_its_beginning) {
     w.app.apply(CommandUp{Command::Retrace}, w.now);
     EXPECT_LT(nearest_turn, 0.3) << "round the corner, not across";
     EXPECT_LT(glm::length(w.app.feet_m() - begin), 0.05);
-    EXPECT_TRUE(w.said("You are where your way began"));
+    EXPECT_TRUE(w.said("You are where your route began"));
 }
 
 TEST(Walking, an_edge_holds_until_it_is_asked_for_twice_and_not_at_all_where_that_is_switched_off) {

@@ -63,15 +63,15 @@ TEST(KeptWays, from_what_was_planned_are_walked_stop_after_stop_after_a_restart)
     const House house;
     {
         Person p(house.path);
-        EXPECT_THAT(p.ask(Command::Ways), HasSubstr("No way is kept here yet. Control+8 keeps the one"));
+        EXPECT_THAT(p.ask(Command::Ways), HasSubstr("You have not kept a route here yet. Control+8 keeps the route"));
         ASSERT_TRUE(p.go_to("Living room")) << p.app.feet_m().x << " " << p.app.feet_m().y;
         p.ask(Command::Routes);
         p.line("Kitchen");  // planned from where the way before ended: part of the same
         p.ask(Command::KeepWay);
-        EXPECT_EQ(p.item("The way you planned last"), "The way you planned last, Hall, Living room, Kitchen");
-        EXPECT_THAT(p.line("The way you planned last"),
-                    HasSubstr("Hall to Kitchen. Type another name for this way, or press Enter"));
-        EXPECT_EQ(p.line("To the stove"), "Way To the stove kept");
+        EXPECT_EQ(p.item("The route you planned last"), "The route you planned last, Hall, Living room, Kitchen");
+        EXPECT_THAT(p.line("The route you planned last"),
+                    HasSubstr("Hall to Kitchen. Type another name for this route, or press Enter to keep this one"));
+        EXPECT_EQ(p.line("To the stove"), "Route To the stove kept");
     }
     const auto text = read_whole_file(house.beside());
     ASSERT_TRUE(text);
@@ -102,7 +102,7 @@ TEST(KeptWays, from_what_was_planned_are_walked_stop_after_stop_after_a_restart)
     EXPECT_EQ(p.item("Stop following"), "");  // it is over
 
     // Backwards, from where it ends.
-    EXPECT_THAT(p.way("To the stove", "Backwards"), HasSubstr("To the stove, backwards"));
+    EXPECT_THAT(p.way("To the stove", "Reverse the route"), HasSubstr("To the stove, backwards"));
     EXPECT_THAT(p.line("Follow it by ear"), StartsWith("To Living room. "));
     p.said.clear();
     ASSERT_TRUE(test::walk_along(
@@ -115,7 +115,7 @@ TEST(KeptWays, are_left_and_found_again_go_on_from_where_one_is_and_stop_when_as
     Person p(house.path);
     p.ask(Command::Routes);
     p.line("Living room");
-    p.keep("The way you planned last", "There");
+    p.keep("The route you planned last", "There");
     p.way("There", "Add a stop");
     EXPECT_EQ(p.line("Kitchen"), "There now goes on to Kitchen.");
     // From the study one is led to its first stop first.
@@ -129,11 +129,11 @@ TEST(KeptWays, are_left_and_found_again_go_on_from_where_one_is_and_stop_when_as
     p.app.apply(Placed{{6.0, -4.0, 0.0}, 0.0}, p.now);
     p.said.clear();
     p.run(0.3);
-    EXPECT_TRUE(p.heard("You have left the way."));
+    EXPECT_TRUE(p.heard("You have left the route."));
     EXPECT_TRUE(p.heard("To Living room. "));
     p.ask(Command::Routes);
-    EXPECT_THAT(p.line("Where the way goes on"), HasSubstr("To Living room: "));
-    EXPECT_EQ(p.ask(Command::TakeMe), "No way is followed any more.");
+    EXPECT_THAT(p.line("Where the route continues"), HasSubstr("To Living room: "));
+    EXPECT_EQ(p.ask(Command::TakeMe), "You are no longer following a route.");
     p.said.clear();
     p.app.apply(Placed{{3.0, 3.5, 0.0}, 0.0}, p.now);
     p.run(0.5);
@@ -151,20 +151,21 @@ TEST(KeptWays, from_the_trail_keep_its_corners_and_lead_along_them) {
         p.ask(Command::DropMark);
         p.line("Gate");
         p.ask(Command::KeepWay);
-        EXPECT_EQ(p.item("All that"), "");  // nothing has been walked yet
-        EXPECT_THAT(p.line("Begin a way here"),
-                    HasSubstr("A way begins here. Control+8 keeps what you walk from here on."));
+        EXPECT_EQ(p.item("Everything"), "");  // nothing has been walked yet
+        EXPECT_THAT(p.line("Begin a route here"),
+                    HasSubstr("A route begins here. Control+8 keeps what you walk from now on."));
         test::steer_along(p.app, detour, [&](double seconds) {
             p.run(seconds);
             return p.now;
         });
         ASSERT_LT(glm::length(p.app.feet_m() - detour.back()), 0.3);
         p.ask(Command::KeepWay);
-        EXPECT_NE(p.item("All that you walked here"), "");
+        EXPECT_NE(p.item("Everything you walked here"), "");
         EXPECT_NE(p.item("What you walked since Gate"), "");
         p.line("What you walked since you began");
-        EXPECT_EQ(p.line("Round"), "Way Round kept");
-        EXPECT_EQ(p.keep("All that", "round"), "Another way is called round.");  // nothing is kept twice under one name
+        EXPECT_EQ(p.line("Round"), "Route Round kept");
+        EXPECT_EQ(p.keep("Everything", "round"),
+                  "Another route is already called round.");  // nothing is kept twice under one name
     }
     Person p(house.path);
     std::vector<Error> faults;
@@ -200,18 +201,18 @@ TEST(KeptWays, are_renamed_and_deleted_and_the_file_follows) {
         Person p(house.path);
         p.ask(Command::Routes);
         p.line("Kitchen");
-        p.keep("The way you planned last", "One");
-        p.keep("The way you planned last", "Two");
-        p.way("One", "Another name");
-        EXPECT_EQ(p.line("TWO"), "Another way is called TWO.");
-        p.way("One", "Another name");
+        p.keep("The route you planned last", "One");
+        p.keep("The route you planned last", "Two");
+        p.way("One", "Change the name");
+        EXPECT_EQ(p.line("TWO"), "Another route is already called TWO.");
+        p.way("One", "Change the name");
         EXPECT_EQ(p.line("Three"), "Three");
-        EXPECT_EQ(p.way("Two", "Delete it"), "Way Two deleted");
+        EXPECT_EQ(p.way("Two", "Delete it"), "Route Two deleted");
         p.ask(Command::KeepWay);
-        p.line("The way you planned last");
+        p.line("The route you planned last");
         p.app.apply(KeyTapped{"Escape"}, p.now);
         p.listen();
-        EXPECT_EQ(p.said.back(), "The way is not kept.");
+        EXPECT_EQ(p.said.back(), "The route was not kept.");
     }
     Person p(house.path);
     p.ask(Command::Ways);
@@ -224,21 +225,23 @@ TEST(KeptWays, that_are_damaged_are_kept_aside_or_told_with_their_line) {
     ASSERT_TRUE(write_file_atomically(house.beside(), "[[way]]\nname = \"Half"));
     {
         Person p(house.path);
-        EXPECT_TRUE(p.heard(
-            "is damaged in line 2. It is kept as house.map.handrail.toml.damaged, and I start with nothing added."));
-        EXPECT_THAT(p.ask(Command::Ways), HasSubstr("No way is kept here yet."));
+        EXPECT_TRUE(
+            p.heard("is damaged in line 2. It has been saved as house.map.handrail.toml.damaged, and you start without "
+                    "additions."));
+        EXPECT_THAT(p.ask(Command::Ways), HasSubstr("You have not kept a route here yet."));
         EXPECT_TRUE(fs::exists(house.beside().string() + ".damaged"));
     }
     ASSERT_TRUE(write_file_atomically(house.beside(), "[[way]]\nname = \"Alone\"\n[[way]]\n[[way]]\n"));
     Person p(house.path);
     EXPECT_TRUE(
-        p.heard("house.map.handrail.toml, line 1: the way Alone needs 2 to 200 stops, each under way.stop. Write them, "
+        p.heard("house.map.handrail.toml, line 1: the route Alone needs 2 to 200 stops, each in a [[way.stop]] table. "
+                "Add them, "
                 "or delete the entry. "
-                "2 more ways cannot be read."))
+                "2 more routes cannot be read."))
         << p.said[1];
     p.ask(Command::Routes);
     p.line("Kitchen");
-    p.keep("The way you planned last", "New");
+    p.keep("The route you planned last", "New");
     EXPECT_THAT(*read_whole_file(house.beside()), HasSubstr("Alone"));
 }
 
@@ -271,7 +274,7 @@ TEST(KeptWays, tell_by_name_what_no_longer_fits_an_edited_world_on_entering_and_
         p.ask(Command::Find);
         p.line("Table");
         p.line("Take me there");
-        ASSERT_EQ(p.keep("The way you planned last", "To lunch"), "Way To lunch kept");
+        ASSERT_EQ(p.keep("The route you planned last", "To lunch"), "Route To lunch kept");
     }
     // Edited without a change to what it goes by.
     write(two_rooms(36.0, 300.0));
@@ -283,41 +286,41 @@ TEST(KeptWays, tell_by_name_what_no_longer_fits_an_edited_world_on_entering_and_
         double gap_units, table_x;
         const char* told;
     } edits[] = {
-        {36.0, 0.0, "To lunch (Table is gone)."},
-        {36.0, 206.0, "To lunch (Table has moved, 2 steps from its stop)."},
-        {0.0, 300.0, "To lunch (no walking way from Shop to Table)."},
+        {36.0, 0.0, "To lunch (Table no longer exists)."},
+        {36.0, 206.0, "To lunch (Table has moved and is now 2 steps from its stop)."},
+        {0.0, 300.0, "To lunch (no walking route from Shop to Table)."},
     };
     for (const auto& edit : edits) {
         write(two_rooms(edit.gap_units, edit.table_x));
         Person p(path);
         EXPECT_TRUE(
-            p.heard(std::string("This world has changed since you kept ways. 1 of 1 no longer fits: ") + edit.told))
+            p.heard(std::string("This world has changed since you kept routes. 1 of 1 no longer fits: ") + edit.told))
             << testing::PrintToString(p.said);
         p.ask(Command::Ways);
         EXPECT_EQ(p.item("To lunch"), "To lunch, may no longer fit");
         const std::string chosen = p.line("To lunch");
         const std::string faults(edit.told + 10, std::strlen(edit.told) - 12);
-        EXPECT_THAT(chosen, HasSubstr("To lunch. It does not fit this world: " + faults));
+        EXPECT_THAT(chosen, HasSubstr("To lunch. This route does not fit this version of the world: " + faults));
         // Followed all the same, as far as it goes.
         const std::string words = p.line("Follow it by ear");
         EXPECT_THAT(words,
-                    edit.gap_units == 0.0 ? HasSubstr("No walking way found to Table.") : HasSubstr("To Table. "));
+                    edit.gap_units == 0.0 ? HasSubstr("No walking route found to Table.") : HasSubstr("To Table. "));
     }
     // Where the rooms are found beside everything else, as soon as they are.
     {
         Person p(path, true);
         const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-        while (!p.heard("no longer fits: To lunch (no walking way from Shop to Table).") &&
+        while (!p.heard("no longer fits: To lunch (no walking route from Shop to Table).") &&
                std::chrono::steady_clock::now() < until)
             p.run(0.1);
-        EXPECT_TRUE(p.heard("no longer fits: To lunch (no walking way from Shop to Table)."))
+        EXPECT_TRUE(p.heard("no longer fits: To lunch (no walking route from Shop to Table)."))
             << testing::PrintToString(p.said);
     }
     // Taken over as it is: told no more, and it leads to where the table stands.
     write(two_rooms(36.0, 206.0));
     {
         Person p(path);
-        EXPECT_EQ(p.way("To lunch", "Keep it as it is found here"), "Way To lunch kept");
+        EXPECT_EQ(p.way("To lunch", "Save it for this version of the world"), "Route To lunch kept");
     }
     Person p(path);
     EXPECT_FALSE(p.heard("fit"));
@@ -338,7 +341,7 @@ TEST(KeptWays, follow_a_room_that_the_person_gives_another_name) {
         p.ask(Command::Find);
         p.line("Table");
         p.line("Take me there");
-        p.keep("The way you planned last", "To lunch");
+        p.keep("The route you planned last", "To lunch");
         p.ask(Command::NameRoom);
         EXPECT_EQ(p.line("Counter"), "This room is now called Counter.");
     }
@@ -379,7 +382,7 @@ TEST(KeptWays, lead_the_hand_from_stop_to_stop) {
         }
     }
     p.tap(Command::TakeMe);  // lets go
-    const std::size_t before = kept_and_led(p, "The way you planned last");
+    const std::size_t before = kept_and_led(p, "The route you planned last");
     ASSERT_TRUE(p.wait_for([&] { return p.heard("Here: Door mat", before); }, 90.0)) << p.all_heard(before);
     EXPECT_LT(p.find("Taking your hand to Coat stand", before),
               p.find("Here: Coat stand. Taking your hand to Door mat", before))
@@ -396,7 +399,7 @@ TEST(KeptWays, lead_the_hand_along_the_corners_of_a_trail) {
         return p.now_s();
     });
     ASSERT_LT(glm::length(p.app().feet_m() - Vec3(5.1, 3.2, 0.0)), 0.4);
-    const std::size_t before = kept_and_led(p, "All that you walked here");
+    const std::size_t before = kept_and_led(p, "Everything you walked here");
     double east_m = 0.0;
     ASSERT_TRUE(p.wait_for(
         [&] {

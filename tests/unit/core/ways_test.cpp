@@ -90,22 +90,23 @@ TEST(Ways, that_cannot_be_read_are_told_with_file_line_and_what_to_do_and_stay_i
         std::string entry;
         const char* fault;
     } bad[] = {
-        {"[[way]]\n" + two, "this way has no name of one line. Give it one under name, or delete the entry."},
+        {"[[way]]\n" + two,
+         "this route needs a name that fits on one line. Give it one with the key \"name\", or delete the entry."},
         {"[[way]]\nname = \"Short\"\n[[way.stop]]\nname = \"A\"\nplace_m = [0.0, 0.0, 0.0]\n",
-         "the way Short needs 2 to 200 stops"},
-        {"[[way]]\nname = \"None\"\nstop = 3\n", "the way None needs 2 to 200 stops"},
+         "the route Short needs 2 to 200 stops"},
+        {"[[way]]\nname = \"None\"\nstop = 3\n", "the route None needs 2 to 200 stops"},
         {"[[way]]\nname = \"Flat\"\n[[way.stop]]\nname = \"A\"\nplace_m = [0.0, 0.0]\n[[way.stop]]\nname = "
          "\"B\"\nplace_m = [1.0, 0.0, 0.0]\n",
-         "the way Flat: stop 1 needs place_m with three decimal numbers"},
+         "the route Flat: stop 1 needs place_m with three decimal numbers"},
         {"[[way]]\nname = \"Nan\"\n[[way.stop]]\nname = \"A\"\nplace_m = [0.0, 0.0, 0.0]\n[[way.stop]]\nname = "
          "\"B\"\nplace_m = [nan, 0.0, 0.0]\n",
-         "the way Nan: stop 2 needs place_m"},
+         "the route Nan: stop 2 needs place_m"},
         {"[[way]]\nname = \"Mute\"\n[[way.stop]]\nplace_m = [0.0, 0.0, 0.0]\n[[way.stop]]\nname = \"B\"\nplace_m = "
          "[1.0, 0.0, 0.0]\n",
-         "the first and the last stop of the way Mute need a name"},
+         "the first and the last stop of the route Mute each need a name"},
         {"[[way]]\nname = \"Odd\"\n[[way.stop]]\nname = \"A\\nB\"\nplace_m = [0.0, 0.0, 0.0]\n[[way.stop]]\nname = "
          "\"B\"\nplace_m = [1.0, 0.0, 0.0]\n",
-         "the way Odd: stop 1 has a name that is not one line of text"},
+         "the route Odd: the name of stop 1 must be one line of text"},
     };
     for (const auto& one : bad) {
         const TemporaryFolder folder;
@@ -225,8 +226,8 @@ TEST(Ways, are_looked_up_again_and_what_no_longer_fits_is_told_by_name) {
     const Vec3 table(2.4, 3.2, 0);
     EXPECT_EQ(unfit(flat(table)), "");
     EXPECT_EQ(unfit(flat(table - Vec3(0.3, 0, 0))), "");  // moved by less than half a metre
-    EXPECT_EQ(unfit(flat({})), "Table is gone");
-    EXPECT_EQ(unfit(flat(table, true)), "no walking way from Table to Far end");
+    EXPECT_EQ(unfit(flat({})), "Table no longer exists");
+    EXPECT_EQ(unfit(flat(table, true)), "no walking route from Table to Far end");
     EXPECT_EQ(unfit(flat(table, false, Vec3(10.9, 2.5, 0))), "there is no place to stand at Far end");
     EXPECT_EQ(unfit(flat(table, false, Vec3(7.5, 2.5, 0))), "");  // one walks round it
     // Elsewhere it is found, and the way goes there.
@@ -239,14 +240,14 @@ TEST(Ways, are_looked_up_again_and_what_no_longer_fits_is_told_by_name) {
     EXPECT_LT(glm::length(found.stops[1].place_m - Vec3(9.5, 0.9, 0)), 0.6);
     // A corner of a trail in a pillar is told by the stop behind it.
     EXPECT_THAT(unfit(flat(table, false, Vec3(8.5, 4.0, 0))),
-                HasSubstr("there is no place to stand on the way to Far end"));
+                HasSubstr("there is no place to stand on the route to Far end"));
 }
 
 TEST(Ways, know_rooms_by_each_of_their_names) {
     Flat one = flat(Vec3(2.4, 3.2, 0));
     SavedWay way = to_the_table();
     way.stops[0].room = "Larder";
-    EXPECT_EQ(unfit(one, way), "Larder is gone");
+    EXPECT_EQ(unfit(one, way), "Larder no longer exists");
     one.graph.rooms[room_at(one.graph, one.navigation->space(), {1, 1, 0})].map_name = "larder";
     EXPECT_EQ(unfit(one, way), "");
     EXPECT_EQ(unfit(one), "");

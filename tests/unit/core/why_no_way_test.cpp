@@ -58,10 +58,10 @@ struct Asked : test::AppSession {
 TEST(WhyNoWay, is_told_with_what_would_help_at_once_or_from_a_thread_beside) {
     for (const bool beside : {false, true}) {
         Asked asked(0.3, beside);
-        EXPECT_TRUE(asked.heard("No walking way found to Study"));
+        EXPECT_TRUE(asked.heard("No walking route found to Study"));
         asked.wait_for([&] { return asked.heard("Study cannot be reached on foot from the base"); });
-        EXPECT_TRUE(asked.heard("the best way to it is only 0.30 metres wide"));
-        EXPECT_TRUE(asked.heard("Make the way at least 0.5 metres wide there"));
+        EXPECT_TRUE(asked.heard("the best route to it is only 0.3 metres wide"));
+        EXPECT_TRUE(asked.heard("Make the route at least 0.5 metres wide there"));
     }
 }
 
@@ -98,7 +98,7 @@ TEST(FaultWords, never_ask_for_a_doorway_that_is_wide_enough_to_be_wider) {
     WorldFault fault{FaultKind::ImpassableDoor, Vec3(0.0), {}};
     fault.name = "Door";
     fault.amount = 0.9;
-    EXPECT_EQ(fault_words(scene, fault), "Door: nobody gets through this door, though it is 0.90 metres wide.");
+    EXPECT_EQ(fault_words(scene, fault), "Door: nobody can get through this door, though it is 0.9 metres wide.");
     EXPECT_EQ(fault_advice(scene, fault).find("0.8"), std::string::npos) << fault_advice(scene, fault);
     fault.amount = 0.5;
     EXPECT_NE(fault_advice(scene, fault).find("at least 0.8 metres wide"), std::string::npos);
@@ -107,7 +107,7 @@ TEST(FaultWords, never_ask_for_a_doorway_that_is_wide_enough_to_be_wider) {
 TEST(WhyNoWay, is_not_told_where_there_is_one) {
     Asked asked(1.2, false);
     asked.run(1.0);
-    EXPECT_FALSE(asked.heard("No walking way"));
+    EXPECT_FALSE(asked.heard("No walking route"));
     EXPECT_FALSE(asked.heard("cannot be reached"));
 }
 

@@ -25,7 +25,7 @@ TEST(SizeWords, give_metres_and_steps) { EXPECT_EQ(size_words(6.0, 4.0, {true, 0
 
 TEST(DistanceWords, are_exact_where_rounding_is_off) {
     EXPECT_EQ(distance_words(3.36, {true, 0.7, false}), "4.8 steps");
-    EXPECT_EQ(distance_words(33.04, {false, 0.7, false}), "33.0 metres");
+    EXPECT_EQ(distance_words(33.04, {false, 0.7, false}), "33 metres");
     EXPECT_EQ(distance_words(33.0, {false, 0.7}), "35 metres");
 }
 

@@ -24,7 +24,7 @@ TEST(NamedScale, says_its_name_and_its_width_in_the_persons_units) {
     const DistanceWords steps{true, 0.7}, metres{false, 0.7};
     EXPECT_EQ(scale_sentence(NamedScale::Room, 60.0, kTouch, metres), "Room, 9 metres wide");
     EXPECT_EQ(scale_sentence(NamedScale::Room, 60.0, kTouch, steps), "Room, 9 metres wide, 13 steps");
-    EXPECT_EQ(scale_sentence(NamedScale::Floor, 120.0, kTouch, metres), "Floor, 18 metres wide");
+    EXPECT_EQ(scale_sentence(NamedScale::Floor, 120.0, kTouch, metres), "Storey, 18 metres wide");
     EXPECT_EQ(scale_sentence(NamedScale::Room, 60.0, kFalcon, metres), "Room, 4.8 metres wide");
     EXPECT_EQ(scale_sentence(NamedScale::Detail, 15.0, kFalcon, metres), "Detail, 1.2 metres wide");
     EXPECT_EQ(scale_sentence(NamedScale::Building, 416.7, kTouch, metres), "Building, 63 metres wide");

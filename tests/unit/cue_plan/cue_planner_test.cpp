@@ -503,11 +503,11 @@ TEST_F(CuePlannerTest, steps_back_and_forward_through_the_last_fifty_messages) {
     EXPECT_EQ(press(CueRequestKind::HistoryBack), "Message 60. 1 of 50.");
     EXPECT_EQ(press(CueRequestKind::HistoryBack), "Message 59. 2 of 50.");
     EXPECT_EQ(press(CueRequestKind::HistoryForward), "Message 60. 1 of 50.");
-    EXPECT_EQ(press(CueRequestKind::HistoryForward), "That was the newest.");
+    EXPECT_EQ(press(CueRequestKind::HistoryForward), "That was the most recent message.");
     std::string last;
     for (int i = 2; i <= 50; ++i) last = press(CueRequestKind::HistoryBack);
     EXPECT_EQ(last, "Message 11. 50 of 50.");
-    EXPECT_EQ(press(CueRequestKind::HistoryBack), "That was the oldest that is kept.");
+    EXPECT_EQ(press(CueRequestKind::HistoryBack), "That was the oldest message kept.");
     EXPECT_EQ(press(CueRequestKind::HistoryForward), "Message 12. 49 of 50.");
     CueRequest fresh = text("Something new.");
     fresh.time_s = now_s += 1.0;
@@ -919,7 +919,7 @@ TEST_F(CuePlannerTest, with_two_hands_says_which_one_touches_and_keeps_their_sou
     ContactEvent gone = of_left(event(ContactEventKind::FaultRaised, kNorth), Vec3(0.0));
     gone.fault = Fault::Unplugged;
     tick({gone});
-    EXPECT_EQ(said().back(), "Left hand: Device unplugged. Everything else goes on.");
+    EXPECT_EQ(said().back(), "Left hand: The touch device was unplugged. Everything else keeps working.");
 }
 
 }  // namespace cue_planner_test

@@ -208,7 +208,7 @@ TEST(GuardedDevice, says_in_a_sentence_that_its_guard_is_missing_or_ends) {
     GuardedDevice other(*find_device_spec("falcon"), "/bin/true", {});
     const auto opened = other.open();
     ASSERT_FALSE(opened);
-    EXPECT_THAT(opened.error().sentence(), testing::HasSubstr("ended by itself"));
+    EXPECT_THAT(opened.error().sentence(), testing::HasSubstr("ended unexpectedly"));
 }
 
 TEST(GuardedDevice, is_told_in_the_language_of_the_program_what_its_guard_says) {

@@ -120,7 +120,7 @@ TEST(HaplyDevice, says_in_one_sentence_what_is_missing) {
     SteadyClock clock;
     const auto none = open_haply_device(clock, test::port_of_nobody());
     ASSERT_FALSE(none);
-    EXPECT_THAT(none.error().sentence(), testing::HasSubstr("does not run"));
+    EXPECT_THAT(none.error().sentence(), testing::HasSubstr("is not running"));
     StandInService empty(false);
     const auto without = open_haply_device(clock, empty.port());
     ASSERT_FALSE(without);

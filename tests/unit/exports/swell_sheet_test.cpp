@@ -383,7 +383,7 @@ TEST(SwellSheet, gives_a_small_room_one_letter_and_says_where_a_smaller_one_lead
     const Result<SwellSheet> none = sheet_of(two_rooms(), 72.0);
     ASSERT_TRUE(none && none->one_to == 275.0);
     EXPECT_EQ(none->signs[1].doors_to, std::vector<std::string>{"Kitchen"});
-    EXPECT_NE(none->plan.text.find("Room 12: without a sign on the plan. It leads to: Kitchen."), std::string::npos)
+    EXPECT_NE(none->plan.text.find("Room 12: not labelled on the plan. It leads to: Kitchen."), std::string::npos)
         << none->plan.text;
     EXPECT_TRUE(none->broken.empty()) << none->broken[0];
     // Of two such rooms nobody knows which is which.
@@ -440,7 +440,7 @@ TEST(SwellSheets, show_once_more_and_larger_what_is_too_small_for_its_sign) {
     const SwellSheet& larger = sheets->back();
     EXPECT_TRUE(larger.part->larger);
     EXPECT_LT(larger.one_to, sheets->front().one_to);
-    EXPECT_NE(larger.plan.text.find("This sheet shows a part of the others larger"), std::string::npos);
+    EXPECT_NE(larger.plan.text.find("This sheet shows part of the storey at a larger scale"), std::string::npos);
     std::string keys;
     std::array<int, 2> signs{};
     for (const SwellSheet& sheet : *sheets) {
@@ -469,7 +469,7 @@ TEST(SwellSheet, makes_doors_wide_enough_for_a_finger_and_tells) {
     ASSERT_FALSE(sheet->simplified.empty());
     bool told = false;
     for (const std::string& sentence : sheet->simplified)
-        told |= sentence == "One door is drawn wider, 6.4 millimetres.";
+        told |= sentence == "One door is drawn wider, at 6.4 millimetres.";
     EXPECT_TRUE(told);
 }
 
@@ -480,7 +480,7 @@ TEST(SwellSheet, leaves_out_what_has_no_room_by_name) {
     const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
     ASSERT_TRUE(sheet);
     ASSERT_EQ(sheet->simplified.size(), 1U);
-    EXPECT_EQ(sheet->simplified[0], "Left out for lack of room: Cup.");
+    EXPECT_EQ(sheet->simplified[0], "Left out for lack of space: Cup.");
     EXPECT_EQ(sheet->drawn, (std::vector<std::string>{"Table", "Fountain"})) << "a landmark becomes a symbol";
     is_fit_for_fingers(storey, *sheet, "with things");
 }
@@ -506,7 +506,7 @@ TEST(SwellSheet, refuses_in_a_sentence_what_is_larger_than_a_sheet) {
     storey.max_m = {2000.0, 40.0};
     const Result<SwellSheet> sheet = swell_sheet(storey, {kA3, BrailleTable::EnUebG1});
     ASSERT_FALSE(sheet);
-    EXPECT_EQ(sheet.error().message, "This storey is 2,000.5 by 40.5 metres, too large for one sheet.");
+    EXPECT_EQ(sheet.error().message, "This storey is 2,000.5 by 40.5 metres, which is too large for one sheet.");
 }
 
 TEST(RoomSigns, are_two_letters_each_and_never_alike) {

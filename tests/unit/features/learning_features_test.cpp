@@ -115,7 +115,7 @@ TEST(PlaceLearningFeature, leads_in_its_mode_and_is_silent_outside_it) {
     learner.learning.tick(now_s + 4.0);
     EXPECT_THAT(learner.said(), IsEmpty()) << "told once";
     EXPECT_TRUE(learner.learning.act(Command::LearnPlace, now_s + 5.0));
-    EXPECT_THAT(learner.said(), ElementsAre(HasSubstr("Learning ends")));
+    EXPECT_THAT(learner.said(), ElementsAre(HasSubstr("Learning has ended")));
 }
 
 TEST(PlaceLearningFeature, sends_to_the_room_that_is_chosen_of_its_list) {
@@ -169,7 +169,8 @@ TEST(ClockHuntFeature, hides_a_clock_that_ticks_gives_hints_and_knows_when_it_is
     EXPECT_THAT(hunter.said(), IsEmpty()) << "it is far off";
     EXPECT_TRUE(hunter.hunt.act(Command::Hunt, 3.0));
     EXPECT_THAT(hunter.said(), ElementsAre(HasSubstr("The clock is ")));
-    EXPECT_THAT(hunter.find_at(31.0), ElementsAre(AllOf(HasSubstr("30 seconds, 1 hint"), HasSubstr("first time"))));
+    EXPECT_THAT(hunter.find_at(31.0),
+                ElementsAre(AllOf(HasSubstr("30 seconds, with 1 hint"), HasSubstr("first result"))));
     EXPECT_FALSE(hunter.clock_m()) << "it ticks no more";
     hunter.hunt.tick(32.0);
     EXPECT_THAT(hunter.said(), IsEmpty());
@@ -197,9 +198,9 @@ TEST(ClockHuntFeature, keeps_the_best_time_of_a_world_in_its_folder) {
         (void)hunter.said();
         return hunter.find_at(1.0 + took_s);
     };
-    EXPECT_THAT(play(20.0), ElementsAre(HasSubstr("That is the first time here")));
+    EXPECT_THAT(play(20.0), ElementsAre(HasSubstr("That is the first result recorded here")));
     EXPECT_THAT(play(25.0), ElementsAre(HasSubstr("The best time here is 20 seconds")));
-    EXPECT_THAT(play(12.0), ElementsAre(HasSubstr("The best time here, before it was 20 seconds")));
+    EXPECT_THAT(play(12.0), ElementsAre(HasSubstr("That is a new best time. The previous best was 20 seconds")));
 }
 
 TEST(ClockHuntFeature, begins_in_the_world_it_waits_for_once_and_ends_with_its_world) {

@@ -115,13 +115,13 @@ TEST_F(Remembered, learning_goes_on_where_it_ended) {
         first.learning.keep(first.now_s);
     }
     Session second(world);
-    EXPECT_THAT(second.said(), ElementsAre(HasSubstr("You learnt here once before")));
+    EXPECT_THAT(second.said(), ElementsAre(HasSubstr("You have learnt this place once before")));
     EXPECT_EQ(without_time(second.progress()), without_time(before));
     second.learning.keep(1.0);
     second.go({2.0, 3.0, 0.0});
     second.learning.keep(second.now_s);
     Session third(world);
-    EXPECT_THAT(third.said(), ElementsAre(HasSubstr("You learnt here twice before")));
+    EXPECT_THAT(third.said(), ElementsAre(HasSubstr("You have learnt this place twice before")));
 }
 
 TEST_F(Remembered, who_only_walked_or_only_touched_is_remembered_too) {
@@ -152,7 +152,7 @@ TEST_F(Remembered, the_mode_goes_on_from_the_same_base_and_tells_no_wall_twice) 
     second.go({3.0, 3.0, 0.0});
     second.said();
     EXPECT_TRUE(second.learning.act(Command::LearnPlace, second.now_s));
-    EXPECT_THAT(second.said(), ElementsAre(AllOf(HasSubstr("Learning goes on"), HasSubstr("The base is"))));
+    EXPECT_THAT(second.said(), ElementsAre(AllOf(HasSubstr("Learning continues"), HasSubstr("The base is"))));
     for (int i = 0; i < 30; ++i) second.go({3.0 + 0.1 * (i % 2), 3.2, 0.0});
     EXPECT_THAT(second.said(), Not(Contains(HasSubstr("done, "))));
 }
@@ -215,7 +215,7 @@ TEST_F(Remembered, damage_is_told_with_file_and_line_and_never_written_over) {
         const bool list = std::string(text).starts_with("[[");
         if (list) {
             EXPECT_THAT(words, ElementsAre(AllOf(HasSubstr("hall.map.handrail.toml"), HasSubstr("line"),
-                                                 HasSubstr("stays as it is"))))
+                                                 HasSubstr("is left unchanged"))))
                 << text;
         }
         session.trail_south();
@@ -298,7 +298,7 @@ TEST_F(Remembered, a_turn_that_was_made_too_early_is_told_when_led_there_again_u
         second.said();
         second.events.tell(Led{"library", LedBy::Ear}, 0.0);
         second.tick();
-        EXPECT_THAT(second.said(), ElementsAre(HasSubstr("Before, you turned early once at")));
+        EXPECT_THAT(second.said(), ElementsAre(HasSubstr("Earlier, you turned too soon once at")));
         second.tick();
         EXPECT_THAT(second.said(), IsEmpty()) << "told once";
         const Route right = second.rooms.navigation().plan(second.body.feet_m(), {9.0, 1.0, 0.0});

@@ -133,7 +133,7 @@ TEST_F(LessonsAlone, follow_the_beacon_by_what_they_are_told_of_it) {
     EXPECT_THAT(tick(), IsEmpty()) << "it still calls";
     beacon = false;
     tick();
-    EXPECT_THAT(tick(2.0), Contains(HasSubstr("That was the lesson.")));
+    EXPECT_THAT(tick(2.0), Contains(HasSubstr("That is the end of the lesson.")));
     EXPECT_TRUE(lessons.idle());
 }
 

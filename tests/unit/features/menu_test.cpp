@@ -46,29 +46,29 @@ TEST_F(MenuAlone, leads_to_commands_and_has_them_performed) {
     EXPECT_FALSE(menu.act(Command::Use, 1.0)) << "another's command";
     EXPECT_TRUE(menu.act(Command::Menu, 1.0));
     EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("Menu")));
-    line("what i can do");
-    line("all of it");
+    line("what you can do");
+    line("all topics");
     line("which way");
     EXPECT_THAT(performed, ElementsAre(Command::Heading));
     EXPECT_FALSE(plain.lists.dialogue.is_open());
     plain.said();
     EXPECT_TRUE(menu.act(Command::Help, 1.0));
-    EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("What to do. All of it, "))) << "by topic, not all at once";
+    EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("What to do. All topics, "))) << "by topic, not all at once";
     EXPECT_TRUE(plain.lists.dialogue.is_open());
     line("search");
     line("which way");
-    EXPECT_THAT(plain.said().back(), HasSubstr("which way do I face"));
+    EXPECT_THAT(plain.said().back(), HasSubstr("Say which way you face"));
 }
 
 TEST_F(MenuAlone, gives_a_command_another_key) {
     EXPECT_FALSE(menu.commands().take_key("J", 1.0)) << "nobody asked for a key";
     menu.commands().open(true, 1.0);
-    line("all of it");
+    line("all topics");
     line("which way");
     line("another key");
     plain.said();
     EXPECT_TRUE(menu.commands().take_key("Control+Shift+J", 1.0));
-    EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("has Control+Shift+J")));
+    EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("now on Control+Shift+J")));
     EXPECT_EQ(plain.person.keys.find("Control+Shift+J"), Command::Heading);
     EXPECT_FALSE(menu.commands().take_key("Control+Shift+J", 1.0)) << "once";
 }
@@ -77,9 +77,9 @@ TEST_F(MenuAlone, explains_keys_in_input_help_and_does_nothing) {
     EXPECT_TRUE(menu.act(Command::InputHelp, 1.0));
     plain.said();
     EXPECT_TRUE(menu.commands().take_key("C", 1.0));
-    EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("Which way do I face")));
+    EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("Say which way you face")));
     EXPECT_TRUE(menu.commands().take_line("heading", 1.0));
-    EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("Which way do I face")));
+    EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("Say which way you face")));
     EXPECT_FALSE(menu.commands().take_line("no such thing", 1.0));
     EXPECT_FALSE(menu.commands().take_key("Shift+F1", 1.0)) << "the key that ends it";
     menu.act(Command::InputHelp, 1.0);

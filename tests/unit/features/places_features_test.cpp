@@ -209,9 +209,9 @@ struct Keeper : Place {
         for (double x = 0.0; x <= 6.0; x += 0.25) body.crumbs_m.emplace_back(x, 0.0, 0.0);
         stand({6.0, 0.0, 0.0});
         EXPECT_TRUE(ways.act(Command::KeepWay, 1.0));
-        EXPECT_THAT(items(), ElementsAre("All that you walked here", "Begin a way here"));
-        (void)line("All that you walked here");
-        EXPECT_THAT(line(name), ElementsAre("Way " + name + " kept"));
+        EXPECT_THAT(items(), ElementsAre("Everything you walked here", "Begin a route here"));
+        (void)line("Everything you walked here");
+        EXPECT_THAT(line(name), ElementsAre("Route " + name + " kept"));
         body.crumbs_m.clear();
     }
     void choose(const std::string& way) {
@@ -226,7 +226,7 @@ struct Keeper : Place {
 TEST(KeptWaysFeature, keep_what_was_walked_under_a_name_of_its_own) {
     Keeper k;
     EXPECT_TRUE(k.ways.act(Command::Ways, 0.0));
-    EXPECT_THAT(k.said(), ElementsAre(HasSubstr("No way is kept here yet")));
+    EXPECT_THAT(k.said(), ElementsAre(HasSubstr("You have not kept a route here yet")));
     k.keep("To the east");
     EXPECT_EQ(k.saved, 1);
     std::vector<Error> faults;
@@ -234,10 +234,10 @@ TEST(KeptWaysFeature, keep_what_was_walked_under_a_name_of_its_own) {
     ASSERT_EQ(kept.size(), 1U);
     EXPECT_LT(glm::length(kept[0].stops.back().place_m - Vec3(6.0, 0.0, 0.0)), 0.3);
     k.choose("To the east");
-    (void)k.line("Another name");
+    (void)k.line("Change the name");
     EXPECT_THAT(k.line("East"), ElementsAre("East"));
     k.choose("East");
-    EXPECT_THAT(k.line("Delete it"), ElementsAre("Way East deleted"));
+    EXPECT_THAT(k.line("Delete it"), ElementsAre("Route East deleted"));
     EXPECT_THAT(read_ways(k.additions, faults), IsEmpty());
     EXPECT_EQ(k.saved, 3);
     EXPECT_FALSE(k.ways.act(Command::Routes, 3.0)) << "another's command";
@@ -247,13 +247,13 @@ TEST(KeptWaysFeature, are_called_kept_only_if_they_are_on_the_disk) {
     Keeper k;
     k.keep("To the east");
     k.saves = false;
-    for (const char* name : {"Another name", "East"}) {
-        k.choose(name == std::string("East") ? "Another name" : "To the east");
-        (void)k.line("Another name");
+    for (const char* name : {"Change the name", "East"}) {
+        k.choose(name == std::string("East") ? "Change the name" : "To the east");
+        (void)k.line("Change the name");
         EXPECT_THAT(k.line(name), ElementsAre("Not saved yet: " + std::string(name)));
     }
     k.choose("East");
-    EXPECT_THAT(k.line("Delete it"), ElementsAre("Not saved yet: Way East deleted"));
+    EXPECT_THAT(k.line("Delete it"), ElementsAre("Not saved yet: Route East deleted"));
 }
 
 TEST(KeptWaysFeature, hand_their_stops_to_whoever_goes_along_them) {
@@ -263,14 +263,15 @@ TEST(KeptWaysFeature, hand_their_stops_to_whoever_goes_along_them) {
     k.ways.on_go = [&](const std::vector<Stop>& stops, bool hand, double) { gone = stops, by_hand = hand; };
     k.keep("East");
     k.choose("East");
-    EXPECT_THAT(k.items(), ElementsAre("Hear it", "Follow it by ear", "Have your hand led along it", "Backwards",
-                                       "Add a stop at its end", "Another name", "Delete it"));
+    EXPECT_THAT(k.items(),
+                ElementsAre("Hear it", "Follow it by ear", "Have your hand led along it", "Reverse the route",
+                            "Add a stop at the end of the route", "Change the name", "Delete it"));
     (void)k.line("Follow it by ear");
     ASSERT_EQ(gone.size(), 2U);
     EXPECT_FALSE(by_hand);
     EXPECT_NEAR(gone.back().place_m.x, 6.0, 0.3);
     k.choose("East");
-    (void)k.line("Backwards");
+    (void)k.line("Reverse the route");
     (void)k.line("Have your hand led along it");
     EXPECT_TRUE(by_hand);
     EXPECT_NEAR(gone.back().place_m.x, 0.0, 0.3);
@@ -283,7 +284,7 @@ TEST(KeptWaysFeature, offer_what_was_planned_when_it_has_two_stops) {
     ASSERT_TRUE(k.rooms.known());
     k.planned.note({.name = "Fountain", .place_m = {5.5, 4.0, 0.0}, .thing = {}, .room = {}, .kept = {}}, {0, 0, 0});
     EXPECT_TRUE(k.ways.act(Command::KeepWay, 1.0));
-    EXPECT_THAT(k.items(), ElementsAre("The way you planned last", "Begin a way here"));
+    EXPECT_THAT(k.items(), ElementsAre("The route you planned last", "Begin a route here"));
 }
 
 TEST(KeptWaysFeature, follow_the_new_name_of_a_room_and_read_again_what_another_wrote) {
@@ -311,9 +312,9 @@ TEST(KeptWaysFeature, tell_which_of_them_no_longer_fit_once_the_rooms_are_known)
     EXPECT_TRUE(k.rooms.found()) << "a doubtful way is the reason to look for rooms";
     (void)k.said();
     k.ways.tell_unfit(1.0);
-    EXPECT_THAT(k.said(), ElementsAre(AllOf(HasSubstr("1 of 1 no longer fits"), HasSubstr("Statue is gone"))));
+    EXPECT_THAT(k.said(), ElementsAre(AllOf(HasSubstr("1 of 1 no longer fits"), HasSubstr("Statue no longer exists"))));
     k.choose("To the statue");
-    EXPECT_THAT(k.line("Keep it as it is found here"), ElementsAre("Way To the statue kept"));
+    EXPECT_THAT(k.line("Save it for this version of the world"), ElementsAre("Route To the statue kept"));
     k.ways.tell_unfit(3.0);
     EXPECT_THAT(k.said(), IsEmpty());
 }

@@ -31,7 +31,7 @@ TEST(IfcArchive, that_is_no_single_model_is_told_in_a_sentence) {
         return scene ? std::string("a world") : scene.error().sentence();
     };
     EXPECT_THAT(told(test::zipped({{"house.ifcxml", "<ifc/>"}})), HasSubstr("no .ifc file"));
-    EXPECT_THAT(told(test::zipped({{"a.ifc", "x"}, {"b.ifc", "y"}})), HasSubstr("holds 2 .ifc files"));
+    EXPECT_THAT(told(test::zipped({{"a.ifc", "x"}, {"b.ifc", "y"}})), HasSubstr("contains 2 .ifc files"));
     EXPECT_THAT(told(test::zipped({{"a.ifc", "no model"}})), HasSubstr("a.ifczip"));
     const std::string whole = test::zipped({{"a.ifc", test::small_house()}}, true);
     for (std::size_t at = 0; at < whole.size(); at += 7)

@@ -335,9 +335,11 @@ TEST(SmallHouse, is_felt_once_where_a_wall_stands_in_its_file_many_times) {
         EXPECT_EQ(often->stated->openings_cut, once->stated->openings_cut);
         for (std::size_t i = 0; i < once->solids.size(); ++i)
             EXPECT_EQ(often->solids[i].shape.bounds_m.min_m, once->solids[i].shape.bounds_m.min_m) << i;
-        EXPECT_THAT(often->report.left_out, ::testing::Contains(::testing::HasSubstr("exactly where others")));
+        EXPECT_THAT(often->report.left_out,
+                    ::testing::Contains(::testing::HasSubstr("exactly the same positions as others")));
     }
-    EXPECT_THAT(once->report.left_out, ::testing::Not(::testing::Contains(::testing::HasSubstr("exactly where"))));
+    EXPECT_THAT(once->report.left_out,
+                ::testing::Not(::testing::Contains(::testing::HasSubstr("exactly the same position"))));
 }
 
 TEST(SmallHouse, gives_the_same_scene_for_the_same_bytes) {

@@ -115,7 +115,7 @@ TEST(ImdfVenue, units_openings_and_levels_become_rooms_and_doors) {
     EXPECT_EQ(report.lifts, 1);
     EXPECT_EQ(report.largest_connected, 9);
     EXPECT_EQ(report.furnishings, 1);
-    EXPECT_THAT(scene.report.simplified, Contains(HasSubstr("no word for")));
+    EXPECT_THAT(scene.report.simplified, Contains(HasSubstr("does not know")));
     ASSERT_FALSE(scene.starts.empty());
     EXPECT_EQ(scene.starts[0].name, "Front door");
     const auto ways = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
@@ -149,7 +149,7 @@ TEST(ImdfVenue, without_openings_rooms_beside_a_walkway_get_guessed_doorways) {
     std::map<std::string, std::string> files = venue();
     files.erase("opening.geojson");
     const Scene scene = read(files, "Old wing");
-    EXPECT_THAT(scene.report.left_out, Contains(HasSubstr("states no openings")));
+    EXPECT_THAT(scene.report.left_out, Contains(HasSubstr("lists no openings")));
     EXPECT_THAT(scene.report.guessed, Contains(HasSubstr("3 rooms have no door in the file")));
     EXPECT_EQ(honest_report(scene).doors, 0) << "a guess is no door of the file";
     const auto room = [&](const std::string& name) {
@@ -185,12 +185,12 @@ TEST(ImdfVenue, damage_is_one_sentence) {
     };
     std::map<std::string, std::string> files = venue();
     files["unit.geojson"].resize(files["unit.geojson"].size() / 2);
-    EXPECT_THAT(said(test::zipped(files)), HasSubstr("unit.geojson in this archive is no whole GeoJSON"));
+    EXPECT_THAT(said(test::zipped(files)), HasSubstr("unit.geojson in this archive is not complete GeoJSON"));
     files["unit.geojson"] = "[]";
-    EXPECT_THAT(said(test::zipped(files)), HasSubstr("holds no rooms"));
+    EXPECT_THAT(said(test::zipped(files)), HasSubstr("contains no rooms"));
     files["unit.geojson"] =
         R"({"features":[7,{"id":1,"geometry":[],"properties":3},{"properties":{"level_id":"l0"}}]})";
-    EXPECT_THAT(said(test::zipped(files)), HasSubstr("holds no rooms"));
+    EXPECT_THAT(said(test::zipped(files)), HasSubstr("contains no rooms"));
     std::string locked = test::zipped(venue());
     locked[locked.find("PK\x01\x02") + 8] = 1;
     EXPECT_THAT(said(locked), HasSubstr("password"));
@@ -235,7 +235,7 @@ TEST(ImdfRealFiles, the_smallest_venue_opens) {
     EXPECT_EQ(scene->name, "Tokyo Station Test Venue");
     EXPECT_THAT(names_of(*scene), Contains("Shop Unit, Station Shop"));
     EXPECT_EQ(scene->stated->storeys.size(), 3U);
-    EXPECT_THAT(scene->report.left_out, Contains(HasSubstr("no unit that is there")));
+    EXPECT_THAT(scene->report.left_out, Contains(HasSubstr("to a unit that does not exist")));
 }
 
 }  // namespace venue_test

@@ -267,8 +267,8 @@ TEST(ReaderProcess, that_ends_in_any_way_is_one_sentence) {
         const auto read = read_apart(path, {}, stand_in(folder, script), {2'000'000'000, 7, 0.5});
         return read ? std::string("a world") : read.error().sentence();
     };
-    EXPECT_THAT(told("kill -SEGV $$"), HasSubstr("broke down: Segmentation fault"));
-    EXPECT_THAT(told("kill -ABRT $$"), HasSubstr("broke down: Aborted"));
+    EXPECT_THAT(told("kill -SEGV $$"), HasSubstr("failed: Segmentation fault"));
+    EXPECT_THAT(told("kill -ABRT $$"), HasSubstr("failed: Aborted"));
     EXPECT_THAT(told("kill -XCPU $$"), HasSubstr("takes longer than 7 seconds"));
     EXPECT_THAT(told("kill -KILL $$"), HasSubstr("more than 2 gigabytes"));
     EXPECT_THAT(told("exit 3"), HasSubstr("more than 2 gigabytes"));

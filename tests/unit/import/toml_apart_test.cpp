@@ -57,7 +57,7 @@ std::string sentence_of(const Result<TomlValue>& read) {
     EXPECT_EQ(read.error().line, 0) << "nobody knows of any damage";
     return read.error().sentence();
 }
-const std::string kFailed = "The process that was to read this file failed.";
+const std::string kFailed = "The process for reading this file failed.";
 
 TomlValue table_with(const std::string& key, TomlValue value) {
     TomlValue table = TomlValue::empty_table();
@@ -190,7 +190,7 @@ TEST_F(SideFileApart, that_ends_its_reader_stays_as_it_is_and_what_is_added_goes
     for (const char* name : {"first", "second"}) {
         SideFile file = opened();
         ASSERT_EQ(file.news().size(), 1U);
-        EXPECT_THAT(file.news().front(), HasSubstr("stays as house.map.handrail.toml"));
+        EXPECT_THAT(file.news().front(), HasSubstr("remains in house.map.handrail.toml"));
         add(file, name);
         ASSERT_TRUE(file.save());
         EXPECT_NE(file.path(), near_);

@@ -41,7 +41,7 @@ TEST(InfoCommand, tells_which_forces_hang_in_space) {
     EXPECT_THAT(
         info(world, false).out,
         testing::HasSubstr(
-            "Forces hang in space: magnet 4, detent 1, button 1, fly-paper 1, inertia 1, force 3, vibration 1."));
+            "Forces in open space: magnet 4, detent 1, button 1, fly-paper 1, inertia 1, force 3, vibration 1."));
     EXPECT_EQ(nlohmann::json::parse(info(world, true).out)["effects"], 12);
 }
 
@@ -102,10 +102,11 @@ TEST(InfoCommand, tells_the_same_in_sentences) {
     const Outcome run = info(folder.write("room.map", kMap), false);
     EXPECT_EQ(run.status, 0);
     for (const char* said :
-         {"A small room, from room.map.\n", "9.0 metres from west to east, 7.0 from south to north, and 4.0 high",
-          "8 things with a name to touch, 1 door, 1 moving part, 1 liquid, 1 start.", "Materials: brick, wood.",
-          "The hand meets: 7 boxes, 1 body that may move, 1 liquid, 1 texture, 3 touch materials",
-          "Not modelled, since nothing here needs it: sheets of one side, liquid surfaces, ",
+         {"A small room, from room.map.\n",
+          "9 metres from west to east, 7 metres from south to north and 4 metres high",
+          "The world contains 8 named things to touch, 1 door, 1 moving part, 1 liquid and 1 starting place.",
+          "Materials: brick, wood.", "Modelled for touch: 7 boxes, 1 movable body, 1 liquid, 1 texture, 3 materials",
+          "Not computed, because nothing here needs it: one-sided sheets, liquid surfaces, ",
           "The material brick was guessed",
           "1 problem:\n  room.map, line 60, column 1: warning: this brush has no faces. It was left out.", "Read in "})
         EXPECT_THAT(run.out, testing::HasSubstr(said));
@@ -119,9 +120,10 @@ TEST(InfoCommand, says_what_exploring_makes_of_a_mesh) {
         "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 1 0\nv 0 0 2\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\nf 1 2 5\nf 1 2 6\n");
     const nlohmann::json json = nlohmann::json::parse(info(file, true).out);
     EXPECT_EQ(json["triangles"], 6);
-    EXPECT_EQ(json["simplified"], nlohmann::json({"One triangle that repeats another was left out.",
-                                                  "4 triangles were joined to one flat polygon, at most 0 millimetres "
-                                                  "out of plane (bound 0.01 millimetres)."}));
+    EXPECT_EQ(json["simplified"],
+              nlohmann::json({"One triangle that repeats another was left out.",
+                              "4 triangles were merged into one flat polygon, at most 0 millimetres "
+                              "out of plane (bound 0.01 millimetres)."}));
 }
 
 TEST(InfoCommand, counts_as_moving_only_what_can_go_somewhere) {
@@ -161,7 +163,7 @@ TEST(InfoCommand, says_which_edges_are_rounded_and_which_stay_sharp_and_why) {
     const nlohmann::json json = nlohmann::json::parse(info(file, true, 0.01).out);
     EXPECT_EQ(json["touch_model"]["rounded_solids"], 1);
     EXPECT_EQ(json["simplified"],
-              nlohmann::json({"Edges of 1 solid are felt rounded by 0.09 metres of the world.",
+              nlohmann::json({"Edges of 1 solid feel rounded, with a radius of 0.09 metres in the world.",
                               "1 solid keeps sharp edges: too thin to be rounded (Plate).",
                               "2 solids keep sharp edges: a groove would open where they join others (Left, Right)."}));
 }
@@ -180,10 +182,11 @@ TEST(InfoCommand, lists_what_is_too_small_to_feel_at_a_scale_when_asked) {
     const auto [status, truly, nothing] = at("");
     EXPECT_EQ(status, 0);
     const nlohmann::json building = std::get<1>(at("Building"));
-    EXPECT_THAT(building, testing::Contains("Front door: felt 1.7 metres wide, truly 1 metre."));
+    EXPECT_THAT(building, testing::Contains("Front door: feels 1.7 metres wide but is really 1 metre."));
     EXPECT_THAT(building, testing::Contains("Coat stand: left out."));
-    EXPECT_THAT(building,
-                testing::Contains("Opening between Living room and Kitchen: felt 1.7 metres wide, truly 1.6 metres."));
+    EXPECT_THAT(
+        building,
+        testing::Contains("Opening between Living room and Kitchen: feels 1.7 metres wide but is really 1.6 metres."));
     EXPECT_EQ(building.size(), truly.size() + 18) << "11 doors, an opening and 6 things";
     EXPECT_EQ(std::get<1>(at("60")).back(), "Globe's stand: left out.");
     EXPECT_EQ(std::get<1>(at("detail")), truly);
@@ -282,13 +285,14 @@ TEST(InfoCommand, tells_honestly_what_it_understood_of_an_architects_model) {
     EXPECT_EQ(honesty["rooms_by_storey"][1]["rooms"], 10);
     ASSERT_FALSE(honesty["check"].empty());
     EXPECT_EQ(honesty["check"][0]["kind"], "odd_name");
-    EXPECT_EQ(honesty["check"][0]["what"], "Room B105 holds stairs and does not say so in its name");
+    EXPECT_EQ(honesty["check"][0]["what"], "Room B105 contains stairs, but its name does not say so");
     EXPECT_EQ(honesty["check"][0]["file"], "duplex-apartment.ifc");
     EXPECT_EQ(honesty["check"][0]["line"], 3533);
     EXPECT_THAT(
         info(*duplex, false).out,
-        testing::HasSubstr("21 rooms on 3 of 4 storeys, 14 doors, 24 windows, 2 flights of stairs, 61 pieces of "
-                           "furniture, no landmarks. Check first: Room B105 holds stairs"));
+        testing::HasSubstr(
+            "21 rooms on 3 of 4 storeys, 14 doors, 24 windows and 2 flights of stairs. It also has 61 pieces of "
+            "furniture and no landmarks. Check this first: Room B105 contains stairs"));
 }
 
 TEST(InfoCommand, says_the_height_of_a_storey_in_metres_where_the_file_counts_millimetres) {

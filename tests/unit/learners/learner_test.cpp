@@ -69,8 +69,8 @@ TEST(Learner, that_is_damaged_is_refused_with_file_and_line) {
         const char* says;
     };
     for (const Row& row : {Row{"created = \"2026-11-24\"\n", 1, "name"}, Row{"name = \"x\"\nname = \"y\"\n", 2, "TOML"},
-                           Row{"name = 3\n", 1, "quotation"}, Row{"name = \"x\"\n\ncreated = \"today\"\n", 3, "day"},
-                           Row{"name = \"x\"\n[consent.record]\nby = \"y\"\n", 2, "day"},
+                           Row{"name = 3\n", 1, "quotation"}, Row{"name = \"x\"\n\ncreated = \"today\"\n", 3, "a date"},
+                           Row{"name = \"x\"\n[consent.record]\nby = \"y\"\n", 2, "the date"},
                            Row{"name = \"x\"\n[consent.record]\ngiven = \"2026-02-30\"\n", 3, "2026-02-30"},
                            Row{"name = \"x\"\nconsent = 1\n", 2, "table"}, Row{"name = \"a/b\"\n", 1, "slash"}}) {
         const auto learner = read_learner(row.text, "learner.toml");

@@ -426,7 +426,7 @@ TEST(Routes, of_worlds_without_floor_are_refused_in_one_sentence) {
     nothing.materials.emplace_back();
     const auto none = Navigation::make(nothing, WalkBody{});
     ASSERT_FALSE(none);
-    EXPECT_EQ(none.error().message, "There is no floor to walk on here, so there are no rooms and no ways.");
+    EXPECT_EQ(none.error().message, "There is no floor to walk on here, so there are no rooms and no routes.");
 
     SceneBuilder wall;
     wall.box({0, 0, 0}, {4, 0.01, 3});
@@ -470,7 +470,7 @@ TEST(Routes, in_a_huge_world_use_larger_cells_and_say_so) {
     coarse.cell_m = 0.4;
     const auto refused = Navigation::make(endless.scene(), coarse);
     ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().message, "This world is too large to find ways through it on foot.");
+    EXPECT_EQ(refused.error().message, "This world is too large for routes to be planned through it.");
 
     // One block far away makes a small house no larger.
     SceneBuilder house;
@@ -489,7 +489,7 @@ TEST(Routes, can_be_given_up_while_they_are_prepared) {
     stop.request_stop();
     const auto made = Navigation::make(scene, WalkBody{}, stop.get_token());
     ASSERT_FALSE(made);
-    EXPECT_EQ(made.error().message, "Finding the rooms was given up.");
+    EXPECT_EQ(made.error().message, "The search for rooms was abandoned.");
 }
 
 }  // namespace route_test

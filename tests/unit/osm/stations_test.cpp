@@ -195,7 +195,7 @@ TEST(OsmLifts, a_node_in_the_rooms_of_several_levels_is_a_lift_with_doors) {
         EXPECT_THAT(test::joins_of(scene, StatedPortalKind::Door),
                     UnorderedElementsAre("Corridor 0 | Lift A, Level 0", "Corridor 1 | Lift A, Level 1",
                                          "Corridor 2 | Lift A, Level 2"));
-        EXPECT_THAT(scene.report.guessed, Contains(HasSubstr("One lift is a point")));
+        EXPECT_THAT(scene.report.guessed, Contains(HasSubstr("One lift is only a point")));
         const auto ways = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
         ASSERT_TRUE(ways.has_value()) << ways.error().sentence();
         EXPECT_TRUE((*ways)->reachable(test::room_named(scene, "Corridor 0")->at_m,
@@ -209,7 +209,7 @@ TEST(OsmLifts, a_node_without_space_for_a_cabin_is_reported) {
         drawing.box(0, 0, 1.5, 6, {{"indoor", "corridor"}, {"level", level}, {"name", "Narrow"}});
     drawing.node(0.7, 3, {{"highway", "elevator"}, {"level", "0;1"}});
     const Scene scene = drawing.scene();
-    EXPECT_THAT(scene.report.left_out, Contains(HasSubstr("One lift is left out")));
+    EXPECT_THAT(scene.report.left_out, Contains(HasSubstr("One lift was left out")));
 }
 
 TEST(OsmLifts, the_outline_of_one_alone_is_no_building_and_hides_no_ways) {

@@ -211,13 +211,13 @@ TEST(HeightPicture, refuses_what_is_too_large_or_no_png_by_name) {
         const auto picture = read_height_picture(bytes, "p.png");
         return picture ? std::string("read") : picture.error().message;
     };
-    EXPECT_EQ(message("GIF89a"), "This is no PNG picture.");
-    EXPECT_EQ(message(""), "This is no PNG picture.");
+    EXPECT_EQ(message("GIF89a"), "This is not a PNG picture.");
+    EXPECT_EQ(message(""), "This is not a PNG picture.");
     const Samples black = [](int, int, int) { return 0U; };
     EXPECT_EQ(message(png(4097, 1, {0, 1, 1, false}, black)),
-              "This picture is larger than 4096 pixels on a side. Make it smaller.");
+              "This picture is more than 4096 pixels wide or high. Make it smaller.");
     EXPECT_EQ(message(png(1, 4097, {0, 1, 1, false}, black)),
-              "This picture is larger than 4096 pixels on a side. Make it smaller.");
+              "This picture is more than 4096 pixels wide or high. Make it smaller.");
     EXPECT_EQ(message(png(4096, 1, {0, 1, 1, false}, black)), "read");
 }
 
@@ -268,8 +268,9 @@ TEST(TextureKeys, out_of_range_or_unknown_are_told_and_the_nearest_taken) {
          {Wrong{test::key("texture_wave", "zigzag"), "zigzag"},
           Wrong{test::key("texture_depth", "9"), "0 to 5 millimetres"},
           Wrong{test::key("texture_period", "0"), "1 to 100"}, Wrong{test::key("friction_wave", "2"), "0 to 0.3"},
-          Wrong{test::key("damping", "-1"), "0 to 10"}, Wrong{test::key("damping", "nan"), "no number"},
-          Wrong{test::key("friction", "0.5") + test::key("friction_static", "0.4"), "below friction"},
+          Wrong{test::key("damping", "-1"), "0 to 10"}, Wrong{test::key("damping", "nan"), "is not a number"},
+          Wrong{test::key("friction", "0.5") + test::key("friction_static", "0.4"),
+                "lower than that of the key friction"},
           Wrong{test::key("friction", "0.4") + test::key("friction_static", "0.6"), "1.25"}}) {
         const auto scene = read_quake_map(panel(wrong.keys), "t.map");
         ASSERT_TRUE(scene.has_value());

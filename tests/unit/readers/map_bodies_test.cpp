@@ -77,11 +77,11 @@ TEST(MapBodies, bad_numbers_are_told_with_file_and_line_and_the_rest_loads) {
     for (const auto& [keys, words, kg] :
          {std::tuple(key("mass", "0"), "of the key mass is out of range", 0.01),
           std::tuple(key("mass", "-3"), "of the key mass is out of range", 0.01),
-          std::tuple(key("mass", "nan"), "\"nan\" of the key mass is no number", 600.0),
+          std::tuple(key("mass", "nan"), "\"nan\" of the key mass is not a number", 600.0),
           std::tuple(key("mass", "1e9"), "of the key mass is out of range", 10000.0),
           std::tuple(key("mass", "4") + key("elasticity", "2"), "of the key elasticity is out of range", 4.0),
-          std::tuple(key("mass", "4") + key("rolling", "inf"), "of the key rolling is no number", 4.0),
-          std::tuple(key("density", "nan"), "of the key density is no number", 600.0),
+          std::tuple(key("mass", "4") + key("rolling", "inf"), "of the key rolling is not a number", 4.0),
+          std::tuple(key("density", "nan"), "of the key density is not a number", 600.0),
           std::tuple(key("density", "20000"), "20000 kilograms", 10000.0)}) {
         const Reading reading = thing(key("free", "1") + keys);
         EXPECT_THAT(reading.said, ElementsAre(testing::AllOf(HasSubstr("test.map, line "), HasSubstr(words)))) << keys;
@@ -104,9 +104,9 @@ TEST(MapBodies, a_rubber_string_is_tied_to_a_named_point_wherever_it_stands_in_t
     }
     for (const auto& [string, words] :
          {std::pair(key("string", "nowhere"), "no place with an origin and the targetname nowhere"),
-          std::pair(key("string", ""), "names nothing to tie"),
+          std::pair(key("string", ""), "does not name anything to tie"),
           std::pair(key("string", "hook") + key("stiffness_n_per_m", "nan"),
-                    "of the key stiffness_n_per_m is no number")}) {
+                    "of the key stiffness_n_per_m is not a number")}) {
         const Reading reading =
             test::reading_of(read_quake_map(entity("worldspawn", {}, kFloor) + point +
                                                 entity("thing", key("free", "1") + key("mass", "1") + string, kCube),
@@ -125,17 +125,18 @@ TEST(MapBodies, what_cannot_be_free_stays_where_it_is_and_says_so) {
         EXPECT_FALSE(reading.scene.solids.empty());
     };
     const std::string floor = entity("worldspawn", {}, kFloor);
-    stays(entity("worldspawn", key("free", "1"), kFloor), "only a thing by itself can be free to move");
+    stays(entity("worldspawn", key("free", "1"), kFloor), "only a separate thing can be free to move");
     stays(floor + entity("func_door", key("free", "1") + key("angle", "90"), kCube),
-          "only a thing by itself can be free to move");
-    stays(floor + entity("trigger_multiple", key("free", "1"), kCube), "only a thing by itself can be free to move");
+          "only a separate thing can be free to move");
+    stays(floor + entity("trigger_multiple", key("free", "1"), kCube), "only a separate thing can be free to move");
     // A patch has a density and no volume.
     const std::string patch =
         "{\npatchDef2\n{\nplain\n( 3 3 0 0 0 )\n(\n"
         "( ( 0 0 0 0 0 ) ( 0 32 0 0 0 ) ( 0 64 0 0 0 ) )\n"
         "( ( 32 0 16 0 0 ) ( 32 32 16 0 0 ) ( 32 64 16 0 0 ) )\n"
         "( ( 64 0 0 0 0 ) ( 64 32 0 0 0 ) ( 64 64 0 0 0 ) )\n)\n}\n}\n";
-    stays(floor + entity("thing", key("free", "1") + key("density", "100"), patch), "no brush of it gives it a volume");
+    stays(floor + entity("thing", key("free", "1") + key("density", "100"), patch),
+          "none of its brushes gives it a volume");
 }
 
 TEST(MapBodies, of_five_thousand_the_first_are_free_and_the_rest_stay) {
@@ -149,9 +150,9 @@ TEST(MapBodies, of_five_thousand_the_first_are_free_and_the_rest_stay) {
     EXPECT_EQ(reading.scene.bodies.size(), FreeBody::kMost);
     EXPECT_THAT(reading.said,
                 ElementsAre(testing::AllOf(HasSubstr("test.map, line "),
-                                           HasSubstr("more than 2,048 things are free to move: 2,952 more "
+                                           HasSubstr("more than 2,048 things are free to move; there are 2,952 more "
                                                      "from here on."),
-                                           HasSubstr("They stay where they are."))));
+                                           HasSubstr("The others stay where they are."))));
 }
 
 }  // namespace map_bodies_test

@@ -44,7 +44,7 @@ TEST(MapEdgeCases, all_line_endings_tabs_and_a_byte_order_mark_count_lines_right
         for (const std::string mark : {"", "\xEF\xBB\xBF"}) {
             const Reading reading = read(mark + replaced(text, "\n", end));
             EXPECT_THAT(reading.said, ElementsAre("test.map, line 4, column 1: warning: the key \"a\" is "
-                                                  "given twice. The last value was taken."));
+                                                  "given twice. The last value was used."));
             EXPECT_EQ(reading.scene.solids.size(), 1U);
         }
     const Reading no_newline = read(text.substr(0, text.size() - 1));
@@ -115,7 +115,7 @@ TEST(MapEdgeCases, numbers_may_have_signs_decimals_exponents_and_trailing_dots) 
         ASSERT_EQ(damaged.said.size(), 1U) << bad;
         EXPECT_THAT(damaged.said[0], testing::StartsWith("test.map, line 13, column 6: error: a face ends "
                                                          "early. Expected a number in point 1, found \"" +
-                                                         bad + "\". This brush was left out; 1 brushes"))
+                                                         bad + "\". This brush was left out; 1 brush was"))
             << bad;
     }
 }
@@ -128,7 +128,7 @@ TEST(MapEdgeCases, a_face_whose_points_lie_on_a_line_costs_only_that_face) {
         EXPECT_EQ(reading.scene.solids.size(), 1U);
         EXPECT_EQ(reading.scene.report.polygons, 6);
         EXPECT_THAT(reading.said, ElementsAre("test.map, line 10, column 1: warning: the three points of this "
-                                              "face lie on one line. The brush was tried without this face."));
+                                              "face lie on one line. The brush was read without this face."));
     }
 }
 
@@ -166,7 +166,7 @@ TEST(MapEdgeCases, faces_that_lose_their_area_are_dropped_quietly_and_counted) {
     EXPECT_THAT(reading.said, IsEmpty());
     EXPECT_EQ(reading.scene.report.polygons, 6);
     EXPECT_THAT(reading.scene.report.simplified,
-                ElementsAre("One face that repeats another or has no area was dropped."));
+                ElementsAre("One face that repeats another or has no area was left out."));
     EXPECT_EQ(read(entity("worldspawn", {}, box_brush(0, 0, 0, 64, 64, 0.01))).scene.solids.size(), 1U)
         << "nearly flat";
 }
@@ -180,8 +180,9 @@ TEST(MapEdgeCases, damaged_forms_of_other_games_are_skipped_to_their_brace_with_
         "( ( 1 0 0 ) ( 0 1 0 ) ) \"x\" 0 0 0\n}\n}\n";
     const Reading reading = read(entity("worldspawn", {}, patch + kCube + primitive + kOther));
     EXPECT_EQ(reading.scene.solids.size(), 2U);
-    EXPECT_THAT(reading.said, ElementsAre(HasSubstr("as many points in a row as the size of a curved patch says"),
-                                          HasSubstr("is not closed")));
+    EXPECT_THAT(reading.said,
+                ElementsAre(HasSubstr("more points in this row, according to the size of the curved patch"),
+                            HasSubstr("is not closed")));
     EXPECT_EQ(reading.scene.report.brushes, 3);
     EXPECT_EQ(reading.scene.report.left_out.size(), 2U);
 }
@@ -198,18 +199,18 @@ TEST(MapEdgeCases, standard_and_valve_faces_mix_and_extra_numbers_are_no_error) 
 TEST(MapEdgeCases, what_misses_a_class_a_world_or_an_entity_is_taken_and_said) {
     EXPECT_THAT(read("{\n\"a\" \"b\"\n" + kCube + "}\n" + entity("worldspawn")).said,
                 ElementsAre(HasSubstr("line 1, column 1: warning: this entity has no "
-                                      "classname. Its brushes were taken")));
+                                      "classname. Its brushes became part")));
     EXPECT_THAT(read(entity("func_wall", {}, kCube)).said, ElementsAre(HasSubstr("this map has no worldspawn")));
     EXPECT_THAT(read("{\n" + kCube + "\"classname\" \"worldspawn\"\n}\n").said, IsEmpty()) << "brushes before keys";
     const Reading bare = read(kCube + kOther);
     EXPECT_EQ(bare.scene.solids.size(), 2U);
-    EXPECT_THAT(bare.said, testing::Contains(HasSubstr("brushes stand outside of any entity. They were "
-                                                       "taken as the building itself.")));
+    EXPECT_THAT(bare.said, testing::Contains(HasSubstr("brushes are outside any entity. They were "
+                                                       "made part of the building itself.")));
 }
 
 TEST(MapEdgeCases, content_of_other_files_is_said_to_be_missing) {
     EXPECT_THAT(read(entity("worldspawn", {}, kCube) + entity("misc_external_map", key("_external_map", "a.map"))).said,
-                ElementsAre(HasSubstr("this entity stands for the content of another "
+                ElementsAre(HasSubstr("this entity stands for the contents of another "
                                       "file. That part is missing here.")));
 }
 
@@ -217,13 +218,13 @@ TEST(MapEdgeCases, a_missing_brace_costs_at_most_one_brush) {
     const std::string whole = entity("worldspawn", {}, kCube + kOther + kThird);
     EXPECT_THAT(read(whole.substr(0, whole.rfind('}'))).said,
                 ElementsAre(HasSubstr("the file ends inside the entity that begins in line 1. A "
-                                      "closing brace is missing. What was complete was kept.")));
+                                      "closing brace is missing. Everything that was complete was kept.")));
     std::string open = whole;
     open.erase(open.find("}\n"), 2);  // the first brush's
     const Reading reading = read(open);
     EXPECT_EQ(reading.scene.solids.size(), 3U);
     EXPECT_THAT(reading.said, ElementsAre(HasSubstr("the brush that begins in line 3 has no "
-                                                    "closing brace. It was taken to end here.")));
+                                                    "closing brace. It was assumed to end here.")));
 }
 
 TEST(MapEdgeCases, lists_twenty_warnings_and_counts_all) {
@@ -370,8 +371,9 @@ TEST(MapEdgeCases, fails_only_when_nothing_is_left_and_says_the_first_reason) {
         const Result<Scene> scene = read_quake_map(text, "test.map");
         return scene ? std::string("read") : scene.error().sentence();
     };
-    EXPECT_EQ(sentence(""), "test.map: Nothing to touch was found in this map. It holds no brushes.");
-    EXPECT_EQ(sentence(entity("worldspawn")), "test.map: Nothing to touch was found in this map. It holds no brushes.");
+    EXPECT_EQ(sentence(""), "test.map: Nothing to touch was found in this map. It contains no brushes.");
+    EXPECT_EQ(sentence(entity("worldspawn")),
+              "test.map: Nothing to touch was found in this map. It contains no brushes.");
     EXPECT_THAT(sentence("hello"), testing::StartsWith("test.map, line 1, column 1: Nothing to touch was found in "
                                                        "this map. The problem: expected an opening brace"));
     EXPECT_THAT(sentence(entity("worldspawn", {}, "{\n}\n{\n}\n")),

@@ -84,8 +84,8 @@ TEST(MapEffects, refuse_by_name_what_has_no_size_and_load_the_rest) {
              {named("force", key("origin", "1 2 3"), ""), "has an origin but no radius"},
              {named("force", "", ""), "has neither brushes nor an origin"},
              {named("force", "", open), "not closed"},
-             {named("force", "", box_brush(0, 0, 0, 0, 8, 8)), "effect Snag has a volume"},
-             {entity("haptic_effect", key("name", "Snag"), cube), "does not say which one"}}) {
+             {named("force", "", box_brush(0, 0, 0, 0, 8, 8)), "a brush of the effect Snag"},
+             {entity("haptic_effect", key("name", "Snag"), cube), "needs the key effect to say which effect it is"}}) {
         const Reading reading = read(text + effect_entity("fly-paper"));
         ASSERT_EQ(reading.said.size(), 1U) << text << testing::PrintToString(reading.said);
         EXPECT_THAT(reading.said[0],
@@ -166,7 +166,7 @@ TEST(MapSoft, sides_give_way_as_written) {
     EXPECT_THAT(thing(key("soft", "fluffy")).said,
                 ElementsAre(HasSubstr("neither elastic nor plastic. It stays hard.")));
     EXPECT_THAT(thing(key("soft", "elastic") + key("soft_depth", "0")).said,
-                ElementsAre(HasSubstr("soft to no depth")));
+                ElementsAre(HasSubstr("the key soft_depth must be above 0")));
     EXPECT_FALSE(thing(key("soft", "elastic") + key("soft_depth", "0")).scene.solids.back().soft);
     const Reading deep = thing(key("soft", "elastic") + key("soft_depth", "16") + key("soft_stiffness", "7") +
                                key("soft_recovery", "x") + key("soft_side", "nort"));

@@ -49,7 +49,7 @@ TEST(MapPatches, are_touched_from_the_side_that_their_thing_names) {  // S28
     std::vector<std::string> said;
     EXPECT_EQ(side_of("inside", &said), TouchSide::Both);
     ASSERT_EQ(said.size(), 1U);
-    EXPECT_NE(said[0].find("none of both, front and back"), std::string::npos) << said[0];
+    EXPECT_NE(said[0].find("is not one of these: both, front, back"), std::string::npos) << said[0];
     const Reading solid = reading_of(read_quake_map(entity("worldspawn", key("touch_side", "front"), kFloor), "p.map"));
     ASSERT_EQ(solid.said.size(), 1U);
     EXPECT_NE(solid.said[0].find("without curved patches"), std::string::npos) << solid.said[0];

@@ -104,7 +104,7 @@ TEST(MapShapes, a_shape_that_makes_no_sense_is_told_and_the_brushes_stay) {
     EXPECT_TRUE(heard(building, "on the whole building"));
     EXPECT_EQ(building.scene.solids.size(), 1U);
     const Reading flat = read(key("shape", "capsule"), box_brush(64, 64, 0, 96, 96, 8));
-    EXPECT_TRUE(heard(flat, "longer across than along"));
+    EXPECT_TRUE(heard(flat, "wider than it is long"));
     EXPECT_NEAR(std::get<CapsuleShape>(flat.scene.solids.at(1).round).radius_m, 0.125, 1e-12);
 }
 

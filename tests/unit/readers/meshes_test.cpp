@@ -324,7 +324,7 @@ TEST(Meshes, too_fine_to_be_filled_are_felt_from_outside_only) {
         ASSERT_GT(glm::dot(glm::cross(triangle.b_m - triangle.a_m, triangle.c_m - triangle.a_m), triangle.a_m), 0.0)
             << "the front looks out";
     }
-    EXPECT_THAT(scene->report.simplified, testing::Contains(HasSubstr("felt from outside only")));
+    EXPECT_THAT(scene->report.simplified, testing::Contains(HasSubstr("felt from the outside only")));
 }
 
 TEST(ReadStl, reads_binary_files_and_takes_the_unit_that_a_person_says) {

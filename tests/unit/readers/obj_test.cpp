@@ -44,7 +44,7 @@ TEST(ReadObj, takes_the_side_from_which_faces_are_touched_from_a_comment) {  // 
                                           TouchSide::Back, TouchSide::Both,  TouchSide::Both};
     for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(reading.scene.triangles[i].side, expected[i]) << i;
     ASSERT_EQ(reading.said.size(), 1U);
-    EXPECT_THAT(reading.said[0], HasSubstr("\"up\" is none of both, front and back"));
+    EXPECT_THAT(reading.said[0], HasSubstr("\"up\" is not one of these: both, front, back"));
 }
 
 TEST(ReadObj, cuts_concave_polygons_into_ears) {
@@ -89,7 +89,7 @@ TEST(ReadObj, takes_negative_indices_line_endings_and_continued_lines) {
         const Reading reading = read(text);
         EXPECT_EQ(reading.scene.triangles.size(), 1U);
         EXPECT_THAT(reading.said, ElementsAre("test.obj, line 6, column 7: warning: there is no point 9; "
-                                              "3 were read so far. The face was left out."));
+                                              "points read so far: 3. The face was left out."));
     }
 }
 

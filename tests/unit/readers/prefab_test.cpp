@@ -97,11 +97,11 @@ TEST(Prefabs, that_cannot_be_placed_are_told_with_their_line_and_the_nearest_nam
         return scene.report.warnings.empty() ? std::string() : scene.report.warnings.front().message;
     };
     EXPECT_THAT(warned(piece("chiar")),
-                testing::HasSubstr("\"chiar\" is no piece of furniture; the nearest is chair."));
+                testing::HasSubstr("\"chiar\" is not a piece of furniture; the nearest is chair."));
     EXPECT_THAT(warned(entity("thing", key("prefab", "bed"))), testing::HasSubstr("bed has no origin."));
     EXPECT_THAT(
         warned(entity("thing", key("prefab", "bed") + key("origin", "0 0 0"), test::box_brush(0, 0, 0, 32, 32, 32))),
-        testing::HasSubstr("bed has brushes of its own."));
+        testing::HasSubstr("bed is a ready-made piece of furniture, so it must not have brushes."));
     EXPECT_EQ(find_prefab("Chair"), nullptr) << "names are in lower case";
 }
 

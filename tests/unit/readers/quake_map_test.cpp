@@ -117,9 +117,9 @@ TEST(ReadQuakeMap, takes_the_nearest_legal_value_and_says_where) {
     std::vector<std::string> said;
     for (const Diagnostic& warning : scene.report.warnings) said.push_back(warning.sentence());
     EXPECT_THAT(said, testing::Contains("test.map, line 14, column 13: warning: the value 1.5 of the key "
-                                        "stiffness is out of range. It takes 0 to 1. 1 was taken."));
+                                        "stiffness is out of range. Allowed: 0 to 1. 1 was used instead."));
     EXPECT_THAT(said, testing::Contains(testing::HasSubstr("line 15, column 12: warning: the value \"much\" of "
-                                                           "the key friction is no number.")));
+                                                           "the key friction is not a number.")));
     EXPECT_THAT(
         said, testing::Contains(testing::HasSubstr("there is no material \"plastre\". The nearest name is plaster.")));
     const Material& material = scene.material(scene.solids.at(1).face_materials.at(0));

@@ -32,8 +32,8 @@ TEST(ReadWorld, chooses_the_reader_by_the_files_ending) {
     EXPECT_EQ(sentence_for("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "read as obj");
     EXPECT_EQ(
         sentence_for("a.txt", "hello"),
-        "a.txt: Handrail reads .map, .ifc, .ifczip, .osm, .imdf.zip, .rooms, .obj, .glb, .gltf, .ply and .stl files, "
-        "told by their ending. This file has another.");
+        "a.txt: Handrail reads .map, .ifc, .ifczip, .osm, .imdf.zip, .rooms, .obj, .glb, .gltf, .ply and .stl files. "
+        "The name of this file ends differently.");
 }
 
 TEST(ReadWorld, recognises_files_given_by_mistake_and_says_what_to_do) {
@@ -74,7 +74,7 @@ TEST(ReadWorld, can_be_stopped_while_a_face_is_cut) {
     EXPECT_EQ(reading.wait_for(std::chrono::milliseconds(200)), std::future_status::timeout) << "it is long";
     stop.request_stop();
     ASSERT_EQ(reading.wait_for(std::chrono::seconds(20)), std::future_status::ready);
-    EXPECT_THAT(reading.get().error().sentence(), HasSubstr("stopped"));
+    EXPECT_THAT(reading.get().error().sentence(), HasSubstr("was cancelled"));
 }
 
 TEST(ReadWorld, of_a_map_ends_at_each_step_where_it_is_stopped) {
@@ -100,7 +100,7 @@ TEST(ReadWorld, of_a_map_ends_at_each_step_where_it_is_stopped) {
         };
         const Result<Scene> scene = read_quake_map(map, "a.map", stopped);
         ASSERT_FALSE(scene) << step;
-        EXPECT_THAT(scene.error().sentence(), HasSubstr("stopped"));
+        EXPECT_THAT(scene.error().sentence(), HasSubstr("was cancelled"));
         EXPECT_LE(reached, 0.5) << "the steps after " << step << " are not begun";
     }
 }

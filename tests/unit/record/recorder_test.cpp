@@ -104,9 +104,10 @@ TEST(Recorder, whose_disk_is_full_at_any_write_says_one_sentence_and_lets_everyt
             EXPECT_TRUE(FullDisk::struck());
         }
         ASSERT_TRUE(problem) << at;
-        EXPECT_EQ(*problem,
-                  "The recording ends here, as it cannot be written any more: No space left on device. Everything else "
-                  "goes on.");
+        EXPECT_EQ(
+            *problem,
+            "The recording ends here, because it can no longer be written: No space left on device. Everything else "
+            "keeps working.");
         EXPECT_FALSE((*recorder)->take_problem());  // once
         // Nothing more is taken, nothing waits, and what was written is readable.
         (*recorder)->said(11.0, {"Later.", SpeechClass::Answer}, true);

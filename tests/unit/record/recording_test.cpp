@@ -208,12 +208,13 @@ TEST(Recording, that_is_damaged_anywhere_gives_sentences_and_no_crash) {
 TEST(Recording, of_another_kind_or_of_a_newer_form_is_refused_with_file_and_line) {
     const TemporaryFolder folder;
     EXPECT_EQ(read_recording(folder.path()).error().message,
-              "This is no recording: there is no file events.jsonl in it.");
+              "This is not a recording: it contains no file events.jsonl.");
     for (const char* text : {"", "\n", "{}\n", "[1]\n", "{\"is\":\"recording\"}\n", "Not at all.\n"}) {
         const auto read = read_events(text, "events.jsonl");
         ASSERT_FALSE(read) << text;
         EXPECT_EQ(read.error().sentence(),
-                  "events.jsonl, line 1: A recording begins with a line that says what it is. This is another file.");
+                  "events.jsonl, line 1: This file does not begin like a recording. A recording begins with a line "
+                  "that says what it is.");
     }
     // Converting a number that fits in no whole number is undefined behaviour, and so refused before.
     std::string head = test::content_of(test::project_root() / "tests/fuzz/inputs/recording/seeds/events.jsonl");
@@ -239,13 +240,13 @@ TEST(RecordingRows, that_are_none_are_told_with_file_and_line) {
         const auto table = read_rows<kCueColumns>(header + rows, cue_header(), "cues.csv.gz");
         return table.problem ? table.problem->sentence() : std::string();
     };
-    const std::string no_row = "This is no row of whole numbers in these columns.";
+    const std::string no_row = "This row must have one whole number for each column.";
     EXPECT_EQ(problem("=1,2\n,,3\n"), "");
     EXPECT_EQ(problem("1,2\n"), "cues.csv.gz, line 2: " + no_row);  // nothing to differ from
     EXPECT_EQ(problem("=1,2\n1.5\n"), "cues.csv.gz, line 3: " + no_row);
     EXPECT_EQ(problem("=1,2,3,4,5,6\n"), "cues.csv.gz, line 2: " + no_row);
     EXPECT_EQ(problem("=9223372036854775807\n1\n"), "cues.csv.gz, line 3: " + no_row);
-    EXPECT_EQ(problem("=1,2"), "cues.csv.gz, line 2: The last line is not whole.");
+    EXPECT_EQ(problem("=1,2"), "cues.csv.gz, line 2: The last line is not complete.");
     // An older one has fewer columns.
     const auto older = read_rows<kFrameColumns>("t_us,tick,left_tick,x_mm,y_mm,z_mm,heading_cdeg\n=5,6\n1\n",
                                                 frame_header(), "frames.csv.gz");

@@ -43,15 +43,16 @@ std::vector<SessionReport> three_sessions() {
 TEST(LearnerWords, tell_what_became_of_each_way) {
     EXPECT_THAT(
         learner_words(three_sessions()),
-        ElementsAre("There were 3 sessions, 27 minutes in all.", "You set out for this place 3 times: Library.",
-                    "Your way there got shorter.", "Wrong turns there: 3 at first, 1 at last.",
-                    "Help asked for there: 5 times at first, 0 at last.", "You set out for this place once: Gym."));
+        ElementsAre("There were 3 sessions, 27 minutes in all.", "You set out for Library 3 times.",
+                    "Your route there got shorter.", "Wrong turns on the way there: 3 the first time, 1 the last time.",
+                    "Requests for help on the way there: 5 the first time, 0 the last time.",
+                    "You set out for Gym once."));
     std::vector<SessionReport> back = three_sessions();
     std::swap(back[0], back[2]);
-    EXPECT_THAT(learner_words(back), testing::Contains("Your way there got longer."));
+    EXPECT_THAT(learner_words(back), testing::Contains("Your route there got longer."));
     back[0].tasks[0].measures.clear();
     back[1].tasks[0].measures.clear();
-    EXPECT_THAT(learner_words(back), testing::Not(testing::Contains(HasSubstr("Your way"))))
+    EXPECT_THAT(learner_words(back), testing::Not(testing::Contains(HasSubstr("Your route"))))
         << "measured once is no change";
 }
 
@@ -81,10 +82,10 @@ TEST(LearnerPage, is_read_in_its_order) {
     const std::string text = spoken_text(learner_page(three_sessions()));
     std::size_t at = 0;
     for (const char* line :
-         {"h1: Report: Blue Heron <b>", "h2: In short", "li: There were 3 sessions", "h2: From time to time",
+         {"h1: Report: Blue Heron <b>", "h2: In short", "li: There were 3 sessions", "h2: From session to session",
           "caption: Going to Library", "th: Session 1, 22 November 2026", "td: 2.10", "th: Session 3, 30 November 2026",
-          "td: 1.10", "caption: Going to Gym", "td: not measured", "h2: How you went", "th: Along the walls",
-          "td: 75 percent", "h2: Sessions", "td: School", "h2: Session 1, 22 November 2026", "li: You got to Library.",
+          "td: 1.10", "caption: Going to Gym", "td: not measured", "h2: How you moved", "th: Along the walls",
+          "td: 75 percent", "h2: Sessions", "td: School", "h2: Session 1, 22 November 2026", "li: You reached Library.",
           "h2: Session 3, 30 November 2026"}) {
         const std::size_t found = text.find(line, at);
         ASSERT_NE(found, std::string::npos) << line << " is not after what comes before it in\n" << text;

@@ -110,33 +110,34 @@ TEST(ReportWords, are_easy_to_read_in_both_languages) {
 TEST(ReportWords, tell_what_happened_and_nothing_that_was_not_measured) {
     const std::string text = in_a_row(report_words(sample()));
     for (const char* sentence :
-         {"You were in School for 13 minutes.", "You got to Library.", "It took 95 seconds.",
-          "Your way was a bit longer than it had to be.", "You missed one turn.", "You stood still to think 3 times.",
-          "You asked for help 2 times.", "A door was blocked, and you found another way.",
-          "You know 82 percent of its walls.", "You know all its exits.", "When you point, you are 24 degrees off.",
-          "You point a bit too far left.", "You judge things to be nearer than they are.",
-          "You did not get to Library this time.", "Your way was 2.5 times as long as it had to be.",
-          "You were asked: How sure are you? 4.", "You were asked: What helped? The clock.",
-          "You mostly went along the walls."})
+         {"You were in School for 13 minutes.", "You reached Library.", "It took 95 seconds.",
+          "Your route was a little longer than necessary.", "You missed one turn.", "You stopped to think 3 times.",
+          "You asked for help 2 times.", "A door was blocked, and you found another route.",
+          "You know 82 percent of its walls.", "You know all its exits.",
+          "When you point, you are 24 degrees off on average.", "You point a bit too far left.",
+          "You judge distances to be shorter than they are.", "You did not reach Library this time.",
+          "Your route was 2.5 times as long as necessary.", "You were asked: How sure are you? 4.",
+          "You were asked: What helped? The clock.", "You mostly went along the walls."})
         EXPECT_NE(text.find(sentence), std::string::npos) << sentence << "\n" << text;
     for (const char* praise : {"You did it with no help.", "You made all the turns."})
         EXPECT_EQ(text.find(praise), std::string::npos) << "of a way that was given up: " << text;
     SessionReport arrived;
     arrived.tasks = {{ReportTaskKind::Go, "Library", true, {{"help_asked", 0.0}, {"turns_missed", 0.0}}}};
     EXPECT_EQ(in_a_row(report_words(arrived)),
-              "You got to Library.\nYou made all the turns.\nYou did it with no help.\n");
+              "You reached Library.\nYou made all the turns.\nYou did it with no help.\n");
     SessionReport bare;
     bare.tasks = {{ReportTaskKind::Go, "Library", std::nullopt, {{"time", NAN}}}};
-    EXPECT_EQ(report_words(bare), std::vector<std::string>{"There is nothing to tell yet."});
+    EXPECT_EQ(report_words(bare), std::vector<std::string>{"There is nothing to report yet."});
 }
 
 TEST(ReportWords, tell_the_way_through_the_rooms) {
-    EXPECT_EQ(in_a_row(plan_words(sample())),
-              "The plan shows School, storey 1 of 1. North is up.\nYou walked 7 metres.\nIt led through: Entrance "
-              "<hall>; Library.\n");
+    EXPECT_EQ(
+        in_a_row(plan_words(sample())),
+        "The plan shows School, storey 1 of 1. North is up.\nYou walked 7 metres.\nYour route led through: Entrance "
+        "<hall>; Library.\n");
     SessionReport still = sample();
     still.walked_m = 0.0;
-    EXPECT_THAT(in_a_row(plan_words(still)), testing::HasSubstr("No way was walked."));
+    EXPECT_THAT(in_a_row(plan_words(still)), testing::HasSubstr("You did not walk anywhere."));
     still.storey.reset();
     EXPECT_TRUE(plan_words(still).empty());
 }
@@ -210,20 +211,20 @@ TEST(ReportPage, is_read_in_its_order_without_the_texts_of_the_picture) {
           "li: You were in School for 13 minutes.",
           "h2: In numbers",
           "caption: Going to Library",
-          "th: Way, times the shortest",
+          "th: Route length compared with the shortest",
           "td: 1.31",
-          "td: 1 is the shortest way there is.",
-          "caption: Learning Entrance hall",
+          "td: 1 means the shortest possible route.",
+          "caption: Getting to know Entrance hall",
           "td: 82 percent",
-          "h2: How you went",
+          "h2: How you moved",
           "th: Along the walls",
           "td: 66 percent",
           "h2: Plan",
-          "title: Plan of School, storey 1, with the way you went",
+          "title: Plan of School, storey 1, with your route",
           "p: The plan shows School",
           "li: Door frame, 3 times",
           "li: Bench, once",
-          "h2: What the teacher noted and did",
+          "h2: The teacher's notes and actions",
           "td: held the rail",
           "h2: Step by step",
           "th: 1:05",

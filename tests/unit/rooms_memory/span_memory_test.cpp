@@ -108,7 +108,7 @@ TEST(SpanMemory, is_hardly_taken_for_worlds_that_are_too_large_for_ways) {
         most_held = before;
         const auto made = Navigation::make(*scene, WalkBody{});
         ASSERT_FALSE(made);
-        EXPECT_EQ(made.error().message, "This world is too large to find ways through it on foot.");
+        EXPECT_EQ(made.error().message, "This world is too large for routes to be planned through it.");
         EXPECT_LT(most_held - before, std::size_t{1} << 20);
     }
 }
@@ -123,7 +123,7 @@ TEST(SpanMemory, that_is_not_there_is_a_world_too_large_for_ways_and_nothing_wor
             while (!rooms.ready()) std::this_thread::yield();
             room_for = ~std::size_t{0};
             EXPECT_FALSE(rooms.found());
-            EXPECT_EQ(rooms.problem(), "This world is too large to find ways through it on foot.");
+            EXPECT_EQ(rooms.problem(), "This world is too large for routes to be planned through it.");
         }
     RoomsOfWorld rooms(scene, WalkBody{}, at_once());
     EXPECT_TRUE(rooms.ready());

@@ -66,12 +66,14 @@ TEST(HonestReport, counts_what_the_file_states_and_finds_nothing_to_check_in_a_s
     EXPECT_EQ(report.doors_of_no_room, 0);
     EXPECT_EQ(report.openings_uncut, 1);
     EXPECT_EQ(report.largest_connected, 3);
-    EXPECT_EQ(honest_sentence(scene, report),
-              "3 rooms on 1 of 2 storeys, 3 doors, 4 windows, one flight of stairs, 0 pieces of furniture, one "
-              "landmark.");
-    EXPECT_THAT(honest_details(scene, report),
-                testing::IsSupersetOf({"The file follows IFC4.", "Ground floor, at 0 metres: 3 rooms.",
-                                       "Of 7 openings in walls, floors and roofs 6 were cut."}));
+    EXPECT_EQ(
+        honest_sentence(scene, report),
+        "This world has 3 rooms on 1 of 2 storeys, 3 doors, 4 windows and one flight of stairs. It also has 0 pieces "
+        "of furniture and one landmark.");
+    EXPECT_THAT(
+        honest_details(scene, report),
+        testing::IsSupersetOf({"The format of the file is IFC4.", "Ground floor, at a height of 0 metres: 3 rooms.",
+                               "Openings cut out of walls, floors and roofs: 6 of 7."}));
 }
 
 TEST(HonestReport, finds_each_kind_of_fault_where_it_was_planted) {
@@ -82,17 +84,17 @@ TEST(HonestReport, finds_each_kind_of_fault_where_it_was_planted) {
         std::function<void(StatedBuilding&)> plant;
     };
     for (const Planted& planted : {
-             Planted{ToCheck::ImpassableDoor, "nobody can pass the door Glass door", 42,
+             Planted{ToCheck::ImpassableDoor, "nobody can get through the door Glass door", 42,
                      [](StatedBuilding& b) { b.portals[2].passable = false; }},
-             Planted{ToCheck::DoorToNoRoom, "the door Front door leads to no room of the file", 40,
+             Planted{ToCheck::DoorToNoRoom, "the door Front door does not lead to any room in the file", 40,
                      [](StatedBuilding& b) { b.portals[0].rooms.clear(); }},
-             Planted{ToCheck::OddName, "Room 3 holds stairs and does not say so in its name", 30,
+             Planted{ToCheck::OddName, "Room 3 contains stairs, but its name does not say so", 30,
                      [](StatedBuilding& b) { b.rooms[2].name = "Room"; }},
              Planted{ToCheck::RoomWithoutName, "a room has no name", 20,
                      [](StatedBuilding& b) { b.rooms[1].name = b.rooms[1].number = ""; }},
-             Planted{ToCheck::DoorCutFree, "something stood in the door Kitchen door and was cut away", 41,
+             Planted{ToCheck::DoorCutFree, "something that blocked the door Kitchen door was cut away", 41,
                      [](StatedBuilding& b) { b.portals[1].opened_by_box = true; }},
-             Planted{ToCheck::RoomWithoutWay, "no door or stairs of the file lead to Stairwell 3", 30,
+             Planted{ToCheck::RoomWithoutWay, "no door or stairs in the file lead to Stairwell 3", 30,
                      [](StatedBuilding& b) { b.portals.pop_back(); }},
          }) {
         SCOPED_TRACE(planted.words);
@@ -104,7 +106,7 @@ TEST(HonestReport, finds_each_kind_of_fault_where_it_was_planted) {
         ASSERT_FALSE(report.check.empty());
         EXPECT_EQ(check_words(scene, report.check[0]), planted.words);
         EXPECT_EQ(report.check[0].source.line, planted.line);
-        EXPECT_THAT(honest_sentence(scene, report), HasSubstr(std::string("Check first: ") + planted.words + "."));
+        EXPECT_THAT(honest_sentence(scene, report), HasSubstr(std::string("Check this first: ") + planted.words + "."));
     }
 }
 
@@ -118,7 +120,7 @@ TEST(HonestReport, tells_the_gravest_first_and_how_many_follow) {
     EXPECT_THAT(checks(report), ElementsAre(ToCheck::ImpassableDoor, ToCheck::OddName, ToCheck::RoomWithoutWay));
     EXPECT_EQ(report.check[1].at_m.x, 30.0) << "where the room is";
     EXPECT_THAT(honest_sentence(scene, report),
-                HasSubstr("Check first: nobody can pass the door Kitchen door, and 2 more."));
+                HasSubstr("Check this first: nobody can get through the door Kitchen door; then check 2 more."));
 }
 
 TEST(HonestReport, calls_no_name_odd_that_speaks_of_stairs) {

@@ -72,8 +72,8 @@ TEST(Lint, names_the_pair_that_a_changed_stiffness_makes_alike) {
     ASSERT_EQ(report.problems.size(), 1U);
     EXPECT_EQ(report.problems[0],
               "Wood and rubber cannot be told apart by touch: stiffness 0.32 and 0.3, friction 0.45 and 0.6. Give "
-              "rubber a stiffness of 0.24 or less, or rubber a "
-              "friction of 0.68 or more, or one of them a texture.");
+              "rubber a stiffness of 0.24 or less, give rubber a "
+              "friction of 0.68 or more, or give one of them a texture.");
     // What it advises does help.
     EXPECT_TRUE(
         lint_materials(read(panel(1, "wood", key("stiffness", "0.32")) + panel(3, "rubber", key("stiffness", "0.24"))))

@@ -97,10 +97,11 @@ TEST(SpokenNames, are_in_german_sentences_about_what_is_wrong) {
     ball.size_m = {1, 2, 1};
     const auto stretched = primitive_model(ball);
     ASSERT_FALSE(stretched);
-    EXPECT_EQ(stretched.error().message, "Kugel: muss rund bleiben und lässt sich nicht in eine Richtung quer dehnen.");
+    EXPECT_EQ(stretched.error().message,
+              "Kugel: muss rund bleiben und darum in jeder runden Richtung gleich stark gedehnt werden.");
     const auto unknown = with_placed(*test::SceneBuilder().share(), "Kiste", *box_model({1, 1, 1}), {}, "plastr");
     ASSERT_FALSE(unknown);
-    EXPECT_EQ(unknown.error().message, "Das Material „plastr“ gibt es nicht. Der nächste Name ist plaster.");
+    EXPECT_EQ(unknown.error().message, "Das Material „plastr“ gibt es nicht. Der ähnlichste Name ist plaster.");
 }
 
 }  // namespace spoken_names_test

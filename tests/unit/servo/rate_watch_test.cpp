@@ -73,7 +73,7 @@ TEST(FaultSentence, every_fault_has_its_own_whole_sentence) {
     }
     EXPECT_EQ(fault_sentence(Fault::None), "");
     const test::InLanguage german("de");
-    EXPECT_EQ(fault_sentence(Fault::Unplugged), "Gerät abgezogen. Alles andere läuft weiter.");
+    EXPECT_EQ(fault_sentence(Fault::Unplugged), "Das Tastgerät wurde abgezogen. Alles andere läuft weiter.");
 }
 
 }  // namespace rate_watch_test

@@ -89,7 +89,7 @@ TEST(Settings, name_the_nearest_key_when_one_is_unknown_and_apply_the_rest) {
         folder.write("settings.toml", "[workspace]\nscael = 30\nhand_height_m = 1.5\n"), SettingSource::UserFile);
     EXPECT_THAT(sentences(problems), ElementsAre("settings.toml, line 2, column 9: error: There is no setting "
                                                  "workspace.scael; the nearest is workspace.scale. "
-                                                 "It is not used; the rest applies."));
+                                                 "It is ignored; the rest is used."));
     EXPECT_EQ(store.values().workspace.hand_height_m, 1.5);
 }
 
@@ -120,7 +120,7 @@ TEST(Settings, say_the_legal_range_and_ignore_the_value_when_it_is_outside_or_of
         SettingSource::UserFile);
     ASSERT_THAT(sentences(problems), SizeIs(9));
     EXPECT_THAT(problems[6].message,
-                "The setting haptic.device is a list or a date, but must be auto, none or a device's name.");
+                "The setting haptic.device is a list or a date, but must be auto, none or the name of a device.");
     EXPECT_THAT(problems[0].message,
                 "The setting workspace.scale is 900, but must be 1 to 500 world metres per hand metre.");
     EXPECT_THAT(problems[1].message, HasSubstr("a whole number, 80 to 450"));
@@ -206,9 +206,9 @@ TEST(Settings, refuse_keys_that_nobody_can_press_with_their_line) {
     ASSERT_THAT(problems, SizeIs(5));
     for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(problems[i].line, static_cast<int>(i) + 2);
     EXPECT_THAT(problems[0].sentence(), HasSubstr("settings.toml, line 2"));
-    EXPECT_THAT(problems[0].message, HasSubstr("F99 names no key for keys.where; the nearest is F9"));
-    EXPECT_THAT(problems[1].message, HasSubstr("Shift+ names no key"));
-    EXPECT_THAT(problems[2].message, HasSubstr("the nearest is Control+Shift+W"));
+    EXPECT_THAT(problems[0].message, HasSubstr("F99 is not a valid key for keys.where. Did you mean F9?"));
+    EXPECT_THAT(problems[1].message, HasSubstr("Shift+ is not a valid key"));
+    EXPECT_THAT(problems[2].message, HasSubstr("Did you mean Control+Shift+W?"));
     EXPECT_EQ(problems[4].line, 7);
     EXPECT_EQ(store.values().keys.size(), 1U) << "those commands keep their own keys";
     EXPECT_TRUE(store.values().keys.contains("use"));
@@ -252,8 +252,8 @@ TEST(Profiles, damaged_in_one_value_are_set_aside_whole_with_one_sentence_until_
     SettingsStore store;
     const auto problems = sentences(store.load_file(file, SettingSource::UserFile));
     ASSERT_THAT(problems, SizeIs(1));
-    EXPECT_THAT(problems[0],
-                testing::AllOf(HasSubstr("profile.falcon."), HasSubstr("set aside"), HasSubstr("handrail calibrate")));
+    EXPECT_THAT(problems[0], testing::AllOf(HasSubstr("profile.falcon."), HasSubstr("is not used"),
+                                            HasSubstr("handrail calibrate")));
     EXPECT_FALSE(store.values().profiles.contains("falcon")) << "nothing of it is used";
     EXPECT_TRUE(store.values().damaged_profiles.contains("falcon"));
     EXPECT_EQ(store.values().profiles.at("sim-t").ceiling_n, 1.0);
@@ -319,7 +319,7 @@ TEST(SaveSettings, never_replaces_a_damaged_file_and_says_so) {
     const auto problems = store.load_file(file, SettingSource::UserFile);
     ASSERT_THAT(problems, SizeIs(1));
     EXPECT_THAT(problems[0].sentence(), HasSubstr("settings.toml, line 1"));
-    EXPECT_THAT(problems[0].sentence(), HasSubstr("the file is left as it is"));
+    EXPECT_THAT(problems[0].sentence(), HasSubstr("the file is left unchanged"));
     EXPECT_EQ(shown(store), shown(SettingsStore{}));
     ASSERT_TRUE(store.set("workspace.scale", "42", SettingSource::Live));
     const Result<void> saved = store.save_user_file();

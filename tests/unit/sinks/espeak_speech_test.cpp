@@ -104,7 +104,7 @@ TEST_F(EspeakSpeechTest, rate_and_voice_follow_the_settings) {
     settings.voice = "no-such-voice";
     speech->set_speech(settings);
     EXPECT_GT(hear(text).length_s(), 0.5) << "English instead";
-    EXPECT_EQ(speech->news(), "There is no voice named no-such-voice; English is used.");
+    EXPECT_EQ(speech->news(), "There is no voice named no-such-voice; an English voice is used instead.");
     settings.voice = "en-gb";
     speech->set_speech(settings);
     hear(text);
@@ -114,7 +114,7 @@ TEST_F(EspeakSpeechTest, rate_and_voice_follow_the_settings) {
 TEST_F(EspeakSpeechTest, there_is_one_voice_at_a_time) {
     const auto second = EspeakSpeech::open(channel, {});
     ASSERT_FALSE(second);
-    EXPECT_EQ(second.error().message, "The embedded voice is already in use.");
+    EXPECT_EQ(second.error().message, "The built-in voice is already in use.");
     speech.reset();
     EXPECT_TRUE(EspeakSpeech::open(channel, {}));
 }
@@ -155,7 +155,7 @@ TEST_F(EspeakSpeechTest, is_heard_through_the_sound_sink_within_50_ms_of_stream_
 TEST_F(EspeakSpeechTest, without_a_voice_there_are_beeps_and_the_reason) {
     const auto other = std::make_shared<VoiceChannel>();
     const auto fallback = open_voice(other, {});  // the one voice is taken
-    EXPECT_EQ(fallback->news(), "The embedded voice is already in use. Beeps tell that there is text to read.");
+    EXPECT_EQ(fallback->news(), "The built-in voice is already in use. Beeps mean that there is text to read.");
     fallback->say({.text = "Door"});
     EXPECT_TRUE(fallback->speaking());
     EXPECT_FALSE(other->take().samples.empty());

@@ -682,7 +682,7 @@ TEST(OpenALSinkDevice, without_a_sound_device_it_says_so_and_goes_on_at_the_pace
     sink.play({.kind = SoundKind::Beacon});
     EXPECT_EQ(sink.news(), "No sound device was found. Everything that would be spoken is printed as text.");
     EXPECT_EQ(sink.news(), std::nullopt);
-    EXPECT_EQ(sink.description(), "There is no sound device; sound is not heard.");
+    EXPECT_EQ(sink.description(), "There is no sound device, so you hear no sound.");
     const std::vector<std::int16_t> second(48000, 1000);
     const auto ticket = voice->begin(48000, 1.0);
     voice->append(ticket, second);
@@ -714,7 +714,7 @@ TEST(OpenALSinkDevice, lost_device_is_replaced_and_loops_go_on) {
     plugged = true;
     const auto said = sink.news();
     ASSERT_TRUE(said);
-    EXPECT_THAT(*said, ::testing::StartsWith("The sound device was lost. Sound goes on through "));
+    EXPECT_THAT(*said, ::testing::StartsWith("The sound device was lost. Sound continues through "));
     sink.tick(2.1);
     EXPECT_TRUE(sink.has_device());
     EXPECT_EQ(sink.sounds_playing(), 1);

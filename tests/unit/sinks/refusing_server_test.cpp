@@ -117,7 +117,7 @@ TEST(SpeechServerThatRefuses, a_language_speaks_all_the_same_in_the_voice_it_has
                 30.0);
         };
         EXPECT_TRUE(speaks("North wall"));
-        EXPECT_EQ(voice.news(), "The speech server has no voice for English. It speaks in the voice it has.");
+        EXPECT_EQ(voice.news(), "The speech server has no voice for English. It uses the voice it has instead.");
         EXPECT_EQ(voice.news(), std::nullopt) << "once";
         Settings::Speech german;
         german.language = "de";

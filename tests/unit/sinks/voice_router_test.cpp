@@ -117,7 +117,7 @@ TEST_F(VoiceRouterTest, what_a_lost_voice_left_is_said_by_the_next_after_a_sente
     router->say({.text = "You are at the base"});
     server->is = VoiceState::Gone;
     tick();
-    ASSERT_EQ(router->news(), "The speech server has gone; the built-in voice speaks now.");
+    ASSERT_EQ(router->news(), "The speech server is no longer available; speech now uses the built-in voice.");
     EXPECT_TRUE(router->speaking());
     tick();
     EXPECT_THAT(embedded->said, ElementsAre("You are at the base"));
@@ -148,11 +148,11 @@ TEST_F(VoiceRouterTest, with_no_voice_left_it_says_so_in_text_and_nobody_waits) 
     router->say({.text = "North"});
     server->is = embedded->is = VoiceState::Gone;
     tick();
-    EXPECT_EQ(router->news(), "The speech server has gone; there is only text now.");
+    EXPECT_EQ(router->news(), "The speech server is no longer available; there is only text now.");
     EXPECT_FALSE(router->speaking());
     server->is = VoiceState::Ready;
     tick();
-    EXPECT_EQ(router->news(), "The speech server speaks now.");
+    EXPECT_EQ(router->news(), "Speech now uses the speech server.");
 }
 
 TEST_F(VoiceRouterTest, a_better_voice_that_comes_takes_over_and_the_worse_one_is_silent) {
@@ -162,7 +162,7 @@ TEST_F(VoiceRouterTest, a_better_voice_that_comes_takes_over_and_the_worse_one_i
     reader->is = VoiceState::Ready;
     tick();
     EXPECT_EQ(server->stops, 1);
-    EXPECT_EQ(router->news(), "The screen reader speaks now.");
+    EXPECT_EQ(router->news(), "Speech now uses the screen reader.");
     tick();
     EXPECT_THAT(reader->said, ElementsAre("North")) << "it was cut, so it is owed";
 }
@@ -189,12 +189,12 @@ TEST_F(VoiceRouterTest, the_setting_chooses_and_can_be_changed_while_it_speaks) 
     settings.through = SpeechThrough::Text;
     router->set_speech(settings);
     tick();
-    EXPECT_EQ(router->news(), "There is only text now.");
+    EXPECT_EQ(router->news(), "There is no speech now, only text.");
     EXPECT_FALSE(router->speaking());
     settings.through = SpeechThrough::SpeechDispatcher;
     router->set_speech(settings);
     tick();
-    EXPECT_EQ(router->news(), "The speech server speaks now.");
+    EXPECT_EQ(router->news(), "Speech now uses the speech server.");
     router->say({.text = "South"});
     EXPECT_THAT(server->said, ElementsAre("South"));
     EXPECT_THAT(text->lines, ElementsAre("North", "South"));
@@ -204,7 +204,7 @@ TEST_F(VoiceRouterTest, who_asked_for_a_voice_that_is_not_there_is_told) {
     server_at_first = VoiceState::Gone;
     open(SpeechThrough::SpeechDispatcher);
     tick();
-    EXPECT_EQ(router->news(), "The speech server cannot be reached; the built-in voice speaks instead.");
+    EXPECT_EQ(router->news(), "The speech server cannot be reached; speech uses the built-in voice instead.");
 }
 
 }  // namespace voice_router_test

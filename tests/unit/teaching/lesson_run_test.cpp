@@ -223,9 +223,10 @@ TEST(Pointing, counts_within_the_degrees_of_the_lesson_which_is_said_and_measure
     pupil.live(1.0);
     ASSERT_TRUE(pupil.heard("Face Trophy case")) << pupil.all();
     pupil.answer_facing(bearing_deg(*world, "Trophy case") + 20.0);
-    EXPECT_TRUE(pupil.heard("20 degrees too far right. That counts.")) << pupil.all();
+    EXPECT_TRUE(pupil.heard("You pointed 20 degrees too far right. Your answer counts.")) << pupil.all();
     pupil.answer_facing(bearing_deg(*world, "Drinking fountain") - 40.0);
-    EXPECT_TRUE(pupil.heard("40 degrees too far left. Within 30 degrees it counts.")) << pupil.all();
+    EXPECT_TRUE(pupil.heard("You pointed 40 degrees too far left. To count, it must be within 30 degrees."))
+        << pupil.all();
     ASSERT_EQ(pupil.run().results().size(), 1U) << pupil.all();
     EXPECT_EQ(pupil.run().results()[0].measures.at("pointing_passed"), 50.0);
     EXPECT_NEAR(pupil.run().results()[0].measures.at("pointing_off"), 30.0, 0.1);
@@ -240,7 +241,7 @@ TEST(Pointing, of_a_lesson_without_degrees_is_told_and_not_judged) {
     pupil.live(1.0);
     pupil.answer_facing(bearing_deg(*world, "Trophy case") + 20.0);
     pupil.answer_facing(bearing_deg(*world, "Drinking fountain"));
-    EXPECT_TRUE(pupil.heard("20 degrees too far right.")) << pupil.all();
+    EXPECT_TRUE(pupil.heard("You pointed 20 degrees too far right.")) << pupil.all();
     EXPECT_FALSE(pupil.heard("count")) << pupil.all();
     ASSERT_EQ(pupil.run().results().size(), 1U) << pupil.all();
     EXPECT_FALSE(pupil.run().results()[0].measures.contains("pointing_passed"));
@@ -256,10 +257,10 @@ TEST(Pointing, is_by_the_devices_hand_where_it_went_and_else_by_facing) {
     EXPECT_GT(std::abs(right_rad), radians_from_degrees(25.0)) << "facing alone is another answer";
     pupil.move_hand({0.03 * std::sin(right_rad), 0.03 * std::cos(right_rad), 0.0});
     pupil.answer();
-    EXPECT_TRUE(pupil.heard("That is the way.")) << pupil.all();
+    EXPECT_TRUE(pupil.heard("That is the right direction.")) << pupil.all();
     // The hand stays where it is: one points by facing.
     pupil.answer_facing(bearing_deg(*world, "Drinking fountain") + 12.0);
-    EXPECT_TRUE(pupil.heard("12 degrees too far right. That counts.")) << pupil.all();
+    EXPECT_TRUE(pupil.heard("You pointed 12 degrees too far right. Your answer counts.")) << pupil.all();
     ASSERT_EQ(pupil.run().results().size(), 1U) << pupil.all();
     EXPECT_EQ(pupil.run().results()[0].measures.at("pointing_passed"), 100.0);
     EXPECT_LT(pupil.run().results()[0].measures.at("pointing_off"), 9.0);
@@ -297,7 +298,7 @@ TEST(Pointing, is_by_a_hand_that_is_known_only_after_the_question_too) {
     const double right_rad = radians_from_degrees(bearing_deg(*world, "Trophy case"));
     pupil.move_hand({0.03 * std::sin(right_rad), 0.03 * std::cos(right_rad), 0.0});
     pupil.answer();
-    EXPECT_TRUE(pupil.heard("That is the way.")) << pupil.all();
+    EXPECT_TRUE(pupil.heard("That is the right direction.")) << pupil.all();
 }
 
 // A lesson of one session in our school: getting to know the hall.
@@ -427,7 +428,8 @@ TEST(LessonTaught, leads_to_a_stop_that_hand_or_feet_are_near_from_the_start) {
         Walker20 led(world, 0, by_hand ? HandFacts{true, true, *find_device_spec("sim-t")} : HandFacts{});
         led.live(1.0);
         led.headless().app().apply(Placed{base_m + Vec3(0.0, 1.5, 0.0), 0.0}, led.headless().now_s());
-        EXPECT_EQ(carry_out_order(led.run(), "lead Ahead", led.headless().now_s()), "The learner is led to Ahead.");
+        EXPECT_EQ(carry_out_order(led.run(), "lead Ahead", led.headless().now_s()),
+                  "The learner is being led to Ahead.");
         led.live(2.0);
         EXPECT_TRUE(led.heard("Ahead")) << led.all();
     }
@@ -438,14 +440,14 @@ TEST(WhoTeaches, hears_the_nearest_name_of_what_is_not_there) {
     pupil.live(1.0);
     TeachingRun& run = pupil.run();
     EXPECT_EQ(carry_out_order(run, "lead Trofy case", 1.0),
-              "Neither the lesson nor its world knows \"Trofy case\". Did you mean \"Trophy case\"?");
+              "There is no \"Trofy case\" in the lesson or its world. Did you mean \"Trophy case\"?");
     EXPECT_EQ(carry_out_order(run, "lead Lbrary", 1.0),
-              "Neither the lesson nor its world knows \"Lbrary\". Did you mean \"Library\"?");
+              "There is no \"Lbrary\" in the lesson or its world. Did you mean \"Library\"?");
     EXPECT_EQ(carry_out_order(run, "block Lift dor", 1.0),
-              "No door of this world is called \"Lift dor\". Did you mean \"Lift door\"?");
+              "No door in this world is called \"Lift dor\". Did you mean \"Lift door\"?");
     EXPECT_EQ(carry_out_order(run, "open Libary door", 1.0),
-              "No door of this world is called \"Libary door\". Did you mean \"Library door\"?");
-    EXPECT_EQ(carry_out_order(run, "lead Room 4", 1.0), "The learner is led to Room 4.");
+              "No door in this world is called \"Libary door\". Did you mean \"Library door\"?");
+    EXPECT_EQ(carry_out_order(run, "lead Room 4", 1.0), "The learner is being led to Room 4.");
 }
 
 TEST(WhoTeaches, blocks_a_door_on_the_way_as_the_lesson_does_and_never_the_last_way) {
@@ -455,7 +457,7 @@ TEST(WhoTeaches, blocks_a_door_on_the_way_as_the_lesson_does_and_never_the_last_
     Walker20 pupil(world, 2);
     pupil.live(1.0);
     EXPECT_EQ(carry_out_order(pupil.run(), "block Library door", pupil.headless().now_s()),
-              "With what is blocked, no way is left for the route \"Library\".");
+              "With these doors blocked, nobody can complete the route \"Library\".");
     EXPECT_EQ(carry_out_order(pupil.run(), "block Lift door", pupil.headless().now_s()), "Lift door is blocked.");
     const Route round = world->way(world->base().stand_m, {*world->place("Library")}, {*world->door("Lift door")});
     ASSERT_TRUE(pupil.walk(round.points_m)) << pupil.all();
@@ -494,7 +496,8 @@ TEST(BlockedDoor, is_gone_round_by_ways_where_there_is_another_and_not_where_the
     lesson.sessions[0].steps[0].block = {"Front door", "Garden door"};
     const auto shut_in = TaughtWorld::find(lesson, house);
     ASSERT_FALSE(shut_in);
-    EXPECT_NE(shut_in.error().sentence().find("no way is left"), std::string::npos) << shut_in.error().sentence();
+    EXPECT_NE(shut_in.error().sentence().find("nobody can complete the route"), std::string::npos)
+        << shut_in.error().sentence();
 }
 
 TEST(LessonInItsWorld, is_refused_where_it_names_what_is_not_there) {
@@ -532,7 +535,7 @@ TEST(LessonInItsWorld, may_ask_for_any_thing_of_it_and_for_nothing_that_is_under
     lesson.sessions[0].steps[1].to = {"Trophy case", "Mat"};
     const auto under_feet = TaughtWorld::find(lesson, school()->scene());
     ASSERT_FALSE(under_feet);
-    EXPECT_NE(under_feet.error().sentence().find("\"Mat\" is where the learner stands"), std::string::npos)
+    EXPECT_NE(under_feet.error().sentence().find("The learner is standing at \"Mat\""), std::string::npos)
         << under_feet.error().sentence();
     lesson.sessions[0].steps[1].to = {"Trophy case"};
     lesson.sessions[2].steps[2].to = {"Mat", "Trophy case"};

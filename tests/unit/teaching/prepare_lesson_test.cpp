@@ -65,7 +65,7 @@ TEST(PreparingALesson, takes_under_60_keys_and_5_minutes_in_our_school_and_the_f
     instructor.key("Alt+F9");
     instructor.key("End");
     instructor.key("Enter");
-    EXPECT_NE(instructor.at().find("Base"), std::string::npos) << instructor.at();
+    EXPECT_NE(instructor.at().find("Put the base here"), std::string::npos) << instructor.at();
     instructor.key("Enter");
     for (const char* landmark : {"trop", "drin", "libr"}) {
         instructor.key("Enter");

@@ -154,12 +154,12 @@ TEST(TypedSentences, leave_the_words_of_commands_and_their_choices_as_they_are) 
 TEST(TypedSentences, that_are_none_are_said_to_be_none_and_not_to_lack_a_count) {
     const auto known_word = parse_terminal_line("where did the cat go");
     ASSERT_FALSE(known_word);
-    EXPECT_THAT(known_word.error().message, HasSubstr("\"where did the cat go\" is not understood. Type where alone"));
+    EXPECT_THAT(known_word.error().message, HasSubstr("\"where did the cat go\" was not understood. Type only where"));
     const auto unknown = parse_terminal_line("bananas are yellow");
     ASSERT_FALSE(unknown);
-    EXPECT_THAT(unknown.error().message, HasSubstr("Type help for what can be typed."));
+    EXPECT_THAT(unknown.error().message, HasSubstr("Type help for a list of what you can type."));
     EXPECT_THAT(parse_terminal_line("wheer 3").error().message, HasSubstr("Did you mean \"where\"?"));
-    EXPECT_THAT(parse_terminal_line("where 0").error().message, HasSubstr("only a count from 1 to 1000"));
+    EXPECT_THAT(parse_terminal_line("where 0").error().message, HasSubstr("only by a number from 1 to 1000"));
     EXPECT_FALSE(typed_sentence("go 0 steps"));
     EXPECT_FALSE(typed_sentence("go 1001 steps"));
     EXPECT_FALSE(typed_sentence(std::string(100'000, 'a') + " b"));

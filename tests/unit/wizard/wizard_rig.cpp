@@ -128,9 +128,9 @@ void BriskPerson::go(const Vec3& to_share) {
 
 void BriskPerson::answer_one() {
     if (rig_.asks("Headphones?")) return rig_.key("Left");
-    if (rig_.asks("And now on your right")) return rig_.key("Right");
+    if (rig_.asks("Is the bell on your right now")) return rig_.key("Right");
     if (rig_.asks("Rest your arm")) return go({0.0, -0.9, 0.0});
-    if (rig_.asks("Push it in")) return go({0.0, 0.6, 0.0});
+    if (rig_.asks("Push the grip in")) return go({0.0, 0.6, 0.0});
     if (rig_.asks("Which hand")) return go({-0.6, 0.0, 0.0});
     if (rig_.asks("I will press")) {
         while (rig_.force_n() < felt_n && rig_.asks("I will press")) advance();
@@ -139,7 +139,7 @@ void BriskPerson::answer_one() {
         wait(0.1);
         return held_->button(false);
     }
-    if (rig_.asks("Now a wall")) {
+    if (rig_.asks("Now you will feel a wall")) {
         go({-0.2, -0.3, 0.0});
         go({-0.2, 0.6, 0.0});
         wait(1.0);

@@ -39,26 +39,26 @@ TEST(WizardFromStartToEnd, with_a_simulated_touch_takes_a_brisk_person_less_than
     std::printf("a brisk person with a simulated Touch: %.1f s\n", rig.now_s() - begun_s);
     EXPECT_LT(rig.now_s() - begun_s, kTwoMinutes_s);
     expect_in_order(rig.said(), {"bell on your left",
-                                 "And now on your right",
+                                 "Is the bell on your right now",
                                  "looking for a touch device",
                                  "The simulated Touch is ready",
                                  "Take the grip",
                                  "Good.",
-                                 "Push it in",
+                                 "Push the grip in",
                                  "Good.",
                                  "Which hand",
                                  "Left hand.",
                                  "I will press",
-                                 "Felt at 0.",
-                                 "Now a wall",
+                                 "You felt it at 0.",
+                                 "Now you will feel a wall",
                                  "Normal, 2.5 newtons",
                                  "with more than 2.5 newtons",
                                  "as far as is comfortable",
                                  "Your hand reaches",
-                                 "Your reach spans",
+                                 "Your reach covers",
                                  "Your step is",
                                  "65 centimetres",
-                                 "You are set up."});
+                                 "The set-up is complete."});
     const DeviceProfile profile = rig.profile();
     EXPECT_NEAR(profile.gentlest_n.value(), 0.4, 0.1);
     EXPECT_EQ(profile.ceiling_n, 2.5);
@@ -85,10 +85,10 @@ TEST(WizardFromStartToEnd, with_a_falcon_wakes_and_homes_it_by_voice) {
     ASSERT_TRUE(person.answer_all(300.0)) << joined(rig.said());
     std::printf("a brisk person with a Falcon: %.1f s\n", rig.now_s() - begun_s);
     EXPECT_LT(rig.now_s() - begun_s, kTwoMinutes_s);
-    expect_in_order(rig.said(),
-                    {"looking for a touch device", "needs waking, this may take three tries. Try 1", "Try 2",
-                     "The Falcon is ready.", "Pull it all the way towards you.", "Good.", "Push it in", "Good.",
-                     "Left hand.", "Felt at 0.", "with more than 2.5 newtons", "Your hand reaches", "You are set up."});
+    expect_in_order(rig.said(), {"looking for a touch device", "needs waking, in up to three attempts. Attempt 1",
+                                 "Attempt 2", "The Falcon is ready.", "Pull it all the way towards you.", "Good.",
+                                 "Push the grip in", "Good.", "Left hand.", "You felt it at 0.",
+                                 "with more than 2.5 newtons", "Your hand reaches", "The set-up is complete."});
     EXPECT_GE(rig.clicks(), 3) << "one for each leg that found its zero";
     EXPECT_EQ(held.emulator.frames_before_homed_with_force, 0U);
     EXPECT_LE(held.emulator.largest_force_n, 2.5 + 0.05);
@@ -103,9 +103,9 @@ TEST(WizardFromStartToEnd, with_no_device_says_so_and_does_the_rest) {
     const double begun_s = rig.now_s();
     ASSERT_TRUE(person.answer_all(300.0)) << joined(rig.said());
     std::printf("a brisk person without a device: %.1f s\n", rig.now_s() - begun_s);
-    expect_in_order(rig.said(),
-                    {"bell on your left", "And now on your right",
-                     "No touch device. Everything works with keyboard and sound", "Your step is", "You are set up."});
+    expect_in_order(rig.said(), {"bell on your left", "Is the bell on your right now",
+                                 "There is no touch device. Everything works with keyboard and sound", "Your step is",
+                                 "The set-up is complete."});
     EXPECT_FALSE(rig.has_said("Take the grip"));
     EXPECT_EQ(rig.store.values().walk.step_length_m, 0.65);
     EXPECT_TRUE(rig.store.values().profiles.empty());
@@ -146,7 +146,7 @@ TEST(WizardFromStartToEnd, by_lines_of_a_script) {
         },
         120.0));
     rig.run(5.0);
-    EXPECT_TRUE(rig.has_said("You are set up.")) << joined(rig.said());
+    EXPECT_TRUE(rig.has_said("The set-up is complete.")) << joined(rig.said());
     EXPECT_EQ(rig.profile().hand, HoldingHand::Left);
     EXPECT_EQ(rig.profile().ceiling_n, 2.5);
     EXPECT_GT(rig.profile().gentlest_n.value(), 0.2);
@@ -179,7 +179,7 @@ TEST(Wizard, repairs_swapped_headphones_on_the_spot) {
     rig.key("Right");
     rig.run(0.1);
     EXPECT_TRUE(rig.store.values().sound.swap_sides);
-    EXPECT_TRUE(rig.asks("Headphones?")) << "asked once more";
+    EXPECT_TRUE(rig.asks("Are you wearing headphones?")) << "asked once more";
     rig.key("Left");
     rig.run(0.1);
     EXPECT_GT(side_of_last_bell(), 0.0);
@@ -205,7 +205,8 @@ TEST(Wizard, escape_explains_and_takes_the_force_away_and_leaves_at_the_second_p
     rig.key("Escape");
     rig.run(0.15);
     EXPECT_EQ(rig.force_n(), 0.0);
-    EXPECT_TRUE(rig.has_said("It never presses with more than one newton. Enter goes on. Escape again leaves"));
+    EXPECT_TRUE(
+        rig.has_said("It never presses with more than one newton. Press Enter to go on, or Escape again to leave"));
     rig.key("Enter");
     EXPECT_TRUE(rig.run_until([&] { return rig.force_n() > 0.3; })) << "the same question begins again";
     rig.key("Escape");
@@ -239,7 +240,7 @@ TEST(Wizard, presses_in_small_steps_never_above_one_newton_and_lets_go_when_nobo
     rig.run(10.0);
     EXPECT_EQ(rig.largest_force_n, 0.0) << "no force before a hand has moved";
     held.aim({0.0, 0.0, 0.01});
-    ASSERT_TRUE(rig.run_until([&] { return rig.has_said("have let go"); }, 30.0));
+    ASSERT_TRUE(rig.run_until([&] { return rig.has_said(" and then let go"); }, 30.0));
     EXPECT_LE(rig.largest_force_n, Wizard::kGentlestMost_n + 1e-12);
     EXPECT_GT(rig.largest_force_n, 0.95);
     EXPECT_LT(rig.largest_step_n, 0.02);
@@ -262,7 +263,7 @@ TEST(Wizard, an_answer_before_anything_can_be_felt_keeps_the_default) {
 TEST(Wizard, chooses_the_ceiling_in_three_steps_and_finely_and_raises_what_stands_in_its_way) {
     HeldSimulated held;
     WizardRig rig("strongest", &held);
-    ASSERT_TRUE(rig.run_until([&] { return rig.asks("Now a wall"); }));
+    ASSERT_TRUE(rig.run_until([&] { return rig.asks("Now you will feel a wall"); }));
     EXPECT_THAT(std::string(rig.wizard().question()), HasSubstr("Force: light, 1.2 newtons"));
     for (const char* key : {"Up", "Up", "Up", "Left", "Left"}) {
         rig.key(key);
@@ -284,10 +285,10 @@ TEST(Wizard, goes_back_one_question_and_up_does_so_where_it_changes_nothing) {
     EXPECT_TRUE(rig.has_said("This is the first question."));
     rig.key("Enter");
     rig.run(0.1);
-    EXPECT_TRUE(rig.asks("And now"));
+    EXPECT_TRUE(rig.asks("Is the bell on your right now"));
     rig.key("Up");
     rig.run(0.1);
-    EXPECT_TRUE(rig.asks("Headphones?"));
+    EXPECT_TRUE(rig.asks("Are you wearing headphones?"));
     rig.key("Enter");
     rig.key("Enter");
     rig.run(0.1);
@@ -297,7 +298,7 @@ TEST(Wizard, goes_back_one_question_and_up_does_so_where_it_changes_nothing) {
     EXPECT_TRUE(rig.asks("Your step is 75"));
     rig.key("Backspace");
     rig.run(0.1);
-    EXPECT_TRUE(rig.asks("And now"));
+    EXPECT_TRUE(rig.asks("Is the bell on your right now"));
 }
 
 TEST(Wizard, takes_a_step_in_metres_centimetres_or_as_ten_steps_and_refuses_what_is_none) {
@@ -314,7 +315,7 @@ TEST(Wizard, takes_a_step_in_metres_centimetres_or_as_ten_steps_and_refuses_what
         rig.session.type(typed);
         rig.run(0.2);
         EXPECT_FALSE(rig.wizard().finished()) << typed;
-        EXPECT_TRUE(rig.has_said("and " + std::string(typed) + " is none.")) << typed;
+        EXPECT_TRUE(rig.has_said("and " + std::string(typed) + " is not.")) << typed;
         EXPECT_EQ(rig.store.values().walk.step_length_m, 0.7);
     }
 }
@@ -332,7 +333,7 @@ TEST(Wizard, goes_on_without_a_device_that_is_unplugged_and_without_its_force) {
     EXPECT_TRUE(rig.asks("Your step is"));
     EXPECT_EQ(rig.force_n(), 0.0);
     EXPECT_TRUE(
-        rig.run_until([&] { return rig.has_said("The touch device was unplugged. I go on without it."); }, 10.0))
+        rig.run_until([&] { return rig.has_said("The touch device was unplugged. I will go on without it."); }, 10.0))
         << "after the alarm";
 }
 
@@ -350,8 +351,9 @@ TEST(Wizard, a_latched_fault_is_told_and_confirmed_with_enter_or_the_force_key) 
         held.hand->trouble.publish(trouble);
         rig.run(0.3);
         EXPECT_EQ(rig.force_n(), 0.0);
-        EXPECT_TRUE(rig.has_said("The touch device sent positions that cannot be."));
-        EXPECT_TRUE(rig.run_until([&] { return rig.has_said("Here Enter goes on"); }, 15.0)) << "after the alarm";
+        EXPECT_TRUE(rig.has_said("The touch device sent impossible positions."));
+        EXPECT_TRUE(rig.run_until([&] { return rig.has_said("Press Enter to go on, or Escape to leave."); }, 15.0))
+            << "after the alarm";
         rig.key(key);
         held.aim({0.0, 0.0, -0.01});
         EXPECT_TRUE(rig.run_until([&] { return rig.force_n() > 0.2; })) << joined(rig.said());
@@ -374,7 +376,7 @@ TEST(Wizard, does_only_the_parts_that_are_asked_for_and_homes_only_what_does_not
     EXPECT_TRUE(homing.asks("Rest your arm"));
     homing.key("Enter");
     homing.run(0.1);
-    EXPECT_TRUE(homing.has_said("Not yet: it does not know its place. 0 of 3 legs do."));
+    EXPECT_TRUE(homing.has_said("Not yet: the device does not know its position. Legs ready so far: 0 of 3."));
 }
 
 TEST(WizardWords, know_their_parts_and_name_the_nearest) {
@@ -382,7 +384,7 @@ TEST(WizardWords, know_their_parts_and_name_the_nearest) {
     EXPECT_THAT(*parse_wizard_parts("reach,Headphones,reach"), ElementsAre(WizardPart::Headphones, WizardPart::Reach));
     const auto wrong = parse_wizard_parts("headphone");
     ASSERT_FALSE(wrong);
-    EXPECT_THAT(wrong.error().sentence(), HasSubstr("the nearest is headphones"));
+    EXPECT_THAT(wrong.error().sentence(), HasSubstr("the nearest name is headphones"));
     for (const char* line : {"lft", "hand-left x", "hand-left 0", "hand-left 1e9", "wait -1", "up nan"})
         EXPECT_FALSE(parse_wizard_line(line)) << line;
     EXPECT_THAT(parse_wizard_line("lft").error().sentence(), HasSubstr("Did you mean \"left\"?"));
@@ -448,7 +450,7 @@ TEST(WizardWords, the_end_of_input_leaves_and_keeps_what_was_set) {
     rig.session.end_of_lines();
     rig.run(0.5);
     EXPECT_TRUE(rig.wizard().finished());
-    EXPECT_TRUE(rig.has_said("There is no answer \"what\" here."));
+    EXPECT_TRUE(rig.has_said("\"what\" is not an answer to this question."));
     EXPECT_TRUE(rig.has_said("What you have set is kept."));
     EXPECT_TRUE(rig.store.values().sound.swap_sides);
 }

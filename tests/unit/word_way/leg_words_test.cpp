@@ -25,23 +25,23 @@ TEST(LegWords, tell_what_to_do_first_then_how_far_then_to_what) {
     EXPECT_EQ(leg_words(leg(-4, 1, PaceEnd::Steps, "Kitchen"), {}), "Turn left. 1 step to Kitchen.");
     SpokenLeg door = leg(-4, 4, PaceEnd::Stopped, "Living room door, shut");
     door.open = true;
-    EXPECT_EQ(leg_words(door, {}), "Turn left. 4 steps, until you meet Living room door, shut. Open it.");
+    EXPECT_EQ(leg_words(door, {}), "Turn left. 4 steps, until you come to Living room door, shut. Open it.");
     SpokenLeg leaf = leg(0, 2, PaceEnd::Steps, "Toilet");
     leaf.leaf = "front door";
-    EXPECT_EQ(leg_words(leaf, {}), "Straight on. 2 steps to Toilet. Front door, open, is in the way. Shut it.");
+    EXPECT_EQ(leg_words(leaf, {}), "Straight on. 2 steps to Toilet. Front door is open and in the way. Shut it.");
     EXPECT_EQ(leg_words(leg(8, 3, PaceEnd::Stopped, ""), {}), "Turn round. 3 steps, until something stops you.");
     SpokenLeg stairs = leg(1, 4, PaceEnd::Stairs, "");
     stairs.risers = 17;
     stairs.up = true;
-    EXPECT_EQ(leg_words(stairs, {}), "Turn slightly right. 17 stairs up, in 4 steps, to the end.");
+    EXPECT_EQ(leg_words(stairs, {}), "Turn slightly right. 17 stairs up, starting in 4 steps, all the way to the end.");
     stairs.steps = 0;
     stairs.up = false;
-    EXPECT_EQ(leg_words(stairs, {}), "Turn slightly right. 17 stairs down, just ahead, to the end.");
+    EXPECT_EQ(leg_words(stairs, {}), "Turn slightly right. 17 stairs down, just ahead, all the way to the end.");
     SpokenLeg over = leg(4, 9, PaceEnd::Steps, "Landing");
     over.risers = 17;
     over.up = true;
     over.to_stairs = 2;
-    EXPECT_EQ(leg_words(over, {}), "Turn right. 9 steps to Landing. On the way 17 stairs up, in 2 steps.");
+    EXPECT_EQ(leg_words(over, {}), "Turn right. 9 steps to Landing. On the way, 17 stairs up, in 2 steps.");
     EXPECT_EQ(leg_words(leg(2, 3, PaceEnd::Steps, ""), {false, 0.7, true}), "Turn half right. 2 metres.");
 }
 
@@ -85,17 +85,18 @@ TEST(LegWords, come_when_the_way_is_planned_while_everything_goes_on) {
     EXPECT_TRUE(way.starts_with("To Music room. ")) << way;
     EXPECT_TRUE(way.ends_with("through Stairs, Landing.")) << way;
     person.said.clear();
-    EXPECT_EQ(person.ask(Command::NextLeg), "A moment.");
-    EXPECT_TRUE(wait_for(
-        [&] { return person.said.back() != "A moment." && person.said.back() != "Rooms and ways are known now."; }));
+    EXPECT_EQ(person.ask(Command::NextLeg), "One moment.");
+    EXPECT_TRUE(wait_for([&] {
+        return person.said.back() != "One moment." && person.said.back() != "Rooms and routes have been worked out.";
+    }));
     const std::string first_leg = person.said.back();
     EXPECT_EQ(person.ask(Command::RepeatLeg), first_leg);
     // Who asked for the rest of the way meanwhile hears that.
     person.ask(Command::Routes);
     person.line("Bathroom");
     person.said.clear();
-    EXPECT_EQ(person.ask(Command::RestOfWay), "A moment.");
-    EXPECT_TRUE(wait_for([&] { return person.said.back() != "A moment."; }));
+    EXPECT_EQ(person.ask(Command::RestOfWay), "One moment.");
+    EXPECT_TRUE(wait_for([&] { return person.said.back() != "One moment."; }));
     const std::string rest = person.said.back();
     EXPECT_EQ(person.ask(Command::RestOfWay), rest);
     const std::string leg = person.ask(Command::RepeatLeg);
@@ -106,7 +107,7 @@ TEST(LegWords, come_when_the_way_is_planned_while_everything_goes_on) {
     person.line("Kitchen");
     person.app.apply(WorldEntered{make_ready(test::our_world("first_room.map"))}, person.now);
     person.run(0.1);
-    EXPECT_EQ(person.ask(Command::NextLeg), "No way is followed.");
+    EXPECT_EQ(person.ask(Command::NextLeg), "You are not following a route.");
 }
 
 }  // namespace leg_words_test

@@ -115,7 +115,9 @@ TEST(SayingsInWords, what_became_an_unknown_thing_is_reported) {
     std::set<int> lines;
     for (const Diagnostic& warning : scene.report.warnings) lines.insert(warning.line);
     EXPECT_EQ(lines, (std::set<int>{4})) << "a size or the word Thing says that a thing is meant";
-    EXPECT_THAT(warnings_of(scene), HasSubstr("Wnidow is not known as a thing. It stands there as a thing of 0.6 by"));
+    EXPECT_THAT(
+        warnings_of(scene),
+        HasSubstr("Wnidow is not a kind of thing that Handrail knows. It was put there as a plain thing of 0.6 by"));
 }
 
 // Pieces of an outline that lie against each other are one room, without a wall between them.
