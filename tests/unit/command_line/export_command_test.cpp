@@ -77,7 +77,7 @@ TEST(ExportCommand, writes_ways_in_words_in_print_and_in_braille) {
         } else EXPECT_LE(++line, 40U);
     }
     EXPECT_EQ(std::count(cells.begin(), cells.end(), '\f'), 8) << "nine rooms, each on a page of its own";
-    EXPECT_THAT(all.err, testing::Not(testing::HasSubstr("No way leads to")));
+    EXPECT_THAT(all.err, testing::Not(testing::HasSubstr("No route leads to")));
     const Outcome here = run({house(), "--route-card", (folder.path() / "here.txt").string(), "--to", "hall"});
     EXPECT_EQ(here.status, 1);
     EXPECT_THAT(here.err, testing::HasSubstr("The route begins in Hall already."));
