@@ -59,6 +59,21 @@ FeatureId SceneBuilder::box(const Vec3& a, const Vec3& b, const std::string& nam
     return add(std::move(s), name, role, material, kind);
 }
 
+FeatureId SceneBuilder::prism(const std::vector<Vec2>& outline_m, double low_m, double high_m,
+                              const std::string& name) {
+    ConvexSolid s;
+    std::vector<Vec3> top, bottom;
+    for (std::size_t i = 0; i < outline_m.size(); ++i) {
+        const Vec2 &a = outline_m[i], &b = outline_m[(i + 1) % outline_m.size()];
+        add_face(s, {b.y - a.y, a.x - b.x, 0.0}, {{a, low_m}, {b, low_m}, {b, high_m}, {a, high_m}});
+        top.emplace_back(a, high_m);
+        bottom.emplace(bottom.begin(), a, low_m);
+    }
+    add_face(s, {0, 0, 1}, top);
+    add_face(s, {0, 0, -1}, bottom);
+    return add(std::move(s), name, SolidRole::Solid, {}, FeatureKind::Object);
+}
+
 FeatureId SceneBuilder::ramp(const Vec3& a, const Vec3& b, const std::string& name) {
     ConvexSolid s;
     add_face(s, {1, 0, 0}, {{b.x, a.y, a.z}, {b.x, b.y, a.z}, {b.x, b.y, b.z}});

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "worlds/scene/scene.h"
 
@@ -16,6 +17,8 @@ public:
     FeatureId box(const Vec3& min_m, const Vec3& max_m, const std::string& name = "block",
                   SolidRole role = SolidRole::Solid, const std::string& material = {},
                   FeatureKind kind = FeatureKind::Object);
+    // An upright solid over a convex outline, whose corners run counter-clockwise from above.
+    FeatureId prism(const std::vector<Vec2>& outline_m, double low_m, double high_m, const std::string& name = "block");
     // A ramp over [min, max] whose top rises from min.z in the south to max.z in the north.
     FeatureId ramp(const Vec3& min_m, const Vec3& max_m, const std::string& name = "ramp");
     void start(const Vec3& feet_m, double heading_rad);

@@ -68,6 +68,8 @@ public:
     }
     // Where the body stood when it was told that it is there; else where it stands.
     Vec3 feet_m() const { return told_there_m_.value_or(app_.feet_m()); }
+    // Stairs in one go and lifts that it took on its last walk.
+    int climbs() const { return climbs_; }
     void put(const Vec3& feet_m) {
         app_.apply(Placed{feet_m, 0.0}, now_s_);
         told_there_m_.reset();

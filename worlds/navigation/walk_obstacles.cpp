@@ -55,7 +55,8 @@ private:
 
 }  // namespace
 
-Obstacles::Obstacles(const Scene& scene, const WalkBody& body, const Aabb* within) : body_(body), within_(within) {
+Obstacles::Obstacles(const Scene& scene, const WalkBody& body, const Aabb* within)
+    : body_(body), within_(within), stairs_(scene) {
     std::vector<int> mover_of_feature(scene.features.size(), -1);
     for (std::size_t m = 0; m < scene.movers.size(); ++m)
         if (scene.movers[m].feature.value < mover_of_feature.size() && scene.movers[m].moves())
@@ -123,11 +124,14 @@ bool Obstacles::column(const WalkObstacle& o, double x, double y, double& low, d
     return low < high;
 }
 
-double Obstacles::support(const Vec3& n) const {
-    return body_.radius_m * std::sqrt(n.x * n.x + n.y * n.y) + std::max(0.0, -n.z * body_.height_m);
+double Obstacles::support(const Vec3& n, bool narrow) const {
+    const double radius_m = narrow ? StairRule::reach_m(body_.radius_m) : body_.radius_m,
+                 height_m = narrow ? StairRule::height_m(body_.height_m) : body_.height_m;
+    return radius_m * std::sqrt(n.x * n.x + n.y * n.y) + std::max(0.0, -n.z * height_m);
 }
 
-void Obstacles::finish(std::vector<Plane>& bounds, const Aabb& box, FeatureId feature,
+// `stands`: a part of the building, which may be of stairs, not a thing that was set down.
+void Obstacles::finish(std::vector<Plane>& bounds, const Aabb& box, FeatureId feature, bool stands,
                        std::vector<WalkObstacle>& into) {
     // The axis planes keep the sum of something sharp and a wide body from sticking out far.
     for (int axis = 0; axis < 3; ++axis)
@@ -140,10 +144,13 @@ void Obstacles::finish(std::vector<Plane>& bounds, const Aabb& box, FeatureId fe
         }
     WalkObstacle made{static_cast<std::uint32_t>(planes_.size()), static_cast<std::uint32_t>(bounds.size()), box,
                       feature};
-    made.box_m.min_m -= Vec3(body_.radius_m, body_.radius_m, body_.height_m);
-    made.box_m.max_m += Vec3(body_.radius_m, body_.radius_m, 0.0);
+    const bool narrow = stands && stairs_.narrow(feature, box);
+    const double radius_m = narrow ? StairRule::reach_m(body_.radius_m) : body_.radius_m;
+    made.stairs = stands && stairs_.is_stairs(feature);
+    made.box_m.min_m -= Vec3(radius_m, radius_m, body_.height_m);
+    made.box_m.max_m += Vec3(radius_m, radius_m, 0.0);
     for (Plane b : bounds) {
-        b.offset_m += support(b.normal);
+        b.offset_m += support(b.normal, narrow);
         planes_.push_back(b);
     }
     into.push_back(made);
@@ -165,7 +172,7 @@ void Obstacles::add_solid(const Solid& solid, const PlacedFrame* frame, FeatureI
         }
     }
     if (!box.empty() && is_finite(box.min_m) && is_finite(box.max_m) && is_looked_at(box))
-        finish(bounds, box, feature, into);
+        finish(bounds, box, feature, !frame, into);
 }
 
 void Obstacles::add_triangle(const MeshTriangle& t, const PlacedFrame* frame, FeatureId feature) {
@@ -182,7 +189,7 @@ void Obstacles::add_triangle(const MeshTriangle& t, const PlacedFrame* frame, Fe
         const Vec3 side = glm::cross(corners[(e + 1) % 3] - corners[e], n);
         if (const double l = glm::length(side); l > 0.0) bounds.push_back({side / l, glm::dot(side / l, corners[e])});
     }
-    if (is_looked_at(box)) finish(bounds, box, feature, all);
+    if (is_looked_at(box)) finish(bounds, box, feature, !frame, all);
 }
 
 // A door counts as open; what it bears at either end of its way counts as there. False: it stands in the way like a

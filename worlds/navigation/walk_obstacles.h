@@ -7,6 +7,7 @@
 
 #include "worlds/geometry/placement.h"
 #include "worlds/navigation/walk_space.h"
+#include "worlds/scene/stair_rule.h"
 
 namespace handrail {
 
@@ -17,6 +18,7 @@ struct WalkObstacle {
     Aabb box_m;  // grown
     FeatureId feature = kNoFeature;
     bool furniture = false;  // a thing lower than a wall
+    bool stairs = false;     // see StairRule
 };
 // The top of something that comes and goes.
 struct PassingFloor {
@@ -39,8 +41,9 @@ public:
     std::vector<const Solid*> liquids;
 
 private:
-    double support(const Vec3& n) const;
-    void finish(std::vector<Plane>& bounds, const Aabb& box, FeatureId feature, std::vector<WalkObstacle>& into);
+    double support(const Vec3& n, bool narrow) const;
+    void finish(std::vector<Plane>& bounds, const Aabb& box, FeatureId feature, bool stands,
+                std::vector<WalkObstacle>& into);
     void add_solid(const Solid& solid, const PlacedFrame* frame, FeatureId feature, std::vector<WalkObstacle>& into);
     void add_triangle(const MeshTriangle& t, const PlacedFrame* frame, FeatureId feature);
     bool passes(const Scene& scene, std::uint32_t mover, const Solid& solid);
@@ -48,6 +51,7 @@ private:
 
     WalkBody body_;
     const Aabb* within_;
+    StairRule stairs_;
     std::vector<Plane> planes_;  // pushed out by the body
 };
 

@@ -81,6 +81,10 @@ int WalkTiles::passing_mover(std::uint32_t ground) const {
                : static_cast<int>(obstacles_.passing[ground - obstacles_.all.size()].mover);
 }
 
+bool WalkTiles::is_stairs(std::uint32_t ground) const {
+    return ground < obstacles_.all.size() && obstacles_.all[ground].stairs;
+}
+
 bool WalkTiles::is_building(std::uint32_t ground) const {
     if (ground >= obstacles_.all.size()) return true;
     const Feature* feature = scene_.find(obstacles_.all[ground].feature);
@@ -227,11 +231,13 @@ void WalkTiles::keep(std::uint32_t number) {
 std::uint32_t WalkTiles::step(const Place& here, const Tile& tile, std::size_t cell, Layer layer) const {
     const Range range = column(tile, cell, layer);
     std::uint32_t best = kNothing;
-    double nearest = body_.step_up_m + kWalkRounding_m;
+    const double step_up_m = body_.step_up_m + kWalkRounding_m;
+    double nearest = StairRule::step_m(body_.step_up_m) + kWalkRounding_m;
     for (std::uint32_t k = range.from; k < range.to; ++k) {
         const Place& p = tile.places[k];
         const double rise = std::abs(p.floor - here.floor);
-        if (rise > nearest || std::min(p.ceiling, here.ceiling) - std::max(p.floor, here.floor) < kLeastRoom_m)
+        if (rise > nearest || (rise > step_up_m && !is_stairs(here.ground) && !is_stairs(p.ground)) ||
+            std::min(p.ceiling, here.ceiling) - std::max(p.floor, here.floor) < kLeastRoom_m)
             continue;
         if (best != kNothing && rise == nearest) continue;
         nearest = rise;

@@ -108,6 +108,7 @@ public:
     // The mover that carries this ground, -1: none. And whether it is no thing that stands in the building.
     int passing_mover(std::uint32_t ground) const;
     bool is_building(std::uint32_t ground) const;
+    bool is_stairs(std::uint32_t ground) const;
 
     // After the flood: what was not reached goes, and so do all columns.
     void drop_unreached();

@@ -21,6 +21,11 @@ double support(const Vec3& normal, const BodyShape& body) {
     return sideways + std::max(0.0, -normal.z * body.height_m);
 }
 
+// What of the body meets such a piece.
+BodyShape next_to(bool narrow, const BodyShape& body) {
+    return narrow ? BodyShape{StairRule::reach_m(body.radius_m), StairRule::height_m(body.height_m)} : body;
+}
+
 // Does a piece come before another one in the order of all? Boxes, and numbers for equal ones.
 bool comes_before(const Aabb& a, std::uint32_t number_a, const Aabb& b, std::uint32_t number_b) {
     if (a.min_m.x != b.min_m.x) return a.min_m.x < b.min_m.x;
@@ -58,7 +63,8 @@ BodyWorld::BodyWorld(const BodyWorld& before, std::shared_ptr<const Scene> scene
 
 std::shared_ptr<const BodyWorld::Building> BodyWorld::built(const Scene& scene) {
     auto made = std::make_shared<Building>();
-    made->pieces.add_scene(scene, nullptr, -1);
+    made->stairs = StairRule(scene);
+    made->pieces.add_scene(scene, nullptr, -1, &made->stairs);
     made->pieces.arrange();
     // A name may be met anywhere on a solid that bears it on some face: see name_hit().
     std::vector<Aabb> boxes(scene.features.size());
@@ -91,7 +97,7 @@ std::shared_ptr<const BodyWorld::Building> BodyWorld::built(const Scene& scene) 
 BodyWorld::Thing BodyWorld::thing_of(const PlacedModel& placed, const Placement& at, std::int32_t number) {
     Thing thing{placed.model, at, {}, {}};
     const PlacedFrame frame(at);
-    thing.pieces.add_scene(*placed.model, &frame, number);
+    thing.pieces.add_scene(*placed.model, &frame, number, nullptr);
     for (const Piece& piece : thing.pieces.pieces) thing.box_m.include(piece.bounds_m);
     return thing;
 }
@@ -130,7 +136,8 @@ void BodyWorld::Pieces::arrange() {
 }
 
 // The pieces of a scene, or of a model that stands in the frame.
-void BodyWorld::Pieces::add_scene(const Scene& scene, const PlacedFrame* frame, std::int32_t placed) {
+void BodyWorld::Pieces::add_scene(const Scene& scene, const PlacedFrame* frame, std::int32_t placed,
+                                  const StairRule* stairs) {
     const auto at = [frame](const Vec3& p) { return frame ? frame->to_world(p) : p; };
     std::vector<Bound> of_piece;
     const auto add_bevels = [&of_piece](const Aabb& box) {
@@ -166,7 +173,8 @@ void BodyWorld::Pieces::add_scene(const Scene& scene, const PlacedFrame* frame, 
             of_piece.push_back({plane, static_cast<std::int32_t>(face)});
         }
         add_bevels(box);
-        add_piece(of_piece, {0, 0, box, solid.role == SolidRole::BodyClip, i, false, placed});
+        add_piece(of_piece, {0, 0, box, solid.role == SolidRole::BodyClip, stairs && stairs->narrow(solid.feature, box),
+                             i, false, placed});
     }
     for (std::uint32_t i = 0; i < scene.triangles.size(); ++i) {
         const MeshTriangle& t = scene.triangles[i];
@@ -187,7 +195,7 @@ void BodyWorld::Pieces::add_scene(const Scene& scene, const PlacedFrame* frame, 
                 of_piece.push_back({Plane{side / side_length, glm::dot(side / side_length, corners[e])}, 0});
         }
         add_bevels(box);
-        add_piece(of_piece, {0, 0, box, false, i, true, placed});
+        add_piece(of_piece, {0, 0, box, false, stairs && stairs->narrow(t.feature, box), i, true, placed});
     }
 }
 
@@ -201,6 +209,14 @@ void BodyWorld::Pieces::add_piece(const std::vector<Bound>& of_piece, Piece piec
 const BodyWorld::Piece& BodyWorld::piece(std::uint32_t number) const {
     const std::vector<Piece>& standing = building_->pieces.pieces;
     return number < standing.size() ? standing[number] : placed_.pieces[number - standing.size()];
+}
+
+bool BodyWorld::is_stairs(std::uint32_t number) const {
+    const std::vector<Piece>& standing = building_->pieces.pieces;
+    if (!has_stairs() || number >= standing.size()) return false;
+    const Piece& one = standing[number];
+    return building_->stairs.is_stairs(one.triangle ? scene_->triangles[one.solid].feature
+                                                    : scene_->solids[one.solid].feature);
 }
 
 template <class Visit>
@@ -232,13 +248,14 @@ TraceHit BodyWorld::trace(const Vec3& from_m, const Vec3& to_m, const BodyShape&
     // way out tells, or of several equally near ones the one that the way leaves most. Up and down it is free, or what
     // has come to overlap it would hold it above the ground.
     const Vec3 level_step(step.x, step.y, 0.0);
-    const auto goes_deeper = [&](const Pieces& some, const Piece& piece, Vec3& normal, std::int32_t& face) {
-        const BodyShape middle{0.0, body.height_m};
+    const auto goes_deeper = [&](const Pieces& some, const Piece& piece, const BodyShape& body_there, Vec3& normal,
+                                 std::int32_t& face) {
+        const BodyShape middle{0.0, body_there.height_m};
         bool rim_alone = false;
         double nearest = -std::numeric_limits<double>::infinity(), leaves = 0.0;
         for (std::uint32_t k = piece.first_plane; k < piece.first_plane + piece.plane_count; ++k) {
             const Bound& bound = some.bounds[k];
-            const double grow = support(bound.plane.normal, body);
+            const double grow = support(bound.plane.normal, body_there);
             const double d0 = signed_distance(bound.plane, from_m) - grow;
             const double away = glm::dot(bound.plane.normal, level_step);
             rim_alone = rim_alone || d0 + grow - support(bound.plane.normal, middle) > -kContactGap_m;
@@ -248,7 +265,7 @@ TraceHit BodyWorld::trace(const Vec3& from_m, const Vec3& to_m, const BodyShape&
             normal = bound.plane.normal;
             face = bound.face;
         }
-        if (body.radius_m == 0.0 || !rim_alone || leaves >= -kAlong_m) return false;
+        if (body_there.radius_m == 0.0 || !rim_alone || leaves >= -kAlong_m) return false;
         normal = glm::normalize(Vec3(normal.x, normal.y, 0.0));
         return true;
     };
@@ -256,13 +273,14 @@ TraceHit BodyWorld::trace(const Vec3& from_m, const Vec3& to_m, const BodyShape&
         const Piece& piece = some.pieces[i];
         if ((through_clips && piece.clip_only) || piece.placed == but_placed || !BoxTree::meets(piece.bounds_m, sweep))
             return;
+        const BodyShape body_there = next_to(piece.narrow, body);
         double enter = -1.0, leave = 1.0;
         Vec3 enter_normal{0.0};
         std::int32_t enter_face = -1;
         bool starts_outside = false;
         for (std::uint32_t k = piece.first_plane; k < piece.first_plane + piece.plane_count; ++k) {
             const Bound& bound = some.bounds[k];
-            const double grow = support(bound.plane.normal, body);
+            const double grow = support(bound.plane.normal, body_there);
             const double d0 = signed_distance(bound.plane, from_m) - grow;
             const double d1 = signed_distance(bound.plane, to_m) - grow;
             if (d0 > 0.0) starts_outside = true;
@@ -281,7 +299,7 @@ TraceHit BodyWorld::trace(const Vec3& from_m, const Vec3& to_m, const BodyShape&
             }
         }
         if (!starts_outside) {
-            if (!goes_deeper(some, piece, enter_normal, enter_face)) return;
+            if (!goes_deeper(some, piece, body_there, enter_normal, enter_face)) return;
             enter = 0.0;
         }
         if (enter < 0.0 || enter > leave || enter > best.fraction) return;
@@ -382,8 +400,9 @@ bool BodyWorld::blocked(const Vec3& feet_m, const BodyShape& body) const {
     box.include(feet_m + Vec3(body.radius_m, body.radius_m, body.height_m));
     bool inside_any = false;
     visit_near(box, [&](const Pieces& some, const Piece& piece) {
+        const BodyShape body_there = next_to(piece.narrow, body);
         for (std::uint32_t k = piece.first_plane; k < piece.first_plane + piece.plane_count; ++k)
-            if (signed_distance(some.bounds[k].plane, feet_m) - support(some.bounds[k].plane.normal, body) > 0.0)
+            if (signed_distance(some.bounds[k].plane, feet_m) - support(some.bounds[k].plane.normal, body_there) > 0.0)
                 return;
         inside_any = true;
     });

@@ -12,6 +12,7 @@
 
 #include "worlds/geometry/box_tree.h"
 #include "worlds/scene/scene.h"
+#include "worlds/scene/stair_rule.h"
 
 namespace handrail {
 
@@ -58,6 +59,9 @@ public:
                    std::int32_t but_placed = kNoPlaced) const;
     // Everything solid on a straight way, in no order; what only stops bodies and what holds either end is left out.
     std::vector<Crossing> crossings(const Vec3& from_m, const Vec3& to_m) const;
+    // Is this piece (TraceHit::piece) part of stairs? From and to them a body climbs steps of StairRule::step_m().
+    bool is_stairs(std::uint32_t piece) const;
+    bool has_stairs() const { return building_->stairs.any(); }
     // True when a solid overlaps the body standing there.
     bool blocked(const Vec3& feet_m, const BodyShape& body) const;
     // Volumes of that role (Liquid, Trigger, Teleport) which the upright line feet..feet+height meets; feature ids in
@@ -87,6 +91,7 @@ private:
         std::uint32_t first_plane = 0, plane_count = 0;
         Aabb bounds_m;
         bool clip_only = false;
+        bool narrow = false;      // met as stairs are: see StairRule
         std::uint32_t solid = 0;  // index of Scene::solids, or of triangles when `triangle`
         bool triangle = false;
         std::int32_t placed = -1;  // index of Scene::placed, whose name it goes by; -1: of the building itself
@@ -99,11 +104,13 @@ private:
         std::vector<Bound> bounds;
         std::vector<Piece> pieces;  // sorted by bounds_m.min_m.x, then y
         BoxTree tree;
-        void add_scene(const Scene& scene, const PlacedFrame* frame, std::int32_t placed);
+        // `stairs`: null for what is set down, which is never part of stairs.
+        void add_scene(const Scene& scene, const PlacedFrame* frame, std::int32_t placed, const StairRule* stairs);
         void add_piece(const std::vector<Bound>& of_piece, Piece piece);
         void arrange();
     };
     struct Building {
+        StairRule stairs;
         Pieces pieces;
         std::vector<std::uint32_t> volumes;  // of Scene::solids: what one can be in
         Sights sights;

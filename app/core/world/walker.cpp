@@ -45,6 +45,12 @@ TraceHit Walker::ground_below(const Vec3& feet_m, double depth_m) const {
     return world_.trace(feet_m, feet_m - Vec3(0.0, 0.0, depth_m), shape());
 }
 
+bool Walker::stands_on_stairs(const Vec3& feet_m) const {
+    if (!world_.has_stairs()) return false;
+    const TraceHit ground = ground_below(feet_m, kGroundReach_m);
+    return ground.hit && world_.is_stairs(ground.piece);
+}
+
 Walker::Slide Walker::slide(const Vec3& from_m, Vec3 motion_m) const {
     Slide result{from_m, std::nullopt};
     Vec3 normals[4];
@@ -110,8 +116,10 @@ WalkResult Walker::tick(const Vec3& wish_m_per_s, double dt_s) {
     if (stood && way.first_wall && wished > 0.0) {
         // One step higher, along, and down again: kept when it leads further and ends on ground one can stand on. Under
         // a low lintel a high step would lift the head into it, so lower ones are tried after it.
+        const bool stairs = world_.is_stairs(way.first_wall->piece) || stands_on_stairs(start);
+        const double step_m = stairs ? StairRule::step_m(size_.step_up_m) : size_.step_up_m;
         for (const double part : {1.0, 0.75, 0.5, 0.25, 0.1}) {
-            const double lift_m = part * size_.step_up_m;
+            const double lift_m = part * step_m;
             const TraceHit up = world_.trace(start, start + Vec3(0.0, 0.0, lift_m), shape());
             const Slide high = slide(up.end_m, motion);
             const TraceHit down = world_.trace(high.end_m, high.end_m - Vec3(0.0, 0.0, up.end_m.z - start.z), shape());
@@ -134,7 +142,11 @@ WalkResult Walker::tick(const Vec3& wish_m_per_s, double dt_s) {
 
     // On stairs and slopes down the ground is followed for one step; past that one falls.
     const double reach = stood ? size_.step_up_m + kGroundReach_m : kGroundReach_m;
-    const TraceHit ground = ground_below(state_.feet_m, reach);
+    TraceHit ground = ground_below(state_.feet_m, reach);
+    if (stood && !ground.hit && world_.has_stairs()) {
+        ground = ground_below(state_.feet_m, StairRule::step_m(size_.step_up_m) + kGroundReach_m);
+        ground.hit = ground.hit && (world_.is_stairs(ground.piece) || stands_on_stairs(start));
+    }
     const bool carries = ground.hit && ground.normal.z >= kWalkableNormalZ;
     if (carries && state_.fall_speed_m_per_s >= 0.0) {
         state_.feet_m = ground.end_m;

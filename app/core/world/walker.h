@@ -64,6 +64,7 @@ private:
     };
     Slide slide(const Vec3& from_m, Vec3 motion_m) const;
     TraceHit ground_below(const Vec3& feet_m, double depth_m) const;
+    bool stands_on_stairs(const Vec3& feet_m) const;
 
     const BodyWorld& world_;
     BodySize size_;
