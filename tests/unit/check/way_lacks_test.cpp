@@ -285,8 +285,8 @@ TEST(TrialSpaces, are_reached_where_whole_spaces_are) {
     }
 }
 
-// A spiral stair whose upper turns lie under the edge of the floor that they lead to.
-TEST(StairsInOneGo, say_why_nobody_walks_up_to_the_gallery_of_a_family_house) {
+// A spiral whose lower turns lie under the edge of the floor that they lead to, with 1.8 m of headroom there.
+TEST(StairsInOneGo, are_none_where_a_body_bows_its_head_in_a_family_house) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for the stairs under a floor";
     const auto path = test::real_world("fzk-haus.ifc");
     if (!path) GTEST_SKIP() << test::needs_real_world("fzk-haus.ifc");
@@ -295,22 +295,18 @@ TEST(StairsInOneGo, say_why_nobody_walks_up_to_the_gallery_of_a_family_house) {
     const Result<WalkSpace> space = make_walk_space(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
     ASSERT_TRUE(space.has_value());
     const RoomGraph graph = make_rooms(*scene, *space);
-    int told = 0;
     for (const WorldFault& fault : find_faults(*scene, &*space, &graph)) {
         EXPECT_NE(fault.kind, FaultKind::RoomOutOfReach) << fault_words(*scene, fault);
-        if (fault.kind != FaultKind::StairsInOneGo) continue;
-        ++told;
-        ASSERT_LT(fault.room, graph.rooms.size());
-        EXPECT_EQ(graph.rooms[fault.room].name, "Galerie");
-        EXPECT_THAT(fault_words(*scene, fault), HasSubstr("metres of headroom under ceiling"));
-        EXPECT_EQ(fault.lack, Lack::Headroom);
-        EXPECT_LT(fault.amount, 1.0);
-        // On the stair, below the floor upstairs.
-        EXPECT_NEAR(fault.at_m.x, 7.46, 0.85);
-        EXPECT_NEAR(fault.at_m.y, 3.10, 0.85);
-        EXPECT_LT(fault.at_m.z, 2.5);
+        EXPECT_NE(fault.kind, FaultKind::StairsInOneGo) << fault_words(*scene, fault);
     }
-    EXPECT_EQ(told, 1);
+    const auto gallery =
+        std::find_if(graph.rooms.begin(), graph.rooms.end(), [](const Room& room) { return room.name == "Galerie"; });
+    ASSERT_NE(gallery, graph.rooms.end());
+    const std::uint32_t at = space->nearest(gallery->middle_m, 1.0, 0.6, 0.6),
+                        base = space->at(scene->starts[0].feet_m);
+    ASSERT_NE(at, kNothing);
+    ASSERT_NE(base, kNothing);
+    EXPECT_TRUE(spans_reached(*space, base)[at]);
 }
 
 // The ground round a building is made with it, and lies under its floors as it should.

@@ -286,14 +286,15 @@ TEST(ANewcomer, walks_in_the_station_with_a_simulated_device_to_three_places_on_
     walks_to_three_rooms_and_out_again(kStation, "SIM-T");
 }
 
-// The only room upstairs: its spiral stairs wind below the gallery's own floor, with 1.6 m under it where they begin.
-TEST(ANewcomer, hears_in_the_family_house_what_is_around_and_that_the_stairs_to_its_gallery_are_taken_in_one_go) {
+// The only room upstairs: its spiral stairs wind below the gallery's own floor, under which one bows one's head.
+TEST(ANewcomer, hears_in_the_family_house_what_is_around_and_of_the_stairs_that_are_walked_to_its_gallery) {
     const auto world = real("fzk-haus.ifc");
     if (!world) GTEST_SKIP() << test::needs_real_world("fzk-haus.ifc");
     Newcomer n(world);
     (void)n.entries("Shift+4");
     const std::string way = n.choose("Shift+4", "Galerie");
-    EXPECT_NE(way.find("metres up, in one go"), std::string::npos) << way;
+    EXPECT_EQ(way.find("in one go"), std::string::npos) << way;
+    EXPECT_NE(way.find("tairs"), std::string::npos) << way;
     const std::string around = n.ask("2");
     EXPECT_NE(around.find("Ahead: "), std::string::npos) << around;
     EXPECT_EQ(around.find("round outside"), std::string::npos) << "what one stands on is no thing: " << around;
