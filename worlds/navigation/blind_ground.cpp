@@ -13,17 +13,18 @@ constexpr double kPartOfCell = 0.8;   // of one stride on the grid
 constexpr double kDoorReach_m = 0.5;  // from where the leaf stops a body to where it can still be opened
 constexpr double kLeast_m = 1e-4;     // inside a cell's border
 constexpr double kRiser_m = 0.03;
+constexpr double kLeafMiddle = 0.75;  // of a cell, to either side of a leaf: no two neighbours lie across that
 
-// The spans at which a body overlaps a leaf there.
+// The spans whose middle is nearer than `reach_m` to a leaf there: with the radius of the body, those at which the body
+// overlaps it.
 template <class Visit>
-void visit_leaf(const WalkSpace& space, const Aabb& own_m, const Placement& at, Visit visit) {
+void visit_leaf(const WalkSpace& space, const Aabb& own_m, const Placement& at, double reach_m, Visit visit) {
     const PlacedFrame frame(at);
     Aabb stands;
     for (int corner = 0; corner < 8; ++corner)
         stands.include(
             frame.to_world({(corner & 1) ? own_m.max_m.x : own_m.min_m.x, (corner & 2) ? own_m.max_m.y : own_m.min_m.y,
                             (corner & 4) ? own_m.max_m.z : own_m.min_m.z}));
-    const double reach_m = space.body.radius_m;
     const auto cell = [&](double world, double origin, std::uint32_t count) {
         return static_cast<std::uint32_t>(
             std::clamp(std::floor((world - origin) / space.cell_m), 0.0, static_cast<double>(count - 1)));
@@ -80,16 +81,20 @@ BlindGround::BlindGround(const WalkSpace& space, std::vector<WordDoor> doors)
     if (doors_.empty()) return;
     shut_leaf_.assign(count, 0);
     open_leaf_.assign(count, 0);
+    shut_middle_.assign(count, false);
     near_door_.assign(count, kNothing);
+    const double radius_m = space_.body.radius_m;
     std::vector<std::uint32_t> wave;
     for (std::uint32_t d = 0; d < doors_.size(); ++d)
         for (const WordDoor::Leaf& leaf : doors_[d].leaves) {
-            visit_leaf(space_, leaf.own_m, leaf.shut, [&](std::uint32_t s) {
+            visit_leaf(space_, leaf.own_m, leaf.shut, radius_m, [&](std::uint32_t s) {
                 shut_leaf_[s] = static_cast<std::uint16_t>(d + 1);
                 if (near_door_[s] == kNothing) wave.push_back(s);
                 near_door_[s] = d;
             });
-            visit_leaf(space_, leaf.own_m, leaf.open,
+            visit_leaf(space_, leaf.own_m, leaf.shut, kLeafMiddle * space_.cell_m,
+                       [&](std::uint32_t s) { shut_middle_[s] = true; });
+            visit_leaf(space_, leaf.own_m, leaf.open, radius_m,
                        [&](std::uint32_t s) { open_leaf_[s] = static_cast<std::uint16_t>(d + 1); });
         }
     find_free();
@@ -176,7 +181,8 @@ BlindBody BlindGround::body_at(const Vec3& feet_m) const {
             span};
 }
 
-// A leaf holds whoever is not in it already: an opening leaf goes past a body.
+// A leaf holds whoever is not in it already: an opening leaf goes past a body. A shut one lets whoever stands close to
+// it go away from it, and holds them at its middle.
 bool BlindGround::held(std::uint32_t from, std::uint32_t to, const DoorsOpen& open, bool through_doors) const {
     if (shut_leaf_.empty()) return false;
     const auto in = [&](std::uint32_t span, std::uint32_t& door) {
@@ -191,7 +197,9 @@ bool BlindGround::held(std::uint32_t from, std::uint32_t to, const DoorsOpen& op
         return false;
     };
     std::uint32_t there = 0, here = 0;
-    return in(to, there) && !(in(from, here) && here == there);
+    if (!in(to, there)) return false;
+    if (!(in(from, here) && here == there)) return true;
+    return shut_middle_[to] && !shut_middle_[from] && !open[there] && !through_doors;
 }
 
 // So far at a time, less than a cell, and past which neighbour it goes along each axis.

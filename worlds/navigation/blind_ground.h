@@ -99,6 +99,7 @@ private:
     const WalkSpace& space_;
     std::vector<WordDoor> doors_;
     std::vector<std::uint16_t> shut_leaf_, open_leaf_;  // of each span: 1 + the door whose leaf it is in; 0: none
+    std::vector<bool> shut_middle_;                     // of each span: the middle of a body there is in a shut leaf
     std::vector<std::uint32_t> near_door_;
     std::vector<float> free_m_;  // of each span: nothing stands, ends or rises nearer; 0 where that is not known
 };

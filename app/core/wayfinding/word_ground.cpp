@@ -31,7 +31,9 @@ std::shared_ptr<const WordFloor> WordGround::floor() {
 DoorsOpen WordGround::open_now(const WordFloor& floor) const {
     DoorsOpen open;
     for (const WordDoor& door : floor.ground.doors())
-        open.push_back(!(context_.world.movers.at(door.mover) == context_.world.scene->movers[door.mover].at(0.0)));
+        // One that shuts is shut by the time that somebody comes there.
+        open.push_back(
+            !(context_.world.movers.at_goal(door.mover) == context_.world.scene->movers[door.mover].at(0.0)));
     return open;
 }
 
