@@ -68,7 +68,7 @@ std::string ClockHunt::hint_words() const {
     std::optional<Vec3> next;
     if (rooms_.found())
         if (const auto leg = next_leg(rooms_.navigation().plan(feet_m, hidden_->clock_m), feet_m,
-                                      0.5 * context_.settings.walk.step_length_m, rooms_.space());
+                                      0.5 * context_.settings.walk.step_length_m);
             leg && leg->route.reaches)
             way = leg->route.length_m, next = leg->to_m;
     if (!way)

@@ -149,7 +149,7 @@ void EarWay::renew() {
 void EarWay::tell_on(double now_s) {
     if (!follower_.following()) return context_.answer(phrase("way.none"), now_s);
     const Vec3& feet_m = context_.body.feet_m();
-    const auto leg = next_leg(planned(), feet_m, 0.5 * context_.settings.walk.step_length_m, rooms_.space());
+    const auto leg = next_leg(planned(), feet_m, 0.5 * context_.settings.walk.step_length_m);
     if (!leg) return context_.answer(phrase("way.no_floor"), now_s);
     told_ = leg->route;
     const Vec3 off = leg->to_m - feet_m;
@@ -213,7 +213,7 @@ Route EarWay::planned() const {
     if (here.distance_m > kLeftWay_m || ahead_m >= followed.length_m || anew.points_m.size() < 2) return anew;
     const Vec3 on_m = place_along(followed.points_m, ahead_m);
     const double least_m = 0.5 * context_.settings.walk.step_length_m;
-    const auto leg = next_leg(anew, feet_m, least_m, rooms_.space());
+    const auto leg = next_leg(anew, feet_m, least_m);
     const Vec3 back = leg->to_m - feet_m, on = on_m - feet_m;
     if (back.x * on.x + back.y * on.y >= 0.0 || rooms_.navigation().meets_leaf(follower_.ahead_m())) return anew;
     Route kept = rooms_.navigation().plan(feet_m, on_m, wish_);
@@ -263,7 +263,7 @@ std::optional<double> EarWay::leg_heading_rad() const {
     if (!follower_.following()) return std::nullopt;
     if (const auto heading_rad = word_.heading_rad()) return heading_rad;
     const Vec3& feet_m = context_.body.feet_m();
-    const auto leg = next_leg(planned(), feet_m, 0.5 * context_.settings.walk.step_length_m, rooms_.space());
+    const auto leg = next_leg(planned(), feet_m, 0.5 * context_.settings.walk.step_length_m);
     if (!leg) return std::nullopt;
     return std::atan2(leg->to_m.x - feet_m.x, leg->to_m.y - feet_m.y);
 }

@@ -6,23 +6,14 @@
 #include "worlds/navigation/way_place.h"
 
 namespace handrail {
-namespace {
 
-constexpr double kHere_m = 0.1;  // a corner this near is where one stands
-
-}  // namespace
-
-std::optional<Leg> next_leg(Route route, const Vec3& from_m, double least_m, const WalkSpace& space) {
+std::optional<Leg> next_leg(Route route, const Vec3& from_m, double least_m) {
     Leg leg;
     leg.route = std::move(route);
     const std::vector<Vec3>& points = leg.route.points_m;
     if (points.size() < 2) return std::nullopt;
     std::size_t corner = 1;
-    const auto is_left_out = [&](std::size_t at) {
-        const double far_m = glm::length(points[at] - from_m);
-        return far_m < kHere_m || (far_m < least_m && space.straight(from_m, points[at + 1]));
-    };
-    while (corner + 1 < points.size() && is_left_out(corner)) ++corner;
+    while (corner + 1 < points.size() && glm::length(points[corner] - from_m) < least_m) ++corner;
     for (std::size_t i = 1; i <= corner; ++i) leg.along_m += glm::length(points[i] - points[i - 1]);
     leg.to_m = points[corner];
     return leg;

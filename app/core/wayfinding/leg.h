@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "worlds/navigation/route.h"
-#include "worlds/navigation/walk_space.h"
 
 namespace handrail {
 
@@ -14,9 +13,8 @@ struct Leg {
     double along_m = 0.0;  // of the route
 };
 
-// The first from there that is longer than `least_m`, with the way it belongs to; none: there is no way. A shorter one
-// is left out only where a body walks straight from there to the corner after it.
-std::optional<Leg> next_leg(Route route, const Vec3& from_m, double least_m, const WalkSpace& space);
+// The first from there that is longer than `least_m`, with the way it belongs to; none: there is no way.
+std::optional<Leg> next_leg(Route route, const Vec3& from_m, double least_m);
 
 // What is left of a route from so far along it.
 Route rest_of(const Route& route, double along_m);
