@@ -59,7 +59,7 @@ TEST_F(CalibrateProgram, runs_from_start_to_end_with_a_simulated_touch) {
 TEST_F(CalibrateProgram, without_a_device_says_so_and_does_the_rest) {
     const ProgramRun done = run({"calibrate", "--no-window"}, "right\nleft\n\nrepeat\n0.8\n");
     EXPECT_EQ(done.exit_status, 0) << done.err;
-    expect_in_order(done.out, {"bell on your left", "Swapped", "on your right now?",
+    expect_in_order(done.out, {"bell on your left", "swapped", "on your right now?",
                                "There is no touch device. Everything works with keyboard and sound", "Your step is 70",
                                "Your step is 70", "80 centimetres", "The set-up is complete."});
     EXPECT_THAT(done.out, Not(HasSubstr("Take the grip")));
@@ -87,7 +87,7 @@ TEST_F(CalibrateProgram, the_same_wizard_runs_inside_the_program_and_gives_the_w
         run({"--no-window", "--device", "sim-t"}, "calibrate\n" + std::string(kSimulatedHand) + "where\nquit\n");
     EXPECT_EQ(done.exit_status, 0) << done.err;
     expect_in_order(done.out, {"First room,", "bell on your left", "The simulated Touch is ready.", "You felt it at",
-                               "The set-up is complete.", "Back in", "facing north"});
+                               "The set-up is complete.", "back in", "facing north"});
     EXPECT_THAT(settings(), HasSubstr("profile.sim-t.ceiling_n = 2.5"));
 }
 

@@ -58,7 +58,7 @@ TEST(FaultySettings, are_told_by_the_first_with_a_count_and_the_rest_by_the_menu
     call.program = built_program("handrail");
     call.arguments = {bundled_world("house.map"), "--no-window", "--device", "none"};
     call.environment["XDG_CONFIG_HOME"] = home.path().string();
-    call.input = "menu\nfaults in your settings\n2\nescape\nescape\nquit\n";
+    call.input = "menu\nproblems in your settings\n2\nescape\nescape\nquit\n";
     const ProgramRun run = run_program(call);
     EXPECT_EQ(run.exit_status, 0) << run.err;
     EXPECT_THAT(

@@ -103,7 +103,7 @@ TEST(Devices, a_makers_library_that_is_missing_or_lacking_costs_its_force_and_on
     std::filesystem::create_symlink(test::built_standin("standin_hd_lacking"), folder.path() / "libHD.so");
     const ProgramRun lacking = run({"--no-window", "--device", "omni"}, folder.path());
     EXPECT_EQ(lacking.exit_status, 0) << lacking.err;
-    EXPECT_THAT(lacking.out, HasSubstr("lacks hdUnschedule"));
+    EXPECT_THAT(lacking.out, HasSubstr("does not contain hdUnschedule"));
     EXPECT_THAT(lacking.out, HasSubstr("First room, 6 by 4 metres."));
 }
 

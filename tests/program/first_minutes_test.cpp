@@ -260,8 +260,8 @@ TEST(Terminal, every_command_of_the_table_works_by_its_word) {
         EXPECT_THAT(run.out, Not(HasSubstr(fmt::format("There is no command \"{}\"", row.word))));
     EXPECT_THAT(run.out, HasSubstr("Did you mean \"where\"?"));
     for (const char* words : {"Facing north", "Speech level 3", "Menu.", "Forces", "Walk: the workspace turns with you",
-                              "Room, ", "5 steps, 3.5 metres", "3 east", "1 of ", "Input help on.",
-                              "forward: One step forward", "Welcome.", "bell on your left", "Goodbye."})
+                              "Room, ", "5 steps or 3.5 metres", "3 east", "1 of ", "Input help on.",
+                              "forward: Walk one step forward", "Welcome.", "bell on your left", "Goodbye."})
         EXPECT_THAT(run.out, HasSubstr(words));
 }
 

@@ -59,7 +59,7 @@ TEST_F(MadeDoor, is_there_at_once_and_in_the_next_session_until_it_is_taken_away
     EXPECT_THAT(content_of(folder_.path() / "two.rooms.handrail.toml"), HasSubstr("mended"));
     EXPECT_EQ(check(), 0);
     EXPECT_THAT(said_of("describe kitchen\n"), HasSubstr("1 exit: opening to Hall"));
-    const std::string gone = said_of("faults\n" + a_moment() + "door made\nremove this door\ndescribe kitchen\n");
+    const std::string gone = said_of("faults\n" + a_moment() + "door added\nremove this door\ndescribe kitchen\n");
     EXPECT_THAT(gone, HasSubstr("is a wall again."));
     EXPECT_THAT(gone, HasSubstr("No exits."));
     EXPECT_THAT(said_of("describe kitchen\n"), Not(HasSubstr("opening to Hall")));

@@ -1,6 +1,8 @@
 #include "worlds/ifc/ifc_spaces.h"
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include "worlds/geometry/clip.h"
 
@@ -37,10 +39,25 @@ void outline(const Body& body, StatedRoom& room) {
     for (const Polygon& sheet : body.sheets) add(sheet);
 }
 
+bool all_equal(const std::vector<StatedStorey>& storeys) {
+    return std::all_of(storeys.begin(), storeys.end(),
+                       [&](const StatedStorey& one) { return one.floor_m == storeys.front().floor_m; });
+}
+
+// Some programs place every storey at the building's own height, and state only the elevation above its lowest storey.
+void lay_by_elevation(std::vector<StatedStorey>& storeys, const std::vector<double>& elevations_m) {
+    if (storeys.empty()) return;
+    const double lowest_m = *std::min_element(elevations_m.begin(), elevations_m.end());
+    for (std::size_t i = 0; i < storeys.size(); ++i)
+        if (const double above_m = elevations_m[i] - lowest_m; std::abs(above_m) <= kFarthestPart_m)
+            storeys[i].floor_m += above_m;
+}
+
 }  // namespace
 
 void read_spaces(IfcBuilding& building, IfcModel& model, const IfcRelations& relations, IfcShapes& shapes) {
     std::unordered_map<std::uint64_t, std::uint32_t> storey_of_id;
+    std::vector<double> elevations_m;
     for (const StepInstance& instance : model.file().instances()) {
         if (role_of(instance.name) != PartRole::Storey) continue;
         const Values v = model.file().values_of(instance);
@@ -50,7 +67,9 @@ void read_spaces(IfcBuilding& building, IfcModel& model, const IfcRelations& rel
         if (!(std::abs(storey.floor_m) <= kFarthestPart_m)) storey.floor_m = 0.0;
         storey_of_id.emplace(instance.id, static_cast<std::uint32_t>(building.storeys.size()));
         building.storeys.push_back(std::move(storey));
+        elevations_m.push_back(number_at(v, 9) * model.metres_per_unit());
     }
+    if (all_equal(building.storeys)) lay_by_elevation(building.storeys, elevations_m);
     for (const StepInstance& instance : model.file().instances()) {
         if (role_of(instance.name) != PartRole::Space) continue;
         const Values v = model.file().values_of(instance);

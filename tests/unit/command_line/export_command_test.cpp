@@ -60,7 +60,7 @@ TEST(ExportCommand, writes_ways_in_words_in_print_and_in_braille) {
     ASSERT_EQ(run({house(), "--route-card", txt.string(), "--to", "kitchen"}).status, 0);
     const std::string text = *read_whole_file(txt);
     EXPECT_THAT(text, testing::StartsWith("From the base to Kitchen.\nFace north.\n"));
-    EXPECT_THAT(text, testing::HasSubstr("until you come to"));
+    EXPECT_THAT(text, testing::HasSubstr("until you meet"));
     EXPECT_THAT(text, testing::HasSubstr("Open it."));
     const Outcome all = run({house(), "--route-card", brf.string(), "--set", "walk.step_length_m=0.5"});
     ASSERT_EQ(all.status, 0) << all.err;

@@ -90,7 +90,7 @@ TEST_P(OfWorld, have_the_legs_that_are_told_to_every_room) {
                          notch_heading_rad(nearest_notch(base->heading_rad)));
             EXPECT_EQ(fmt::format("{}", fmt::join(way.begin() + 2, way.end(), " ")), walker.told(name)) << name;
             ++compared;
-            for (const std::string& line : way) legs += line.find("until you come to") != std::string::npos ? 1 : 0;
+            for (const std::string& line : way) legs += line.find("until you meet") != std::string::npos ? 1 : 0;
         }
     }
     EXPECT_GE(compared, 5);

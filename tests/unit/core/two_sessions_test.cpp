@@ -236,7 +236,7 @@ TEST(TwoSessions, what_was_damaged_meanwhile_is_kept_aside_and_told) {
     folder.write("a.map.handrail.toml", "[[mark]]\nname = \"theirs");
     ASSERT_TRUE(mine.save());
     EXPECT_EQ(test::content_of(folder.path() / "a.map.handrail.toml.damaged"), "[[mark]]\nname = \"theirs");
-    EXPECT_THAT(mine.take_over().news, ElementsAre(HasSubstr("damaged in line 2")));
+    EXPECT_THAT(mine.take_over().news, ElementsAre(HasSubstr("left line 2 of this world")));
     EXPECT_THAT(names(SideFile::of_world(world, {}).entries("mark")), ElementsAre("mine"));
 }
 

@@ -140,7 +140,7 @@ TEST(FalconDevice, tries_again_after_a_wrong_echo_and_says_so) {
     Falcon falcon(false);
     falcon.emulator.wrong_echo_at_byte = 1234;
     ASSERT_TRUE(falcon.device->open());
-    EXPECT_THAT(falcon.told, testing::Contains(testing::HasSubstr("Try 2")));
+    EXPECT_THAT(falcon.told, testing::Contains(testing::HasSubstr("Attempt 2")));
     EXPECT_EQ(falcon.emulator.firmware, test::boot_image(4000));
 }
 

@@ -153,8 +153,8 @@ TEST(VendorDevices, say_in_one_sentence_what_is_missing) {
     for (const auto& [opened, words] :
          {std::pair{open_dhd_device("/nowhere/libdhd.so"), "is not installed"},
           {open_hd_device("/nowhere/libHD.so"), "is not installed"},
-          {open_dhd_device(test::built_standin("standin_dhd_lacking")), "lacks dhdSetForce"},
-          {open_hd_device(test::built_standin("standin_hd_lacking")), "lacks hdUnschedule"}}) {
+          {open_dhd_device(test::built_standin("standin_dhd_lacking")), "does not contain dhdSetForce"},
+          {open_hd_device(test::built_standin("standin_hd_lacking")), "does not contain hdUnschedule"}}) {
         ASSERT_FALSE(opened);
         EXPECT_THAT(opened.error().sentence(), testing::HasSubstr(words));
         EXPECT_EQ(opened.error().sentence().find('\n'), std::string::npos);

@@ -74,10 +74,11 @@ public:
             add("IFCRELAGGREGATES('R" + std::to_string(made) + "',$,$,$," + ref(storey) + "," + refs({made}) + ")");
         else spaces_.push_back(made);
     }
-    int storey(const std::string& name, double height) {
+    // elevation: as its attribute states it; that of its placement by default.
+    int storey(const std::string& name, double height, std::optional<double> elevation = std::nullopt) {
         const int at = add("IFCLOCALPLACEMENT($," + ref(placed({0.0, 0.0, height})) + ")");
         const int made = add("IFCBUILDINGSTOREY('S" + std::to_string(last_ + 1) + "',$,'" + name + "',$,$," + ref(at) +
-                             ",$,$,.ELEMENT.," + std::to_string(height) + ")");
+                             ",$,$,.ELEMENT.," + std::to_string(elevation.value_or(height)) + ")");
         add("IFCRELAGGREGATES('R" + std::to_string(made) + "',$,$,$,#8," + refs({made}) + ")");
         return made;
     }

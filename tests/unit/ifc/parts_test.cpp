@@ -630,6 +630,19 @@ TEST(RoomsOfIfc, on_half_storeys_are_on_storeys_of_their_own) {
     }
 }
 
+TEST(RoomsOfIfc, are_on_storeys_as_high_as_their_elevation_if_all_are_placed_alike) {
+    for (const bool placed : {true, false}) {
+        SCOPED_TRACE(placed);
+        Hut hut;
+        hut.storey("Upper", placed ? 2.8 : 0.0, 3.0);
+        const Scene scene = hut.scene();
+        ASSERT_TRUE(scene.stated);
+        ASSERT_EQ(scene.stated->storeys.size(), 2U);
+        EXPECT_EQ(scene.stated->storeys[1].name, "Upper");
+        EXPECT_NEAR(scene.stated->storeys[1].floor_m, placed ? 2.8 : 3.0, 1e-9) << "what places it counts first";
+    }
+}
+
 TEST(DoorsOfIfc, without_names_are_told_in_whole_sentences) {
     for (const std::string name : {"", "Entrance"}) {
         Hut hut;

@@ -25,7 +25,7 @@ TEST(LegWords, tell_what_to_do_first_then_how_far_then_to_what) {
     EXPECT_EQ(leg_words(leg(-4, 1, PaceEnd::Steps, "Kitchen"), {}), "Turn left. 1 step to Kitchen.");
     SpokenLeg door = leg(-4, 4, PaceEnd::Stopped, "Living room door, shut");
     door.open = true;
-    EXPECT_EQ(leg_words(door, {}), "Turn left. 4 steps, until you come to Living room door, shut. Open it.");
+    EXPECT_EQ(leg_words(door, {}), "Turn left. 4 steps, until you meet Living room door, shut. Open it.");
     SpokenLeg leaf = leg(0, 2, PaceEnd::Steps, "Toilet");
     leaf.leaf = "front door";
     EXPECT_EQ(leg_words(leaf, {}), "Straight on. 2 steps to Toilet. Front door is open and in the way. Shut it.");
@@ -33,10 +33,10 @@ TEST(LegWords, tell_what_to_do_first_then_how_far_then_to_what) {
     SpokenLeg stairs = leg(1, 4, PaceEnd::Stairs, "");
     stairs.risers = 17;
     stairs.up = true;
-    EXPECT_EQ(leg_words(stairs, {}), "Turn slightly right. 17 stairs up, starting in 4 steps, all the way to the end.");
+    EXPECT_EQ(leg_words(stairs, {}), "Turn slightly right. 17 stairs up, in 4 steps, to the end.");
     stairs.steps = 0;
     stairs.up = false;
-    EXPECT_EQ(leg_words(stairs, {}), "Turn slightly right. 17 stairs down, just ahead, all the way to the end.");
+    EXPECT_EQ(leg_words(stairs, {}), "Turn slightly right. 17 stairs down, just ahead, to the end.");
     SpokenLeg over = leg(4, 9, PaceEnd::Steps, "Landing");
     over.risers = 17;
     over.up = true;
