@@ -48,7 +48,7 @@ TEST(EnteredWorlds, tell_what_is_wrong_with_their_settings_when_they_are_entered
     fs::copy_file(test::bundled_world("first_room.map"), world);
     folder.write("room.settings.toml", "[workspace]\nscale = 20\n[haptic]\nceiling = \"full\"\n");
     const ProgramRun run = run_with({world.string(), "--no-window"},
-                                    "scale-bar\nmenu\nfaults in your settings\nlist\nescape\nescape\nquit\n");
+                                    "scale-bar\nmenu\nproblems in your settings\nlist\nescape\nescape\nquit\n");
     EXPECT_THAT(run.out, HasSubstr("room.settings.toml, line 4, ")) << run.out;
     EXPECT_THAT(bars_of(run.out), testing::ElementsAre("17.5")) << run.out;
 }

@@ -117,7 +117,7 @@ TEST_F(TaughtByTheProgram, keeps_marks_and_recordings_of_its_learner_is_watched_
     last.type("20");
     ASSERT_TRUE(last.hears("Put 3 places in order")) << last.all();
     last.type("1");
-    ASSERT_TRUE(last.hears("After ")) << last.all();
+    ASSERT_TRUE(last.hears("comes after")) << last.all();
     last.type("1");
     ASSERT_TRUE(last.hears("How sure were you of the route?")) << last.all();
     last.type("6");

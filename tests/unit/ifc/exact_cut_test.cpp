@@ -316,7 +316,7 @@ TEST(ExactCuts, that_are_refused_leave_the_whole_body_and_are_named) {
     EXPECT_NEAR(left_m3(scene), 4.4 * 0.6 * 2.9, 1e-6);
     ASSERT_EQ(honest_report(scene).parts_missing, 1);
     EXPECT_THAT(check_words(scene, honest_report(scene).check[0]),
-                testing::HasSubstr("is whole: IFCFACETEDBREP could not be cut away"));
+                testing::HasSubstr("has not been cut: IFCFACETEDBREP could not be cut away"));
 }
 
 }  // namespace exact_cut_test

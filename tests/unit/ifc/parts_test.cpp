@@ -634,7 +634,13 @@ TEST(RoomsOfIfc, are_on_storeys_as_high_as_their_elevation_if_all_are_placed_ali
     for (const bool placed : {true, false}) {
         SCOPED_TRACE(placed);
         Hut hut;
-        hut.storey("Upper", placed ? 2.8 : 0.0, 3.0);
+        const int upper = hut.storey("Upper", placed ? 2.8 : 0.0, 3.0);
+        for (const double z : {0.0, placed ? 2.8 : 3.0}) {
+            hut.part("IFCSLAB", "Floor", hut.block({0.0, 0.0, z - 0.2}, {4.0, 4.0, z}), ",$");
+            hut.part("IFCWALL", "Wall", hut.block({4.0, 0.0, z - 0.2}, {4.2, 4.0, z + 2.4}), ",$");
+            hut.space(z > 0.0 ? "Attic" : "Hall", hut.block({0.0, 0.0, z}, {4.0, 4.0, z + 2.4}), Hut::kPlacement,
+                      z > 0.0 ? upper : 0);
+        }
         const Scene scene = hut.scene();
         ASSERT_TRUE(scene.stated);
         ASSERT_EQ(scene.stated->storeys.size(), 2U);
@@ -656,14 +662,13 @@ TEST(DoorsOfIfc, without_names_are_told_in_whole_sentences) {
         for (const Diagnostic& warning : scene.report.warnings) said += warning.message + "\n";
         for (const CheckPoint& point : honest_report(scene).check) said += check_words(scene, point) + "\n";
         if (name.empty()) {
-            EXPECT_THAT(said, testing::HasSubstr("Nobody could pass through a door without a name; a part without a "
-                                                 "name stood in its way."));
-            EXPECT_THAT(said, testing::HasSubstr("something stood in a door without a name and was cut away"));
+            EXPECT_THAT(said, testing::HasSubstr("Nobody could pass through a door without a name. A part without a "
+                                                 "name was in the way."));
+            EXPECT_THAT(said, testing::HasSubstr("something that blocked a door without a name was cut away"));
             EXPECT_THAT(said, testing::Not(testing::HasSubstr("door  ")));
             EXPECT_THAT(said, testing::Not(testing::HasSubstr(" .")));
         } else {
-            EXPECT_THAT(said, testing::HasSubstr("Nobody could pass through the door Entrance; in its way stood "
-                                                 "Entrance."));
+            EXPECT_THAT(said, testing::HasSubstr("Nobody could pass through the door Entrance. In the way: Entrance."));
         }
     }
 }
