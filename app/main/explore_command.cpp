@@ -280,25 +280,27 @@ private:
 
     // What happens here around each hand-over.
     SessionDriver::Steps steps() {
-        return {
-            .ticked = [this](double now_s) { lesson_.see(recording_.ticked(app_, now_s, hand_.tool(), left_.tool())); },
-            .take_settings =
-                [this](const std::vector<std::pair<std::string, std::string>>& changes) {
-                    const bool changed = kept_.take(changes);
-                    if (!worlds_.take_new_settings() && !changed) return false;
-                    recording_.note("ears_settings");
-                    return true;
-                },
-            .hands_over =
-                [this] {
-                    if (!set_up_.under_way()) recording_.handed_over();
-                    ears_.show(app_);
-                },
-            .look_at_cues =
-                [this](const std::vector<CueRequest>& cues) {
-                    if (companions_)
-                        companions_->follow(app_, cues, hand_.driven() ? &hand_.tool() : nullptr, clock_.now_s());
-                }};
+        return {.ticked =
+                    [this](double now_s, const ToolState& tool, const ToolState& left_tool) {
+                        lesson_.see(recording_.ticked(app_, now_s, tool, left_tool));
+                    },
+                .take_settings =
+                    [this](const std::vector<std::pair<std::string, std::string>>& changes) {
+                        const bool changed = kept_.take(changes);
+                        if (!worlds_.take_new_settings() && !changed) return false;
+                        recording_.note("ears_settings");
+                        return true;
+                    },
+                .hands_over =
+                    [this] {
+                        if (!set_up_.under_way()) recording_.handed_over();
+                        ears_.show(app_);
+                    },
+                .look_at_cues =
+                    [this](const std::vector<CueRequest>& cues) {
+                        if (companions_)
+                            companions_->follow(app_, cues, hand_.driven() ? &hand_.tool() : nullptr, clock_.now_s());
+                    }};
     }
 
     // Where two periods of the sound device drop out it gets three, from the next start on.

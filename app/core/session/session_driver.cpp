@@ -12,7 +12,7 @@ void SessionDriver::drive(std::size_t which, ServoInbox* servo, std::shared_ptr<
 
 void SessionDriver::tick(double now_s, const ToolState& tool, const ToolState& left_tool) {
     app_.tick(now_s, tool, left_tool);
-    if (steps_.ticked) steps_.ticked(now_s);
+    if (steps_.ticked) steps_.ticked(now_s, tool, left_tool);
     hand_over();
 }
 

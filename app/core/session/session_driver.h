@@ -28,8 +28,8 @@ public:
     };
     // What only some owners do. Each may be empty.
     struct Steps {
-        // After the session's tick, before anything is handed over.
-        std::function<void(double now_s)> ticked;
+        // After the session's tick, before anything is handed over; with the tools that the tick had.
+        std::function<void(double now_s, const ToolState& tool, const ToolState& left_tool)> ticked;
         // Takes the settings that the session changed, by key and value. True: the ears are given the settings anew.
         // Empty: they are for every change.
         std::function<bool(std::vector<std::pair<std::string, std::string>> changes)> take_settings;

@@ -53,7 +53,7 @@ Sitting::Sitting(ExploreArguments arguments)
     driver_ = std::make_unique<SessionDriver>(
         app_, *sound_,
         SessionDriver::Steps{.ticked =
-                                 [this](double now_s) {
+                                 [this](double now_s, const ToolState&, const ToolState&) {
                                      const auto events = recording_->ticked(app_, now_s, {}, {});
                                      lesson_->see(events);
                                      if (beside_)
