@@ -66,10 +66,9 @@ std::vector<std::string> sentences_of(const std::vector<Diagnostic>& problems) {
 // One session with a person: owns every part, carries values between them about sixty times a second.
 class Exploration {
 public:
-    Exploration(const ExploreArguments& arguments, SettingsStore& settings, const LongWork& progress)
+    Exploration(const ExploreArguments& arguments, SettingsStore& settings)
         : arguments_(arguments),
           settings_(settings),
-          progress_(progress),
           recording_(arguments, settings.values(), clock_, news_),
           ears_(settings.values(), !arguments.no_window, clock_, contacts_, left_.contacts(), recording_, news_),
           app_(settings.values(), HandFacts{},
@@ -82,19 +81,19 @@ public:
     }
 
     // Problems that keep it from starting go to `err` too.
-    ExploreEnd run(std::ostream& err) {
+    ExploreEnd run(std::ostream& err, const LongWork& progress) {
         const double asked_s = begin();
         if (arguments_.calibrate) {
             set_up_.begin(*arguments_.calibrate);
             calibrate();
-            finish(err, 0);
+            finish(err, 0, progress);
             return {};
         }
         hand_.begin(asked_s);
         if (settings_.values().pads.use) companions_.emplace(clock_);
         left_.look_for(arguments_.left_device.value_or(settings_.values().haptic.left_device));
         const int status = load_world(err) ? explore(err) : ended() ? 0 : 1;
-        finish(err, status);
+        finish(err, status, progress);
         ExploreEnd end{status, learners_.next(), worlds_.here(), {}};
         if (lines_) end.lines = lines_->take_rest();
         return end;
@@ -318,7 +317,7 @@ private:
     }
 
     // Forces down first, then the settings, then the last words.
-    void finish(std::ostream& err, int status) {
+    void finish(std::ostream& err, int status, const LongWork& progress) {
         companions_.reset();
         hand_.stop_looking();
         left_.stop();
@@ -328,9 +327,9 @@ private:
         hand_over();
         kept_.save_at_the_end(err);
         ears_.sound().stop(signals_.asked() ? 0.0 : kLastWords_s);
-        progress_.at(phrase("progress.recording_end"));
+        progress.at(phrase("progress.recording_end"));
         recording_.end();
-        progress_.done();
+        progress.done();
         // All is saved and said. Another person goes on in this process; else work on other threads is not waited for.
         if (!learners_.next()) signals_.in_time.end_within(kAfterLastWord_s, status);
         worlds_.end();
@@ -338,7 +337,6 @@ private:
 
     const ExploreArguments& arguments_;
     SettingsStore& settings_;
-    const LongWork progress_;  // of what comes after the last word
     EndSignals signals_;
     SteadyClock clock_;
     ServoSwitches switches_;
@@ -371,7 +369,7 @@ private:
 
 ExploreEnd run_explore(const ExploreArguments& arguments, SettingsStore& settings, std::ostream& err,
                        const LongWork& progress) {
-    return Exploration(arguments, settings, progress).run(err);
+    return Exploration(arguments, settings).run(err, progress);
 }
 
 }  // namespace handrail

@@ -1,7 +1,7 @@
 #include "worlds/ifc/exact_cut.h"
 
-// CGAL would check when any program that links this starts that the processor rounds up and down. Valgrind does not, and
-// the tests compare volumes anyway.
+// CGAL would check at the start of any program that links this whether the processor rounds up and down. Valgrind does
+// not, and the tests compare volumes anyway.
 #define CGAL_DISABLE_ROUNDING_MATH_CHECK
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>

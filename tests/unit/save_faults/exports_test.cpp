@@ -70,7 +70,7 @@ TEST(ExportFaults, each_file_of_a_world_is_the_old_one_or_whole_and_no_other_is_
             bool all_new = true;
             for (const char* name : kFiles) {
                 const std::string now = test::content_of(home.path() / name);
-                EXPECT_TRUE(now == "old" || now == whole[name]) << name << " is half a file";
+                EXPECT_TRUE(now == "old" || now == whole[name]) << name << " is half a file: " << now;
                 EXPECT_EQ(now != "old", out.str().find(name) != std::string::npos) << out.str();
                 all_new = all_new && now != "old";
             }

@@ -61,9 +61,11 @@ struct Carried {
     int ways = 0, all_ways = 0;  // between middles of rooms of one storey, within 5 cm; then from one to another
     int far = 0, all_far = 0;
     double longer_m = 0.0, shorter_m = 0.0;  // ways on one storey, at most
+    double far_shorter_m = 0.0;
 };
 
-Carried carried(const Seen& house, const Seen& form) {
+// shorter_m: by which a way may be shorter and still count as the same.
+Carried carried(const Seen& house, const Seen& form, double shorter_m = kSame_m) {
     Carried found;
     std::vector<const Room*> rooms;
     for (const Room& room : house.graph.rooms) {
@@ -95,9 +97,10 @@ Carried carried(const Seen& house, const Seen& form) {
             if (!meant) continue;
             const auto is = form.way_m(rooms[a]->middle_m, rooms[b]->middle_m);
             const bool level = rooms[a]->level == rooms[b]->level;
-            const bool same = is && std::abs(*is - *meant) <= kSame_m;
+            const bool same = is && *is - *meant <= kSame_m && *meant - *is <= shorter_m;
             ++(level ? found.all_ways : found.all_far);
             (level ? found.ways : found.far) += same ? 1 : 0;
+            if (is && !level) found.far_shorter_m = std::max(found.far_shorter_m, *meant - *is);
             if (!is || !level) continue;
             found.longer_m = std::max(found.longer_m, *is - *meant);
             found.shorter_m = std::max(found.shorter_m, *meant - *is);
@@ -167,7 +170,7 @@ TEST(HouseForms, carry_what_each_can) {
     const Seen house = seen_in(*scene);
     const WordsHouse drawn =
         on_the_middles_of_walls(found_house(*scene, house.graph, house.ways->space(), WordLanguage::English), *scene);
-    const auto tell = [&](const char* name, Result<Scene> read) {
+    const auto tell = [&](const char* name, Result<Scene> read, double shorter_m = kSame_m) {
         EXPECT_TRUE(read.has_value()) << name << ": " << (read ? "" : read.error().sentence());
         if (!read) return Carried{};
         EXPECT_TRUE(validate(*read).has_value());
@@ -178,16 +181,17 @@ TEST(HouseForms, carry_what_each_can) {
             for (const Vec2& p : drawn.rooms[0].rings[0]) least = glm::min(least, p);
             form.shift_m = Vec3(test::box_of(*room).first - least, 0.0);
         }
-        const Carried c = carried(house, form);
+        const Carried c = carried(house, form, shorter_m);
         fmt::print(
             "{}: {} of {} rooms, {} of {} doors, off {:.3f} m along and {:.3f} m through the wall, width {:.3f} m, "
-            "{} of {} ways on a storey, {:.3f} m longer and {:.3f} m shorter at most, {} of {} from storey to storey\n",
+            "{} of {} ways on a storey, {:.3f} m longer and {:.3f} m shorter at most, {} of {} from storey to storey, "
+            "{:.3f} m shorter at most\n",
             name, c.rooms, c.all_rooms, c.doors, c.all_doors, c.along_m, c.across_m, c.width_m, c.ways, c.all_ways,
-            c.longer_m, c.shorter_m, c.far, c.all_far);
+            c.longer_m, c.shorter_m, c.far, c.all_far, c.far_shorter_m);
         // Whatever doors a form has are where they were, and no way is shorter than it was.
         EXPECT_LE(c.along_m, kSame_m) << name;
         EXPECT_LE(c.width_m, kSame_m) << name;
-        EXPECT_LE(c.shorter_m, kSame_m) << name;
+        EXPECT_LE(c.shorter_m, shorter_m) << name;
         return c;
     };
     const Carried itself = tell("itself", *scene);
@@ -198,10 +202,12 @@ TEST(HouseForms, carry_what_each_can) {
     EXPECT_EQ(itself.rooms + itself.doors + itself.ways + itself.far,
               itself.all_rooms + itself.all_doors + itself.all_ways + itself.all_far);
 
+    // Its stairs are stated, and those are met on a narrow foot: routes lead past and over them closer by this much.
+    constexpr double kPastStairs_m = 0.5;
     // An architect's model carries all, but that a pond is no space with a floor: it is told as the steps into it.
     for (const bool millimetres : {false, true}) {
         const Carried ifc = tell(millimetres ? "IFC in millimetres" : "IFC",
-                                 read_ifc(test::IfcOf(*scene, drawn, millimetres).text(), "house.ifc"));
+                                 read_ifc(test::IfcOf(*scene, drawn, millimetres).text(), "house.ifc"), kPastStairs_m);
         EXPECT_GE(ifc.rooms, ifc.all_rooms - 1);
         EXPECT_EQ(ifc.doors, ifc.all_doors);
         EXPECT_LE(ifc.across_m, kSame_m);
