@@ -64,12 +64,12 @@ struct Carried {
     double far_shorter_m = 0.0;
 };
 
-// By how much a way may be shorter and still count as the same: on a storey, and from one to another.
-struct Shorter {
+// By how much a way may differ and still count as the same: shorter on a storey, and either way to another one.
+struct Apart {
     double level_m = kSame_m, far_m = kSame_m;
 };
 
-Carried carried(const Seen& house, const Seen& form, const Shorter& shorter = {}) {
+Carried carried(const Seen& house, const Seen& form, const Apart& apart = {}) {
     Carried found;
     std::vector<const Room*> rooms;
     for (const Room& room : house.graph.rooms) {
@@ -101,8 +101,8 @@ Carried carried(const Seen& house, const Seen& form, const Shorter& shorter = {}
             if (!meant) continue;
             const auto is = form.way_m(rooms[a]->middle_m, rooms[b]->middle_m);
             const bool level = rooms[a]->level == rooms[b]->level;
-            const bool same =
-                is && *is - *meant <= kSame_m && *meant - *is <= (level ? shorter.level_m : shorter.far_m);
+            const bool same = is && *is - *meant <= (level ? kSame_m : apart.far_m) &&
+                              *meant - *is <= (level ? apart.level_m : apart.far_m);
             ++(level ? found.all_ways : found.all_far);
             (level ? found.ways : found.far) += same ? 1 : 0;
             if (is && !level) found.far_shorter_m = std::max(found.far_shorter_m, *meant - *is);
@@ -175,7 +175,7 @@ TEST(HouseForms, carry_what_each_can) {
     const Seen house = seen_in(*scene);
     const WordsHouse drawn =
         on_the_middles_of_walls(found_house(*scene, house.graph, house.ways->space(), WordLanguage::English), *scene);
-    const auto tell = [&](const char* name, Result<Scene> read, const Shorter& shorter = {}) {
+    const auto tell = [&](const char* name, Result<Scene> read, const Apart& apart = {}) {
         EXPECT_TRUE(read.has_value()) << name << ": " << (read ? "" : read.error().sentence());
         if (!read) return Carried{};
         EXPECT_TRUE(validate(*read).has_value());
@@ -186,7 +186,7 @@ TEST(HouseForms, carry_what_each_can) {
             for (const Vec2& p : drawn.rooms[0].rings[0]) least = glm::min(least, p);
             form.shift_m = Vec3(test::box_of(*room).first - least, 0.0);
         }
-        const Carried c = carried(house, form, shorter);
+        const Carried c = carried(house, form, apart);
         fmt::print(
             "{}: {} of {} rooms, {} of {} doors, off {:.3f} m along and {:.3f} m through the wall, width {:.3f} m, "
             "{} of {} ways on a storey, {:.3f} m longer and {:.3f} m shorter at most, {} of {} from storey to storey, "
@@ -196,7 +196,7 @@ TEST(HouseForms, carry_what_each_can) {
         // Whatever doors a form has are where they were, and no way is shorter than it was.
         EXPECT_LE(c.along_m, kSame_m) << name;
         EXPECT_LE(c.width_m, kSame_m) << name;
-        EXPECT_LE(c.shorter_m, shorter.level_m) << name;
+        EXPECT_LE(c.shorter_m, apart.level_m) << name;
         return c;
     };
     const Carried itself = tell("itself", *scene);
@@ -208,7 +208,7 @@ TEST(HouseForms, carry_what_each_can) {
               itself.all_rooms + itself.all_doors + itself.all_ways + itself.all_far);
 
     // Its stairs are stated, and those are met on a narrow foot: routes lead past and over them more closely.
-    constexpr Shorter kByStairs{0.25, 1.1};
+    constexpr Apart kByStairs{0.25, 1.1};
     // An architect's model carries all, but that a pond is no space with a floor: it is told as the steps into it.
     for (const bool millimetres : {false, true}) {
         const Carried ifc = tell(millimetres ? "IFC in millimetres" : "IFC",
