@@ -9,8 +9,8 @@
 
 namespace handrail {
 
-Ears::Ears(const Settings& settings, bool with_window, Clock& clock, AudioThread::ContactRing& contacts,
-           AudioThread::ContactRing& left_contacts, SessionRecording& recording, std::vector<std::string>& news)
+Ears::Ears(const Settings& settings, bool with_window, Clock& clock, AudioThread::ContactRing& left_contacts,
+           SessionRecording& recording, std::vector<std::string>& news)
     : clock_(clock), recording_(recording) {
     std::shared_ptr<ReaderChannel> reader;
     if (with_window) {
@@ -21,7 +21,7 @@ Ears::Ears(const Settings& settings, bool with_window, Clock& clock, AudioThread
     SoundOutputs outputs = recording.noted(open_sound_outputs(settings, STDOUT_FILENO, std::move(reader), braille_));
     has_sound_ = !outputs.description.empty();
     news.push_back(std::move(outputs.description));
-    sound_ = std::make_unique<AudioThread>(std::move(outputs.audio), std::move(outputs.speech), clock, &contacts,
+    sound_ = std::make_unique<AudioThread>(std::move(outputs.audio), std::move(outputs.speech), clock, &contacts_,
                                            settings, &left_contacts);
     recording.listen_to(*sound_);
 }

@@ -20,11 +20,12 @@ public:
     // Opens what there is; `news` get what that is. Clock, rings and recording outlive this
     // object. `with_window`: there will be
     // one.
-    Ears(const Settings& settings, bool with_window, Clock& clock, AudioThread::ContactRing& contacts,
-         AudioThread::ContactRing& left_contacts, SessionRecording& recording, std::vector<std::string>& news);
+    Ears(const Settings& settings, bool with_window, Clock& clock, AudioThread::ContactRing& left_contacts,
+         SessionRecording& recording, std::vector<std::string>& news);
 
     AudioThread& sound() { return *sound_; }
-    bool has_sound() const { return has_sound_; }  // there is a sound device
+    AudioThread::ContactRing& contacts() { return contacts_; }  // of the hand in use
+    bool has_sound() const { return has_sound_; }               // there is a sound device
     // Beside the window, else null. No window came after all: close_accessible.
     Accessible* accessible() { return accessible_.get(); }
     BrailleLink* braille() { return braille_.get(); }
@@ -47,6 +48,7 @@ private:
     std::shared_ptr<BrailleLink> braille_;
     DialogueView shown_dialogue_;  // as these two have it
     bool has_sound_ = false;
+    AudioThread::ContactRing contacts_;
     std::unique_ptr<AudioThread> sound_;
     bool two_hands_ = false, hand_stands_in_ = false;
     std::string last_spoken_;

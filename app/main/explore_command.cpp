@@ -70,7 +70,7 @@ public:
         : arguments_(arguments),
           settings_(settings),
           recording_(arguments, settings.values(), clock_, news_),
-          ears_(settings.values(), !arguments.no_window, clock_, contacts_, left_.contacts(), recording_, news_),
+          ears_(settings.values(), !arguments.no_window, clock_, left_.contacts(), recording_, news_),
           app_(settings.values(), HandFacts{},
                {.executor = on_threads(),
                 .records_in = arguments.common.data_folder(),
@@ -340,7 +340,6 @@ private:
     EndSignals signals_;
     SteadyClock clock_;
     ServoSwitches switches_;
-    ServoLoop::EventRing contacts_;  // of the hand in use
     std::vector<std::string> news_;  // said with the welcome
     SessionRecording recording_;
     LeftHand left_{clock_, switches_, recording_.hand(1)};
@@ -352,7 +351,8 @@ private:
                                 hand_over();
                             }};
     KeptSettings kept_{settings_, clock_, say_};
-    HandInUse hand_{{arguments_, settings_, clock_, switches_, contacts_, app_, driver_, say_, recording_.hand(0)}};
+    HandInUse hand_{
+        {arguments_, settings_, clock_, switches_, ears_.contacts(), app_, driver_, say_, recording_.hand(0)}};
     GuidedSetUp set_up_{
         {settings_, switches_, app_, driver_, hand_, ears_, kept_, say_, arguments_.calibrate.has_value()}};
     WorldVisits worlds_{arguments_, settings_, app_, say_};

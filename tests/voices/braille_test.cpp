@@ -161,7 +161,7 @@ TEST_F(Brailled, goes_on_when_braille_and_sound_and_speech_are_taken_away_in_tur
 
     std::filesystem::remove(pulled());
     EXPECT_TRUE(program->says("alert: Sound is back")) << everything();
-    EXPECT_TRUE(program->says("Speech now uses The built-in voice.")) << everything();
+    EXPECT_TRUE(program->says("Speech now uses the built-in voice.")) << everything();
     leave();
 }
 

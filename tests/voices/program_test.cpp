@@ -63,7 +63,7 @@ TEST_F(ProgramSpeaking, goes_on_when_the_speech_server_is_killed_and_takes_it_ba
     program->type("right 2\n");
     EXPECT_TRUE(program->says("say: North-east")) << program->said();
     ASSERT_TRUE(server->start_again()) << server->everything();
-    EXPECT_TRUE(program->says("Speech now uses alert: The speech server.")) << program->said();
+    EXPECT_TRUE(program->says("Speech now uses the speech server.")) << program->said();
     program->type("heading\n");
     EXPECT_TRUE(eventually([&] { return server->spoke("Facing north-east, 45 degrees"); }))
         << program->said() << server->everything();

@@ -199,7 +199,7 @@ bool BlindGround::held(std::uint32_t from, std::uint32_t to, const DoorsOpen& op
     std::uint32_t there = 0, here = 0;
     if (!in(to, there)) return false;
     if (!(in(from, here) && here == there)) return true;
-    return shut_middle_[to] && !shut_middle_[from] && !open[there] && !through_doors;
+    return shut_middle_[to] && !shut_middle_[from] && !open[there - 1U] && !through_doors;
 }
 
 // So far at a time, less than a cell, and past which neighbour it goes along each axis.

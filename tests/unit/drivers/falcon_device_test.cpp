@@ -154,7 +154,7 @@ TEST(FalconDevice, refuses_in_one_sentence_what_cannot_be) {
     }
     const auto image = test::boot_image(4000);
     const std::string whole(image.begin(), image.end());
-    for (const auto& [content, words] : {std::pair<std::string, std::string>{whole.substr(0, 2001), "cut off"},
+    for (const auto& [content, words] : {std::pair<std::string, std::string>{whole.substr(0, 2001), "incomplete"},
                                          {"GIF89a", "does not begin as it should"},
                                          {whole + "x", "does not end where it should"}}) {
         VirtualClock clock;

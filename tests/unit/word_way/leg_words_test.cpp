@@ -41,7 +41,7 @@ TEST(LegWords, tell_what_to_do_first_then_how_far_then_to_what) {
     over.risers = 17;
     over.up = true;
     over.to_stairs = 2;
-    EXPECT_EQ(leg_words(over, {}), "Turn right. 9 steps to Landing. On the way, 17 stairs up, in 2 steps.");
+    EXPECT_EQ(leg_words(over, {}), "Turn right. 9 steps to Landing. On the way 17 stairs up, in 2 steps.");
     EXPECT_EQ(leg_words(leg(2, 3, PaceEnd::Steps, ""), {false, 0.7, true}), "Turn half right. 2 metres.");
 }
 
