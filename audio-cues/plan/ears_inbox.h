@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "audio-cues/plan/cue_planner.h"
 #include "audio-cues/plan/sinks.h"
 #include "settings/settings.h"
 #include "worlds/scene/scene.h"
