@@ -57,12 +57,6 @@ std::string joined(const std::vector<std::string>& sentences) {
     return text;
 }
 
-std::vector<std::string> sentences_of(const std::vector<Diagnostic>& problems) {
-    std::vector<std::string> sentences;
-    for (const Diagnostic& problem : problems) sentences.push_back(problem.sentence());
-    return sentences;
-}
-
 // One session with a person: owns every part, carries values between them about sixty times a second.
 class Exploration {
 public:

@@ -38,6 +38,12 @@ std::string settings_faults_words(const std::vector<std::string>& faults) {
     return phrase("program.settings_faults", {{"count", faults.size()}, {"first", faults.front()}});
 }
 
+std::vector<std::string> sentences_of(const std::vector<Diagnostic>& problems) {
+    std::vector<std::string> sentences;
+    for (const Diagnostic& problem : problems) sentences.push_back(problem.sentence());
+    return sentences;
+}
+
 void WorldVisits::begin_notes(double now_s) {
     std::vector<std::string> lines{
         phrase("crash_report.program", {{"version", arguments_.program_version}, {"language", spoken_language()}})};
@@ -92,10 +98,9 @@ WorldRequest WorldVisits::first() const {
 void WorldVisits::take_settings(LoadedWorld& world, double asked_s) {
     settings_.take_layer(SettingSource::World, std::move(world.settings));
     new_settings_ = true;
-    std::vector<std::string> faults;
-    for (const Diagnostic& problem : world.settings_problems) faults.push_back(problem.sentence());
+    std::vector<std::string> faults = sentences_of(world.settings_problems);
     if (!faults.empty()) say_(settings_faults_words(faults), asked_s);
-    for (const Diagnostic& problem : arguments_.settings_problems) faults.push_back(problem.sentence());
+    for (std::string& sentence : sentences_of(arguments_.settings_problems)) faults.push_back(std::move(sentence));
     app_.apply(SettingsFaultsKnown{std::move(faults)}, asked_s);
 }
 

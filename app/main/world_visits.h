@@ -24,6 +24,7 @@ namespace handrail {
 
 // One fault in full; of several the first, for all of them at once took minutes. The menu lists them.
 std::string settings_faults_words(const std::vector<std::string>& faults);
+std::vector<std::string> sentences_of(const std::vector<Diagnostic>& problems);
 
 class WorldVisits {
 public:

@@ -1,8 +1,7 @@
 // Rooms and ways of worlds that are entered again and again, found once: of a lesson and each of its pupils. While one
-// lives, a session on its thread takes what was found of the same scene for a
-// body of the same size in the language spoken, and else leaves here what it finds. A scene is told by its place, and
-// kept as long as what was found of it. Costs what a WalkSpace does, for each of so many worlds. The thread that made
-// it.
+// lives, a session on its thread takes what was found of the same scene for a body of the same size in the language
+// spoken, and else leaves here what it finds. A scene is told by its place, and kept as long as what was found of it.
+// Costs what a WalkSpace does, for each of so many worlds. The thread that made it.
 #pragma once
 
 #include <cstddef>
