@@ -16,7 +16,7 @@ namespace handrail {
 namespace {
 
 constexpr std::array<int, 5> kSignals{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
-std::array<struct sigaction, kSignals.size()> before{};
+std::array<struct sigaction, kSignals.size()> former_actions{};
 volatile std::sig_atomic_t noted = -1;  // the file's descriptor
 
 // Only what a signal handler may call; backtrace() is called once before, so that it has loaded what it needs.
@@ -54,7 +54,7 @@ void on_crash(int signal) {
         noted = -1;
     }
     for (std::size_t i = 0; i < kSignals.size(); ++i)
-        if (kSignals[i] == signal) ::sigaction(signal, &before[i], nullptr);
+        if (kSignals[i] == signal) ::sigaction(signal, &former_actions[i], nullptr);
     ::raise(signal);  // comes to whoever was there before us as soon as we return
     errno = error;
 }
@@ -70,13 +70,13 @@ CrashSignal::CrashSignal(const std::filesystem::path& file) {
     action.sa_handler = on_crash;
     action.sa_flags = SA_ONSTACK;
     ::sigemptyset(&action.sa_mask);
-    for (std::size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &action, &before[i]);
+    for (std::size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &action, &former_actions[i]);
     caught_ = true;
 }
 
 CrashSignal::~CrashSignal() {
     if (!caught_) return;
-    for (std::size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &before[i], nullptr);
+    for (std::size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &former_actions[i], nullptr);
     const int file = noted;
     noted = -1;
     if (file >= 0) ::close(file);

@@ -105,7 +105,7 @@ private:
         }
         open_window();
         // Keys act at once if there is a terminal for them; the first sentence says so.
-        if (!window_) keys_ = TypedKeys::open(app_, worlds_, switches_, clock_, say_);
+        if (!window_) keys_ = TypedKeys::open(app_, worlds_, switches_, clock_);
         if (keys_) {
             speak_to(ActsBy::TerminalKeys);
             news_.insert(news_.begin(), phrase("terminal.keys_act"));
@@ -140,7 +140,7 @@ private:
     }
 
     void watch_lines() {
-        if (!window_ && !keys_) lines_.emplace(app_, worlds_, switches_, say_, arguments_.lines);
+        if (!window_ && !keys_) lines_.emplace(app_, worlds_, switches_, arguments_.lines);
     }
 
     // ---- the three loops: while the first world is read, in a world, and in a set-up without one ----
@@ -159,6 +159,7 @@ private:
             kept_.keep_saved(clock_.now_s());
             worlds_.keep_notes(clock_.now_s());
             loading.tell(clock_.now_s(), [this](const std::string& words) { say_(words); });
+            hand_over();  // what keys and lines were answered
             draw_words();
         }
         auto world = loading.take();

@@ -30,19 +30,18 @@ void show(std::string_view text) {
 
 }  // namespace
 
-std::unique_ptr<TypedKeys> TypedKeys::open(Session& app, WorldVisits& worlds, ServoSwitches& switches, Clock& clock,
-                                           const SessionVoice& say) {
+std::unique_ptr<TypedKeys> TypedKeys::open(Session& app, WorldVisits& worlds, ServoSwitches& switches, Clock& clock) {
     if (terminal_kind().empty() || terminal_kind() == "dumb") return nullptr;
     auto terminal = RawTerminal::take(STDIN_FILENO, STDOUT_FILENO);
     if (!terminal) return nullptr;
-    return std::unique_ptr<TypedKeys>(new TypedKeys(std::move(terminal), app, worlds, switches, clock, say));
+    return std::unique_ptr<TypedKeys>(new TypedKeys(std::move(terminal), app, worlds, switches, clock));
 }
 
 TypedKeys::TypedKeys(std::unique_ptr<RawTerminal> terminal, Session& app, WorldVisits& worlds, ServoSwitches& switches,
-                     Clock& clock, const SessionVoice& say)
+                     Clock& clock)
     : app_(app),
       acts_(app, worlds),
-      lines_(app, worlds, say, true),
+      lines_(app, worlds, true),
       terminal_(std::move(terminal)),
       keys_(STDIN_FILENO, terminal_keyboard(spoken_language(), terminal_kind(), terminal_->erase()), clock,
             [keys = app.keys(), &switches](const std::string& key) {
@@ -56,7 +55,7 @@ void TypedKeys::take(double now_s, WizardSession* wizard) {
     bool emptied = false;
     const std::vector<TimedInput> came = keys_.take(emptied);
     if (emptied) {
-        lines_.drop();
+        lines_.lines().drop();
         show(editor_.close());
     }
     for (const TimedInput& one : came) take_input(one, wizard, now_s);
@@ -87,7 +86,7 @@ bool TypedKeys::take_into_line(const TerminalInput& input, WizardSession* wizard
     for (std::string& line : reply.lines) {
         // The answer to a question does not wait for a walk to end.
         if (asked(wizard)) app_.apply(LineTyped{line}, now_s);
-        else lines_.add(std::move(line));
+        else lines_.lines().add(std::move(line));
     }
     if (reply.left && answers_ && asked(wizard)) acts_.take({"Escape", KeyAction::Press}, wizard, now_s);
     return reply.taken;
@@ -99,7 +98,7 @@ void TypedKeys::take_key(const TimedInput& came, WizardSession* wizard, double n
     last_key_ = key;
     last_key_s_ = came.at_s;
     // Whoever presses a key wants that, and not the rest of what was typed.
-    if (!held) lines_.drop();
+    if (!held) lines_.lines().drop();
     const auto command = app_.keys().find(key);
     const bool again = held && !wizard && !app_.dialogue().is_open() && command && info(*command).hold && app_.idle();
     if (held && !again) {

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "app/main/carried_lines.h"
 #include "app/main/key_acts.h"
+#include "app/main/program_lines.h"
 #include "app/terminal/line_editor.h"
 #include "app/terminal/raw_terminal.h"
 #include "app/terminal/terminal_keys.h"
@@ -21,8 +21,7 @@ class TypedKeys {
 public:
     // Null where standard input and output are no terminal, or one that knows no keys (TERM=dumb), as those of editors
     // are. All outlive this object; the terminal is given back when it ends.
-    static std::unique_ptr<TypedKeys> open(Session& app, WorldVisits& worlds, ServoSwitches& switches, Clock& clock,
-                                           const SessionVoice& say);
+    static std::unique_ptr<TypedKeys> open(Session& app, WorldVisits& worlds, ServoSwitches& switches, Clock& clock);
 
     // Once a frame. To the wizard, where there is one.
     void take(double now_s, WizardSession* wizard);
@@ -31,7 +30,7 @@ public:
 
 private:
     TypedKeys(std::unique_ptr<RawTerminal> terminal, Session& app, WorldVisits& worlds, ServoSwitches& switches,
-              Clock& clock, const SessionVoice& say);
+              Clock& clock);
     void take_input(const TimedInput& came, WizardSession* wizard, double now_s);
     bool take_into_line(const TerminalInput& input, WizardSession* wizard, double now_s);
     void take_key(const TimedInput& came, WizardSession* wizard, double now_s);
@@ -39,7 +38,7 @@ private:
 
     Session& app_;
     KeyActs acts_;
-    CarriedLines lines_;
+    ProgramLines lines_;
     LineEditor editor_;
     bool answers_ = false;  // the line that is open answers a question of the session
     std::string last_key_;

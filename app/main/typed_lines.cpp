@@ -8,24 +8,26 @@
 #include <utility>
 #include <vector>
 
+#include "app/core/dialogue/terminal_line.h"
+
 namespace handrail {
 
-TypedLines::TypedLines(Session& app, WorldVisits& worlds, ServoSwitches& switches, const SessionVoice& say,
+TypedLines::TypedLines(Session& app, WorldVisits& worlds, ServoSwitches& switches,
                        const std::vector<std::string>& before)
     : app_(app),
       switches_(switches),
       typed_(::isatty(STDIN_FILENO) == 1),
-      lines_(app, worlds, say, typed_),
+      lines_(app, worlds, typed_),
       watch_(STDIN_FILENO, typed_ ? LineWatch::WhenFull::Loses : LineWatch::WhenFull::Waits,
              [this](std::string_view line) { return stops_at_once(line); }) {
-    for (const std::string& line : before) lines_.add(line);
+    for (const std::string& line : before) lines_.lines().add(line);
 }
 
 std::vector<std::string> TypedLines::take_rest() {
     bool emptied = false;
     std::vector<std::string> read = watch_.take(emptied);
-    if (emptied) lines_.drop();
-    std::vector<std::string> rest = lines_.take_rest();
+    if (emptied) lines_.lines().drop();
+    std::vector<std::string> rest = lines_.lines().take_rest();
     rest.insert(rest.end(), std::make_move_iterator(read.begin()), std::make_move_iterator(read.end()));
     return rest;
 }
@@ -44,9 +46,9 @@ void TypedLines::take(double now_s, WizardSession* wizard, bool hand_is_sought) 
     const bool ended = watch_.ended();  // asked first: lines that came before the end are taken below
     bool emptied = false;
     std::vector<std::string> typed =
-        watch_.take(emptied, LineWatch::kMostWaiting - std::min(lines_.waiting(), LineWatch::kMostWaiting));
-    if (emptied) lines_.drop();
-    for (std::string& line : typed) lines_.add(std::move(line));
+        watch_.take(emptied, LineWatch::kMostWaiting - std::min(lines_.lines().waiting(), LineWatch::kMostWaiting));
+    if (emptied) lines_.lines().drop();
+    for (std::string& line : typed) lines_.lines().add(std::move(line));
     if (lines_.take(now_s, wizard) || !ended) return;
     if (wizard) return wizard->end_of_lines();
     // Nobody will answer the welcome any more.

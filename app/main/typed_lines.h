@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "app/main/carried_lines.h"
-#include "app/terminal/terminal.h"
+#include "app/main/program_lines.h"
+#include "app/terminal/line_watch.h"
 #include "haptic/servo/servo_switches.h"
 
 namespace handrail {
@@ -15,8 +15,7 @@ namespace handrail {
 class TypedLines {
 public:
     // All outlive this object. Reads standard input from its construction on; `before` comes before that.
-    TypedLines(Session& app, WorldVisits& worlds, ServoSwitches& switches, const SessionVoice& say,
-               const std::vector<std::string>& before = {});
+    TypedLines(Session& app, WorldVisits& worlds, ServoSwitches& switches, const std::vector<std::string>& before = {});
 
     // Once a frame. To the wizard, where there is one. While a hand is sought the end of the lines does not end the
     // session.
@@ -32,7 +31,7 @@ private:
     Session& app_;
     ServoSwitches& switches_;
     const bool typed_;  // at a terminal
-    CarriedLines lines_;
+    ProgramLines lines_;
     bool closed_ = false;
     LineWatch watch_;  // last: its thread uses the others
 };

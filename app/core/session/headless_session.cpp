@@ -96,6 +96,7 @@ void HeadlessSession::advance() {
     // Frames fall on the first millisecond at or after their time.
     if (now_s() * kFrames_per_s >= static_cast<double>(frames_)) {
         ++frames_;
+        lines_.take(now_s());
         driver_.tick(now_s(), hands_[0].tool, hands_[1].tool);
     }
     if (milliseconds_ % kCueEvery_ms == 0) ears_.step();

@@ -6,7 +6,9 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <utility>
 
+#include "app/core/session/carried_lines.h"
 #include "app/core/session/session.h"
 #include "app/core/session/session_driver.h"
 #include "audio-cues/plan/audio_thread.h"
@@ -42,6 +44,9 @@ public:
     // A key by name goes down and up: to an open list or question, else the command it stands for. False: it means
     // nothing here.
     bool tap_key(const std::string& name);
+    // Types a line. It is carried out as by the program: when what the line before began is over.
+    void type(std::string line) { lines_.add(std::move(line)); }
+    const CarriedLines& lines() const { return lines_; }
     void set_focus(bool focused);
     // What the hand does before it is told anything.
     static HandCommand still_hand();
@@ -67,6 +72,7 @@ private:
     std::array<Hand, 2> hands_;  // the only or right one, the left one
     AudioThread ears_;           // stepped, without its thread
     SessionDriver driver_{app_, ears_};
+    CarriedLines lines_{app_};
     long milliseconds_ = 0;
     long frames_ = 0;
     int servo_every_ms_ = 1;

@@ -1,4 +1,4 @@
-#include "app/terminal/terminal.h"
+#include "app/terminal/line_watch.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -6,6 +6,8 @@
 
 #include <chrono>
 #include <future>
+
+#include "app/core/dialogue/terminal_line.h"
 
 namespace handrail {
 namespace terminal_test {

@@ -1,35 +1,18 @@
-// The program by lines of text: the same commands that keys give, typed as words, for a console screen reader, a pipe
-// or a test. App thread.
+// Lines of text as they come from a terminal, a pipe or a file. App thread.
 #pragma once
 
 #include <atomic>
 #include <deque>
 #include <functional>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
 #include <vector>
 
-#include "app/core/dialogue/command.h"
 #include "worlds/base/descriptor.h"
-#include "worlds/base/result.h"
 
 namespace handrail {
-
-// One line understood: a command done `times` times, or the end.
-struct TerminalLine {
-    std::optional<Command> command;  // none: an empty line
-    int times = 1;                   // "forward 5"
-    std::string choice = {};         // "describe library": what is chosen in the list that the command opens
-    bool leave = false;              // "quit", or its word in the language spoken: leaves without asking
-};
-
-// Understands "word", "word count" or, of a command that opens a list of places, "word choice", the word in English or
-// the language spoken, and whole sentences (typed_sentences.h); an unknown word fails naming the nearest of the latter,
-// a bad count says what it takes, a sentence that is not known that it is none.
-Result<TerminalLine> parse_terminal_line(std::string_view line);
 
 // Lines from a file descriptor without ever blocking. Owns nothing.
 class LineInput {

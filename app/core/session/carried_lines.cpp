@@ -1,19 +1,14 @@
-#include "app/main/carried_lines.h"
+#include "app/core/session/carried_lines.h"
 
 #include <iterator>
 #include <utility>
 
-#include "app/terminal/terminal.h"
+#include "app/core/dialogue/terminal_line.h"
 
 namespace handrail {
 namespace {
 
 constexpr double kSettles_s = 0.2;
-
-bool leaves(std::string_view line) {
-    const auto parsed = parse_terminal_line(line);
-    return parsed && (parsed->leave || parsed->command == Command::Leave);
-}
 
 // So many steps or notches at once: a second one is no answer to what the first met.
 bool counts_by_itself(Command command) {
@@ -41,17 +36,20 @@ std::vector<std::string> CarriedLines::take_rest() {
     return rest;
 }
 
-bool CarriedLines::take(double now_s, WizardSession* wizard) {
-    if (wizard) return answer(*wizard, now_s);
-    const bool first = !app_.scene();  // there is nowhere to be until the first world is read
-    if (first || worlds_.reading()) {
-        if (!by_person_) return true;
-        if (!lines_.empty() && leaves(lines_.front()) && (first || worlds_.give_up_reading(now_s))) {
-            left_ = first;
-            lines_.pop_front();
-            return true;
-        }
-    }
+std::optional<std::string> CarriedLines::take_next() {
+    if (lines_.empty()) return std::nullopt;
+    std::string line = std::move(lines_.front());
+    lines_.pop_front();
+    return line;
+}
+
+bool CarriedLines::next_leaves() const {
+    if (lines_.empty()) return false;
+    const auto parsed = parse_terminal_line(lines_.front());
+    return parsed && (parsed->leave || parsed->command == Command::Leave);
+}
+
+bool CarriedLines::take(double now_s) {
     if (repeat_left_ == 0 && !app_.idle()) {
         settle_until_s_ = now_s + kSettles_s;  // what came of it wants to be said before the next line interrupts
         return true;
@@ -76,24 +74,15 @@ bool CarriedLines::take(double now_s, WizardSession* wizard) {
         app_.apply(LineTyped{choice}, now_s);
         return true;
     }
-    if (lines_.empty()) return false;
-    const std::string line = std::move(lines_.front());
-    lines_.pop_front();
-    carry_out(line, now_s);
+    const auto line = take_next();
+    if (!line) return false;
+    carry_out(*line, now_s);
     return true;
 }
 
 // "Where is the kitchen" asks for the room of that name, not for the kitchen counter.
 bool CarriedLines::means_room(const std::string& choice) const {
     return repeat_command_ == Command::Find && !app_.dialogue().holds(choice, true) && app_.guide().leads_to(choice);
-}
-
-bool CarriedLines::answer(WizardSession& wizard, double now_s) {
-    if (!wizard.wants_line(now_s)) return true;
-    if (lines_.empty()) return false;
-    wizard.type(std::move(lines_.front()));
-    lines_.pop_front();
-    return true;
 }
 
 void CarriedLines::carry_out(const std::string& line, double now_s) {
@@ -104,7 +93,7 @@ void CarriedLines::carry_out(const std::string& line, double now_s) {
     const bool always = parsed && parsed->command && in_list(*parsed->command) == InList::Always;
     if (app_.apply(LineTyped{always ? word : line}, now_s)) return;
     if (!always && word != line && app_.apply(LineTyped{word}, now_s)) return;
-    if (!parsed) return say_(parsed.error().message);
+    if (!parsed) return void(app_.apply(Told{parsed.error().message, SpeechClass::Answer}, now_s));
     if (parsed->leave) {
         left_ = true;
     } else if (parsed->command) {

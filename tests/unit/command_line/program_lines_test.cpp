@@ -1,5 +1,5 @@
-// Lines of words as a script carries them out, in virtual time.
-#include "app/main/carried_lines.h"
+// Typed lines at the program, in virtual time.
+#include "app/main/program_lines.h"
 
 #include <gtest/gtest.h>
 
@@ -11,11 +11,11 @@
 #include "worlds/readers/reader.h"
 
 namespace handrail {
-namespace carried_lines_test {
+namespace program_lines_test {
 
 // A session with lines that are typed into it, each tick as a frame of the program.
 struct Typed {
-    explicit Typed(std::shared_ptr<const Scene> world, bool by_person = false) : lines{app, worlds, say, by_person} {
+    explicit Typed(std::shared_ptr<const Scene> world, bool by_person = false) : lines{app, worlds, by_person} {
         arguments.common.data_in = folder.path();
         if (world) app.apply(WorldEntered{make_ready(std::move(world))}, 0.0);
     }
@@ -37,47 +37,47 @@ struct Typed {
     Session app{Settings{}, {}};
     SettingsStore settings;
     WorldVisits worlds{arguments, settings, app, say};
-    CarriedLines lines;
+    ProgramLines lines;
     double now = 0.0;
 };
 
-TEST(CarriedLines, leave_a_world_without_a_floor_once_the_fall_has_ended) {
+TEST(ProgramLines, leave_a_world_without_a_floor_once_the_fall_has_ended) {
     auto sheet = std::make_shared<Scene>();
     sheet->materials.emplace_back();
     sheet->triangles.push_back({{0, 0, 0}, {4, 0, 0}, {0, 0, 3}});
     sheet->bounds_m = {{0, 0, 0}, {4, 0, 3}};
     sheet->starts.emplace_back().feet_m = {2, -1, 0};
     Typed typed(sheet);
-    typed.lines.add("quit");
+    typed.lines.lines().add("quit");
     typed.run(9.0);
     EXPECT_TRUE(typed.lines.left());
 }
 
-TEST(CarriedLines, leave_when_what_was_typed_before_has_been_done) {
+TEST(ProgramLines, leave_when_what_was_typed_before_has_been_done) {
     const auto house = read_world(test::bundled_world("house.map"));
     ASSERT_TRUE(house);
     Typed typed(std::make_shared<const Scene>(*house));
     typed.run(0.5);
     const Vec3 begun_m = typed.app.feet_m();
-    typed.lines.add("forward 3");
-    typed.lines.add("quit");
+    typed.lines.lines().add("forward 3");
+    typed.lines.lines().add("quit");
     typed.run(20.0);
     EXPECT_TRUE(typed.lines.left());
     EXPECT_NEAR(glm::length(typed.app.feet_m() - begun_m), 2.1, 0.05);
 }
 
-TEST(CarriedLines, of_a_person_leave_while_the_first_world_is_read_and_of_a_script_wait_for_it) {
+TEST(ProgramLines, of_a_person_leave_while_the_first_world_is_read_and_of_a_script_wait_for_it) {
     Typed person(nullptr, true), script(nullptr, false);
     for (Typed* typed : {&person, &script}) {
-        typed->lines.add("quit");
+        typed->lines.lines().add("quit");
         typed->run(1.0);
     }
     EXPECT_TRUE(person.lines.left());
     EXPECT_FALSE(script.lines.left());
-    EXPECT_EQ(script.lines.waiting(), 1U);
+    EXPECT_EQ(script.lines.lines().waiting(), 1U);
 }
 
-TEST(CarriedLines, of_a_person_are_done_while_another_world_is_read) {
+TEST(ProgramLines, of_a_person_are_done_while_another_world_is_read) {
     const auto house = read_world(test::bundled_world("house.map"));
     ASSERT_TRUE(house);
     for (const bool by_person : {true, false}) {
@@ -88,14 +88,14 @@ TEST(CarriedLines, of_a_person_are_done_while_another_world_is_read) {
         typed.app.requests().world = WorldRequest{test::bundled_world("school.map")};
         typed.worlds.change(typed.now);
         ASSERT_TRUE(typed.worlds.reading());
-        typed.lines.add("forward 3");
+        typed.lines.lines().add("forward 3");
         typed.run(10.0);
         EXPECT_EQ(glm::length(typed.app.feet_m() - begun_m) > 1.0, by_person);
     }
 }
 
 // The house has a room of that name and a thing whose name begins so.
-TEST(CarriedLines, look_for_a_room_by_its_name_before_things_that_begin_so) {
+TEST(ProgramLines, look_for_a_room_by_its_name_before_things_that_begin_so) {
     const auto house = read_world(test::bundled_world("house.map"));
     ASSERT_TRUE(house);
     for (const auto& [line, answer] :
@@ -103,7 +103,7 @@ TEST(CarriedLines, look_for_a_room_by_its_name_before_things_that_begin_so) {
           std::pair("where is the kitchen counter", "Kitchen counter"), std::pair("where is the piano", "Piano")}) {
         Typed typed(std::make_shared<const Scene>(*house));
         typed.run(0.5);
-        typed.lines.add(line);
+        typed.lines.lines().add(line);
         typed.run(3.0);
         EXPECT_TRUE(typed.heard(answer)) << line << ": " << typed.said;
         EXPECT_EQ(typed.heard("Kitchen counter"), std::string(answer) == "Kitchen counter")
@@ -111,5 +111,5 @@ TEST(CarriedLines, look_for_a_room_by_its_name_before_things_that_begin_so) {
     }
 }
 
-}  // namespace carried_lines_test
+}  // namespace program_lines_test
 }  // namespace handrail

@@ -1,0 +1,76 @@
+// The same typed lines by two clocks: the program with its threads and real time, and the session on a virtual clock
+// that scenarios and tests use. Both must say the same.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "app/core/session/headless_session.h"
+#include "audio-cues/sinks/recording_sinks.h"
+#include "tests/support/project_root.h"
+#include "tests/support/run_program.h"
+#include "worlds/base/typist.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail::test {
+namespace typed_commands_test {
+
+const std::vector<std::string> kThirty{
+    "where",         "forward 3",    "left 2",      "exits",       "around",    "describe kitchen",
+    "overview",      "right 4",      "forward 5",   "trail-left",  "lost",      "heading",
+    "back 2",        "find piano",   "escape",      "use",         "mark",      "storeys",
+    "escape",        "nearest door", "measure",     "turn round",  "help",      "hello",
+    "trail-right 2", "home",         "route study", "rest-of-way", "forward 4", "where"};
+
+// What is said from the world's first sentence on.
+std::vector<std::string> from_greeting(std::vector<std::string> said) {
+    const auto greeting =
+        std::find_if(said.begin(), said.end(), [](const std::string& line) { return line.starts_with("House with"); });
+    said.erase(said.begin(), greeting);
+    return said;
+}
+
+std::vector<std::string> said_by_program() {
+    ProgramCall call;
+    call.program = built_program("handrail");
+    call.arguments = {"--no-window", "--device", "none", "house"};
+    for (const std::string& line : kThirty) call.input += line + "\n";
+    const ProgramRun run = run_program(call);
+    EXPECT_EQ(run.exit_status, 0) << run.err;
+    std::vector<std::string> said;
+    std::istringstream out(run.out);
+    for (std::string line; std::getline(out, line);)
+        if (line.starts_with("say: ")) said.push_back(line.substr(5));
+    return from_greeting(std::move(said));
+}
+
+std::vector<std::string> said_in_virtual_time() {
+    speak_to(ActsBy::Lines);
+    auto world = read_world(bundled_world("house.map"));
+    EXPECT_TRUE(world);
+    RecordingAudio audio;
+    RecordingSpeech speech;
+    HeadlessSession session(Settings{}, HandFacts{}, audio, speech);
+    session.app().apply(WorldEntered{make_ready(std::make_shared<const Scene>(std::move(*world)))}, 0.0);
+    for (const std::string& line : kThirty) session.type(line);
+    for (double quiet_s = 0.0; quiet_s < 1.0 && session.now_s() < 600.0; quiet_s += 1e-3) {
+        session.advance();
+        if (!session.lines().done() || !session.app().idle()) quiet_s = 0.0;
+    }
+    speak_to(ActsBy::WindowKeys);
+    std::vector<std::string> said;
+    for (const HeardSpeech& line : speech.lines()) said.push_back(line.utterance.text);
+    return from_greeting(std::move(said));
+}
+
+TEST(TypedCommands, are_answered_alike_in_real_and_in_virtual_time) {
+    const std::vector<std::string> virtual_time = said_in_virtual_time();
+    EXPECT_GT(virtual_time.size(), kThirty.size());
+    EXPECT_THAT(said_by_program(), testing::ElementsAreArray(virtual_time));
+}
+
+}  // namespace typed_commands_test
+}  // namespace handrail::test
