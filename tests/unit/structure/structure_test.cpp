@@ -78,7 +78,7 @@ const std::map<std::string, std::vector<std::string>> kMayLink{
     {"app/teaching", {"app/core/scenario", "app/results"}},
     {"app/report", {"worlds/plan"}},
     {"app/results", {"worlds/base"}},
-    {"app/terminal", {"app/core/dialogue"}},
+    {"app/terminal", {"worlds/base"}},
     {"app/wizard", {"app/core/session"}},
     {"app/window", {"app/core/context", "worlds/plan"}},
     {"app/accessible", {"app/window", "audio-cues/sinks"}},
