@@ -1,11 +1,10 @@
 #include "app/main/path_csv.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <limits>
 
 #include "worlds/base/language.h"
+#include "worlds/base/text.h"
 
 namespace handrail {
 namespace {
@@ -16,22 +15,13 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-// A number, `nan` or `inf` as a device fault may have left it. Numbers too large for a double stay out of range, too
-// small ones are 0.
+// A number, `nan` or `inf` as a device fault may have left it.
 bool parse_cell(std::string_view cell, double& value) {
     cell = trimmed(cell);
-    if (cell.starts_with('+')) {
-        cell.remove_prefix(1);
-        if (cell.starts_with('-')) return false;
-    }
-    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-    if (cell.empty() || end != cell.data() + cell.size()) return false;
-    if (error == std::errc::result_out_of_range) {
-        const bool tiny = cell.find("e-") != std::string_view::npos || cell.find("E-") != std::string_view::npos;
-        value = tiny ? 0.0 : std::copysign(std::numeric_limits<double>::max(), cell.front() == '-' ? -1.0 : 1.0);
-        return true;
-    }
-    return error == std::errc{};
+    const auto taken = take_number(cell);
+    if (!taken || !cell.empty()) return false;
+    value = taken->value;
+    return true;
 }
 
 std::vector<std::string_view> cells_of(std::string_view line) {

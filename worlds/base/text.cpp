@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -119,12 +120,28 @@ std::vector<std::string> characters_of(std::string_view text) {
     return characters;
 }
 
+std::optional<TakenNumber> take_number(std::string_view& text, bool exponent) {
+    std::string_view digits = text;
+    if (digits.starts_with('+')) digits.remove_prefix(1);
+    if (digits.size() < text.size() && digits.starts_with('-')) return std::nullopt;
+    TakenNumber taken;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), taken.value,
+                                              exponent ? std::chars_format::general : std::chars_format::fixed);
+    if (error == std::errc::invalid_argument) return std::nullopt;
+    const std::string_view number = digits.substr(0, static_cast<std::size_t>(end - digits.data()));
+    if (error == std::errc::result_out_of_range) {
+        const bool tiny = number.find("e-") != std::string_view::npos || number.find("E-") != std::string_view::npos;
+        const double sign = number.starts_with('-') ? -1.0 : 1.0;
+        taken = {tiny ? 0.0 : std::copysign(std::numeric_limits<double>::max(), sign), false};
+    }
+    text = digits.substr(number.size());
+    return taken;
+}
+
 bool parse_finite(std::string_view text, double& value) {
-    if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-    double parsed = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), parsed);
-    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(parsed)) return false;
-    value = parsed;
+    const auto taken = take_number(text);
+    if (!taken || !taken->in_range || !text.empty() || !std::isfinite(taken->value)) return false;
+    value = taken->value;
     return true;
 }
 

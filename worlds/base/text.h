@@ -1,6 +1,7 @@
 // Small text helpers shared by readers, settings and the command line.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,7 +32,15 @@ std::string one_line(std::string_view text);
 // The characters of well-formed UTF-8, one string each; of other text its bytes where they make none.
 std::vector<std::string> characters_of(std::string_view text);
 
-// A whole decimal number, independent of the locale; false for anything else, also for nan and infinity.
+// The decimal number at the front of `text`, which it is taken off, independent of the locale; nan and infinity are
+// numbers, too. A value beyond what a double holds is the largest double or 0, and not in_range. exponent: "1e3" is one
+// number. None if the text begins with no number. All numbers in files and typed words are read by this function.
+struct TakenNumber {
+    double value = 0.0;
+    bool in_range = true;
+};
+std::optional<TakenNumber> take_number(std::string_view& text, bool exponent = true);
+// A whole decimal number; false for anything else, also for nan, infinity and what a double does not hold.
 bool parse_finite(std::string_view text, double& value);
 
 }  // namespace handrail

@@ -209,10 +209,9 @@ private:
             while (!cursor_.at_end() && (is_name(cursor_.peek()) || cursor_.peek() == '.' || cursor_.peek() == '+'))
                 cursor_.step();
             std::string_view digits = from_here();
-            if (digits.empty()) return false;
-            if (digits.front() == '+') digits.remove_prefix(1);
-            const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value.number);
-            if (error != std::errc{} || end != digits.data() + digits.size()) return false;
+            const auto taken = take_number(digits);
+            if (!taken || !taken->in_range || !digits.empty()) return false;
+            value.number = taken->value;
         }
         open_.back().into->push_back(std::move(value));
         return true;

@@ -1,8 +1,9 @@
 #include "worlds/osm/osm_levels.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+
+#include "worlds/base/text.h"
 
 namespace handrail {
 namespace {
@@ -10,19 +11,15 @@ namespace {
 constexpr double kLowest = -100.0, kHighest = 300.0;
 constexpr std::size_t kMost = 200;
 
-// A number at the front of the text, which it is taken off.
-bool take_number(std::string_view& text, double& number) {
+// A level at the front of the text, which it is taken off.
+bool take_level(std::string_view& text, double& level) {
     std::string_view digits = text;
-    const bool below = digits.starts_with('-');
-    if (below || digits.starts_with('+')) digits.remove_prefix(1);
+    if (digits.starts_with('-') || digits.starts_with('+')) digits.remove_prefix(1);
     if (digits.empty() || digits.front() < '0' || digits.front() > '9') return false;
-    const auto [end, error] =
-        std::from_chars(digits.data(), digits.data() + digits.size(), number, std::chars_format::fixed);
-    if (error != std::errc() || !std::isfinite(number)) return false;
-    text = digits.substr(static_cast<std::size_t>(end - digits.data()));
-    if (below) number = -number;
-    if (number == 0.0) number = 0.0;
-    return number >= kLowest && number <= kHighest;
+    const auto taken = take_number(text, false);
+    if (!taken || !taken->in_range) return false;
+    level = taken->value + 0.0;  // no negative zero
+    return level >= kLowest && level <= kHighest;
 }
 
 std::string_view trimmed_of_blanks(std::string_view text) {
@@ -38,7 +35,7 @@ void add(std::string_view text, OsmLevels& into) {
         from = end + 1;
         if (one.empty()) continue;
         double low = 0.0, high = 0.0;
-        if (!take_number(one, low)) {
+        if (!take_level(one, low)) {
             into.damaged = true;
             continue;
         }
@@ -46,7 +43,7 @@ void add(std::string_view text, OsmLevels& into) {
         one = trimmed_of_blanks(one);
         if (one.starts_with('-')) {
             one = trimmed_of_blanks(one.substr(1));
-            if (!take_number(one, high)) into.damaged = true, high = low;
+            if (!take_level(one, high)) into.damaged = true, high = low;
         }
         if (!trimmed_of_blanks(one).empty()) into.damaged = true;
         if (high < low) std::swap(low, high);

@@ -77,7 +77,7 @@ std::optional<SoftFace> soft_face_of(const SoftWish& wish, const ConvexSolid& sh
     for (std::size_t i = 0; i < shape.planes.size(); ++i)
         if (const double along = glm::dot(shape.planes[i].normal, wish.side); along > best) {
             best = along;
-            soft.face = i;
+            soft.face = static_cast<std::uint32_t>(i);
             found = true;
         }
     if (!found) {

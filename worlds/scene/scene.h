@@ -61,8 +61,8 @@ enum class SolidRole : std::uint8_t {
 
 // A face that gives way under the hand, above the rest of its solid.
 struct SoftFace {
-    std::size_t face = 0;  // of the solid
-    bool plastic = false;  // keeps a dent
+    std::uint32_t face = 0;  // of the solid
+    bool plastic = false;    // keeps a dent
     double depth_m = 0.0;
     double stiffness_fraction = 0.2;
     double recovery_s = 0.5;  // of one that comes back

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
@@ -14,7 +13,12 @@
 namespace handrail {
 namespace {
 
-double number(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
+// Of a setting's value; 0 for a value that is no number.
+double number(const std::string& text) {
+    double value = 0.0;
+    parse_finite(text, value);
+    return value;
+}
 
 std::string percent(const std::string& value) {
     return phrase("desk.percent", {{"percent", std::lround(100.0 * number(value))}});

@@ -26,8 +26,32 @@ TEST(ParseFinite, takes_whole_numbers_only_and_refuses_nan_and_infinity) {
     EXPECT_EQ(value, 150.0);
     EXPECT_TRUE(parse_finite("3.", value));
     EXPECT_TRUE(parse_finite("-0", value));
-    for (const char* bad : {"", "nan", "inf", "1e999", "1,5", "12x", "--1", " 1"})
+    for (const char* bad : {"", "nan", "inf", "1e999", "1,5", "12x", "--1", "+-1", " 1"})
         EXPECT_FALSE(parse_finite(bad, value)) << bad;
+}
+
+TEST(TakeNumber, takes_a_number_off_the_front_and_says_when_a_double_does_not_hold_it) {
+    struct Row {
+        std::string_view text, rest;
+        double value;
+        bool in_range, exponent;
+    };
+    const double largest = std::numeric_limits<double>::max();
+    for (const Row& row : {Row{"2.5;3", ";3", 2.5, true, true}, Row{"+1e3x", "x", 1000.0, true, true},
+                           Row{"1e3x", "e3x", 1.0, true, false}, Row{"-1e999 ", " ", -largest, false, true},
+                           Row{"1e-999", "", 0.0, false, true}, Row{"inf", "", HUGE_VAL, true, true}}) {
+        std::string_view text = row.text;
+        const auto taken = take_number(text, row.exponent);
+        ASSERT_TRUE(taken) << row.text;
+        EXPECT_EQ(taken->value, row.value) << row.text;
+        EXPECT_EQ(taken->in_range, row.in_range) << row.text;
+        EXPECT_EQ(text, row.rest) << row.text;
+    }
+    for (std::string_view none : {"", "x", "+-1", "- 1"}) {
+        const std::string_view before = none;
+        EXPECT_FALSE(take_number(none)) << before;
+        EXPECT_EQ(none, before);
+    }
 }
 
 TEST(LowerAscii, leaves_bytes_beyond_ascii_alone) { EXPECT_EQ(lower_ascii("AbZ\xC3\x89[`"), "abz\xC3\x89[`"); }
