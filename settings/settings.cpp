@@ -267,13 +267,26 @@ struct SettingsStore::Impl {
         return {};
     }
 
+    // What a stronger source says of every device counts more than what a weaker one says of one device.
+    void forget_weaker(const Layer& layer) {
+        for (const OverrideInfo& info : override_table()) {
+            if (!layer.contains(std::string(info.plain->key))) continue;
+            for (auto& [device, own] : values.workspace.devices) (own.*info.at).reset();
+            for (const ProfileInfo& field : profile_table())
+                if (field.field == info.field && field.number)
+                    for (auto& [device, own] : values.profiles) (own.*field.number).reset();
+        }
+    }
+
     void rebuild() {
         values = Settings{};
-        for (const auto& [source, layer] : layers)
+        for (const auto& [source, layer] : layers) {
+            forget_weaker(layer);
             for (const auto& [key, entry] : layer) {
                 const Result<void> applied = apply_to(values, key, entry.value, command_words);
                 contract_pre(applied.has_value());  // entries were checked on their way into the layer
             }
+        }
         // Measured anew, it is whole again.
         for (const std::string& damaged : damaged_profiles)
             if (const auto profile = values.profiles.find(damaged);
@@ -475,6 +488,10 @@ Result<std::optional<SettingsStore::ToSave>> SettingsStore::to_save() const {
     }
     if (text == held) return std::nullopt;
     return ToSave{path, std::move(text)};
+}
+
+fs::path settings_beside(const fs::path& world) {
+    return world.empty() ? fs::path() : fs::path(world).replace_extension(".settings.toml");
 }
 
 std::string profile_key(std::string_view device_name, std::string_view serial) {

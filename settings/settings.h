@@ -156,7 +156,8 @@ struct Settings {
         keys;  // command name -> key name, only where they differ from the built-in table
 };
 
-// Where a value came from, weakest first.
+// Where a value came from, weakest first. What a stronger source says of a setting also counts more than what a weaker
+// one says of it for one device ([workspace.device] or [profile]).
 enum class SettingSource { Default, Shipped, UserFile, World, CommandLine, Live };
 
 struct SettingRow {
@@ -220,6 +221,8 @@ private:
 Result<std::string> setting_text(const Settings& settings, std::string_view key);
 Result<void> change_setting(Settings& settings, std::string_view key, std::string_view value);
 
+// The file with a world's own settings: house.settings.toml next to house.map. Empty for a world that has no file.
+std::filesystem::path settings_beside(const std::filesystem::path& world);
 // True if a world file may set this key.
 bool world_may_set(std::string_view key);
 

@@ -244,6 +244,28 @@ TEST(Profiles, are_kept_by_device_and_serial_number_and_say_where_they_come_from
         << "what is not understood is kept";
 }
 
+// A labyrinth that fixes its scale is felt at that scale on every device, also on one that has a scale of its own.
+TEST(SettingsStore, lets_a_world_decide_for_devices_that_have_a_value_of_their_own) {
+    const test::TemporaryFolder folder;
+    SettingsStore store;
+    ASSERT_THAT(store.load_file(folder.write("settings.toml",
+                                             "[workspace]\nscale = 70\n[workspace.device.falcon]\nscale = 50\n"
+                                             "[profile.sim-t]\nscale = 40\noffset_up_m = 0.02\n"),
+                                SettingSource::UserFile),
+                testing::IsEmpty());
+    const auto scales = [&] {
+        const Settings& now = store.values();
+        return std::vector<double>{now.workspace.devices.at("falcon").scale.value_or(now.workspace.scale),
+                                   now.profiles.at("sim-t").scale.value_or(now.workspace.scale),
+                                   now.profiles.at("sim-t").offset_up_m.value_or(-1.0)};
+    };
+    EXPECT_THAT(scales(), testing::ElementsAre(50.0, 40.0, 0.02));
+    ASSERT_TRUE(store.set("workspace.scale", "8", SettingSource::World));
+    EXPECT_THAT(scales(), testing::ElementsAre(8.0, 8.0, 0.02));
+    store.clear(SettingSource::World);
+    EXPECT_THAT(scales(), testing::ElementsAre(50.0, 40.0, 0.02)) << "leaving the world gives them back";
+}
+
 TEST(Profiles, damaged_in_one_value_are_set_aside_whole_with_one_sentence_until_measured_anew) {
     const TemporaryFolder folder;
     const fs::path file = folder.write("settings.toml",
