@@ -72,20 +72,14 @@ Result<std::optional<Hand>> choose_hand(const std::string& wanted, std::vector<s
     return fail(phrase("program.not_plugged", {{"device", spec->spoken_name()}}));
 }
 
-HandSearch::HandSearch(std::string wanted)
-    : found_(std::async(std::launch::async, [this, wanted = std::move(wanted)] {
-          name_this_thread("hand-search");
-          return search(wanted);
-      })) {}
+HandSearch::HandSearch(std::string wanted) {
+    found_.begin([this, wanted = std::move(wanted)](const std::stop_token&) { return search(wanted); });
+}
 
 HandSearch::~HandSearch() {
-    if (!found_.valid()) return;
-    {
-        const std::lock_guard guard(mutex_);
-        given_up_ = true;
-        if (opening_) opening_->give_up();
-    }
-    found_.wait();
+    const std::lock_guard guard(mutex_);
+    given_up_ = true;
+    if (opening_) opening_->give_up();
 }
 
 void HandSearch::tell(std::string sentence) {
@@ -97,8 +91,6 @@ std::vector<std::string> HandSearch::take_news() {
     const std::lock_guard guard(mutex_);
     return std::exchange(news_, {});
 }
-
-bool HandSearch::ready() const { return found_.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
 
 Result<HandSearch::Found> HandSearch::search(const std::string& wanted) {
     std::vector<PluggedHand> plugged = plugged_hands();

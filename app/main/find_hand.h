@@ -5,7 +5,6 @@
 
 #include <atomic>
 #include <condition_variable>
-#include <future>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -16,6 +15,7 @@
 #include "app/core/session/session.h"
 #include "haptic/drivers/found_device.h"
 #include "haptic/drivers/guarded_device.h"
+#include "worlds/base/background_task.h"
 
 namespace handrail {
 
@@ -51,9 +51,9 @@ public:
 
     // Sentences since the last call.
     std::vector<std::string> take_news();
-    bool ready() const;
-    // Once, when ready. Fails where a device that was asked for by name is not there or cannot be used.
-    Result<Found> take() { return found_.get(); }
+    bool ready() const { return found_.ready(); }
+    // Once, when ready. Fails if a device that was asked for by name is not there or cannot be used.
+    Result<Found> take() { return found_.take().value_or(Found{}); }
 
 private:
     Result<Found> search(const std::string& wanted);
@@ -63,7 +63,7 @@ private:
     std::vector<std::string> news_;
     GuardedDevice* opening_ = nullptr;  // while it is waited for
     bool given_up_ = false;
-    std::future<Result<Found>> found_;  // last: its thread starts when all else stands
+    BackgroundTask<Result<Found>> found_{on_threads(), "hand-search"};  // last: its thread uses the others
 };
 
 // Looks every two seconds for devices that can push a hand and were not there before. Asks them nothing but their

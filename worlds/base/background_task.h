@@ -42,6 +42,8 @@ public:
         if (run_) run_->stop.request_stop();
         next_ = nullptr;
     }
+    // What was begun last is done: take() gives it, or nothing where memory did not suffice.
+    bool ready() const { return !next_ && run_ && run_->done.load(std::memory_order_acquire); }
     // Something is on its way that will be there to take.
     bool busy() const { return next_ || (run_ && !run_->stop.stop_requested()); }
     // What was begun last, once it is done; where memory did not suffice for it, never.
