@@ -196,7 +196,7 @@ private:
             if (set_up_.under_way()) {
                 guide(now_s);
             } else {
-                lesson_.turn(worlds_.path(), ears_.sound().speaking(), now_s);
+                lesson_.turn(ears_.sound().speaking(), now_s);
                 driver_.tick(now_s, hand_.tool(), left_.tool());
                 worlds_.note_place(now_s);
             }
@@ -352,7 +352,7 @@ private:
         {settings_, switches_, app_, driver_, hand_, ears_, kept_, say_, arguments_.calibrate.has_value()}};
     WorldVisits worlds_{arguments_, settings_, app_, say_};
     DeviceFacts device_facts_;
-    LessonHere lesson_{arguments_, app_, say_};
+    LessonHere lesson_{arguments_, app_, worlds_, say_};
     LearnersHere learners_{arguments_, app_, recording_, say_};
     std::optional<WindowInput> window_;  // one of the three
     std::unique_ptr<TypedKeys> keys_;

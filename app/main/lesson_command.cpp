@@ -75,11 +75,9 @@ std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments
             phrase("teaching.session_is_next", {{"number", session + 1}, {"count", lesson.sessions.size()}}));
     }
     SettingsStore lesson_settings;
-    for (const auto* conditions : {&lesson.settings, &lesson.sessions[session].settings})
-        for (const auto& [key, value] : *conditions)
-            if (const auto set = lesson_settings.set(key, value, SettingSource::World); !set)
-                return refused(set.error());
-            else explore.lesson_settings.emplace_back(key, value);
+    explore.lesson_settings = conditions_of(lesson, session);
+    for (const auto& [key, value] : explore.lesson_settings)
+        if (const auto set = lesson_settings.set(key, value, SettingSource::World); !set) return refused(set.error());
     explore.world = lesson.world;
     explore.lesson = LessonToTeach{std::move(*world), session, learner};
     return std::nullopt;

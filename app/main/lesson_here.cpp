@@ -80,7 +80,8 @@ Result<std::shared_ptr<TaughtWorld>> read_taught_world(const fs::path& file) {
 }
 
 // Those whose world this is.
-void LessonHere::offer(const fs::path& world, double now_s) {
+void LessonHere::offer(double now_s) {
+    const fs::path& world = worlds_.path();
     offered_.clear();
     TeacherActed act{TeacherActed::Kind::Offer, {}, {}, {}, 0.0};
     for (const fs::path& file : lessons_near(world)) {
@@ -112,6 +113,7 @@ void LessonHere::begin(const LessonToTeach& lesson, double now_s) {
     taught_ = lesson;
     begun_s_ = now_s;
     begun_utc_ = now_utc();
+    worlds_.set_lesson_settings(conditions_of(lesson.world->lesson(), lesson.session), now_s);
     run_.emplace(begin_lesson(lesson.world, lesson.session, lesson.learner, app_));
     const LessonFile& file = lesson.world->lesson();
     const std::string title = one_after(
@@ -124,9 +126,10 @@ void LessonHere::begin(const LessonToTeach& lesson, double now_s) {
 }
 
 // Under a name of its own in the person's folder; what is there already stays.
-void LessonHere::write_draft(const fs::path& world, double now_s) {
+void LessonHere::write_draft(double now_s) {
     const auto draft = app_.requests().take_lesson_draft();
     if (!draft) return;
+    const fs::path& world = worlds_.path();
     LessonFile lesson = three_sessions(*draft, world);
     std::error_code ec;
     const fs::path folder = lessons_folder();
@@ -150,7 +153,7 @@ void LessonHere::write_draft(const fs::path& world, double now_s) {
                             : written.error().sentence(),
                     SpeechClass::Answer},
                now_s);
-    if (written) offer(world, now_s);
+    if (written) offer(now_s);
 }
 
 // What was chosen from the list, once its world has been looked through.
@@ -174,16 +177,16 @@ void LessonHere::listen_to_desk(double now_s) {
     desk_->tell(run_->summary());
 }
 
-void LessonHere::turn(const fs::path& world, bool speaking, double now_s) {
+void LessonHere::turn(bool speaking, double now_s) {
     if (app_.world().entered == 0) return;
     if (world_ != app_.world().entered) {
         world_ = app_.world().entered;
         close(now_s);
-        offer(world, now_s);
+        offer(now_s);
         if (arguments_.lesson && !began_) begin(*arguments_.lesson, now_s);
         began_ = true;
     }
-    write_draft(world, now_s);
+    write_draft(now_s);
     begin_chosen(now_s);
     if (!run_ || now_s - turned_s_ < kTurn_s) return;
     turned_s_ = now_s;
@@ -191,7 +194,7 @@ void LessonHere::turn(const fs::path& world, bool speaking, double now_s) {
     teach_on(*run_, app_, std::exchange(events_, {}), now_s, speaking);
     if (!run_->over()) return;
     close(now_s);
-    offer(world, now_s);
+    offer(now_s);
 }
 
 // A recording holds the results by itself.
@@ -211,6 +214,7 @@ void LessonHere::close(double now_s) {
             if (const auto kept = keep_results(folder, results); !kept) say_(kept.error().sentence());
         }
     }
+    if (run_) worlds_.set_lesson_settings({}, now_s);
     run_.reset();
     desk_.reset();
 }

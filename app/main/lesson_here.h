@@ -12,6 +12,7 @@
 #include "app/core/session/session.h"
 #include "app/main/commands.h"
 #include "app/main/session_voice.h"
+#include "app/main/world_visits.h"
 #include "app/teaching/desk.h"
 #include "app/teaching/lesson_check.h"
 #include "worlds/base/background_task.h"
@@ -21,26 +22,27 @@ namespace handrail {
 class LessonHere {
 public:
     // All outlive this object. The arguments say which lesson is to be taught and to whom.
-    LessonHere(const ExploreArguments& arguments, Session& app, const SessionVoice& say)
-        : arguments_(arguments), app_(app), say_(say) {}
+    LessonHere(const ExploreArguments& arguments, Session& app, WorldVisits& worlds, const SessionVoice& say)
+        : arguments_(arguments), app_(app), worlds_(worlds), say_(say) {}
 
-    // Before the session's tick. world: the file one is in; speaking: somebody speaks.
-    void turn(const std::filesystem::path& world, bool speaking, double now_s);
+    // Before the session's tick. speaking: somebody speaks.
+    void turn(bool speaking, double now_s);
     // After it: what happened in it.
     void see(const std::vector<SessionEvent>& events);
     // The session ends: what was measured until now is kept where that is agreed.
     void end(double now_s);
 
 private:
-    void offer(const std::filesystem::path& world, double now_s);
+    void offer(double now_s);
     void begin_chosen(double now_s);
     void begin(const LessonToTeach& lesson, double now_s);
     void close(double now_s);
-    void write_draft(const std::filesystem::path& world, double now_s);
+    void write_draft(double now_s);
     void listen_to_desk(double now_s);
 
     const ExploreArguments& arguments_;
     Session& app_;
+    WorldVisits& worlds_;
     const SessionVoice& say_;
     int world_ = 0;  // Session::worlds_entered()
     bool began_ = false;

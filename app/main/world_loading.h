@@ -2,8 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <future>
-#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -12,6 +10,7 @@
 #include "app/main/commands.h"
 #include "app/main/long_work.h"
 #include "settings/settings.h"
+#include "worlds/base/background_task.h"
 
 namespace handrail {
 
@@ -24,25 +23,24 @@ struct LoadedWorld {
     std::vector<Diagnostic> settings_problems;
 };
 
+// What the file next to the world sets (SettingSource::World), and on top of it what a lesson does.
+SettingsStore settings_of(const WorldRequest& request, std::vector<Diagnostic>& problems);
+
 class WorldLoading {
 public:
     // Begins at once.
     WorldLoading(const WorldRequest& request, const CommonArguments& common);
-    // Stops what is not done yet, and waits for that.
-    ~WorldLoading();
-    WorldLoading(const WorldLoading&) = delete;
-    WorldLoading& operator=(const WorldLoading&) = delete;
 
-    bool ready() const;
+    bool ready() const { return task_.ready(); }
     // Gives `say` what is due: "Loading, 40 percent: building walls and floors."
     void tell(double now_s, const std::function<void(const std::string&)>& say) const { progress_.tell(now_s, say); }
-    // Once, when ready. Fails as read_world does.
-    Result<LoadedWorld> take() { return result_.get(); }
+    // Once, when ready. Fails as read_world does, or when memory did not suffice.
+    Result<LoadedWorld> take();
 
 private:
     LongWork progress_ = LongWork::begun();
-    std::stop_source stop_;
-    std::future<Result<LoadedWorld>> result_;  // last: its thread uses the others, and it waits for that
+    std::string file_;                                                 // its name
+    BackgroundTask<Result<LoadedWorld>> task_{on_threads(), "world"};  // last: its thread uses the others
 };
 
 }  // namespace handrail

@@ -95,13 +95,22 @@ WorldRequest WorldVisits::first() const {
 }
 
 // What the world before brought goes, what this one brings comes.
-void WorldVisits::take_settings(LoadedWorld& world, double asked_s) {
-    settings_.take_layer(SettingSource::World, std::move(world.settings));
+void WorldVisits::take_settings(SettingsStore settings, const std::vector<Diagnostic>& problems, double asked_s) {
+    settings_.take_layer(SettingSource::World, std::move(settings));
     new_settings_ = true;
-    std::vector<std::string> faults = sentences_of(world.settings_problems);
+    std::vector<std::string> faults = sentences_of(problems);
     if (!faults.empty()) say_(settings_faults_words(faults), asked_s);
     for (std::string& sentence : sentences_of(arguments_.settings_problems)) faults.push_back(std::move(sentence));
     app_.apply(SettingsFaultsKnown{std::move(faults)}, asked_s);
+}
+
+void WorldVisits::set_lesson_settings(std::vector<std::pair<std::string, std::string>> settings, double now_s) {
+    if (settings == here_.settings) return;
+    here_.settings = std::move(settings);
+    std::vector<Diagnostic> problems;
+    SettingsStore layer = settings_of(here_, problems);
+    take_settings(std::move(layer), problems, now_s);
+    app_.apply(SettingsChanged{settings_.values()}, now_s);
 }
 
 void WorldVisits::enter(LoadedWorld world, double asked_s) {
@@ -126,7 +135,7 @@ void WorldVisits::enter(LoadedWorld world, double asked_s) {
     here_.unit_m.reset();
     world.request.file = here_.file;
     watch_.begin(here_.file, asked_s);
-    take_settings(world, asked_s);
+    take_settings(std::move(world.settings), world.settings_problems, asked_s);
     app_.apply(
         WorldEntered{std::move(world.entering), std::move(side_file), std::move(world.request), settings_.values()},
         asked_s);

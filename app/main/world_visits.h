@@ -52,6 +52,8 @@ public:
     bool take_new_settings() { return std::exchange(new_settings_, false); }
     const WorldRequest& here() const { return here_; }  // the world one is in; its file is absolute
     const std::filesystem::path& path() const { return here_.file; }
+    // A lesson sets these on top of the world's own settings, until it ends; empty: the world's own alone.
+    void set_lesson_settings(std::vector<std::pair<std::string, std::string>> settings, double now_s);
     bool reading() const { return next_ != nullptr; }
     // Stays where one is instead, and says so. False when no other world is being read.
     bool give_up_reading(double now_s);
@@ -68,7 +70,7 @@ private:
     SideFile additions_to(const std::filesystem::path& path) const;
     void watch_file(double now_s);
     void begin_reading(WorldRequest request);
-    void take_settings(LoadedWorld& world, double asked_s);
+    void take_settings(SettingsStore settings, const std::vector<Diagnostic>& problems, double asked_s);
     void go_on_at(LastPlace last, double now_s);
 
     const ExploreArguments& arguments_;

@@ -68,8 +68,7 @@ Result<PupilOutcome> run_pupil(const std::shared_ptr<TaughtWorld>& world, const 
     scenario.has_start = true;
     scenario.start_feet_m = world->base().stand_m;
     scenario.start_heading_rad = world->base_heading_rad();
-    scenario.settings = lesson.settings;
-    for (const auto& [key, value] : found->settings) scenario.settings[key] = value;
+    for (const auto& [key, value] : conditions_of(lesson, session)) scenario.settings[key] = value;
     scenario.actions = pupil.actions;
     scenario.expectations = pupil.expectations;
     std::optional<TeachingRun> run;

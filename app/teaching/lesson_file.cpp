@@ -387,4 +387,10 @@ std::vector<std::size_t> step_order(const TaughtSession& session, std::size_t se
     return order;
 }
 
+std::vector<std::pair<std::string, std::string>> conditions_of(const LessonFile& lesson, std::size_t session) {
+    std::map<std::string, std::string> all = lesson.sessions.at(session).settings;
+    all.insert(lesson.settings.begin(), lesson.settings.end());
+    return {all.begin(), all.end()};
+}
+
 }  // namespace handrail

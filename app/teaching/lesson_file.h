@@ -133,4 +133,8 @@ std::string named_from(const std::filesystem::path& folder, const std::filesyste
 // alike.
 std::vector<std::size_t> step_order(const TaughtSession& session, std::size_t session_index, std::uint64_t learner);
 
+// What the lesson sets while that session, from 0, is taught: its own settings, with those of the session on top. By
+// key.
+std::vector<std::pair<std::string, std::string>> conditions_of(const LessonFile& lesson, std::size_t session);
+
 }  // namespace handrail

@@ -239,6 +239,41 @@ TEST_F(TaughtByTheProgram, draws_the_order_of_a_lesson_from_the_learner_whether_
     EXPECT_EQ(pupil.leave(), 0);
 }
 
+// Its scale is felt from its begin to its end, by the command and from the list alike.
+TEST_F(TaughtByTheProgram, sets_its_own_settings_until_it_ends_whether_it_is_named_or_chosen) {
+    fs::create_directories(home_.path() / "data/handrail/lessons");
+    const std::string file = (home_.path() / "data/handrail/lessons/scale.lesson.toml").string();
+    fs::copy_file(home_.write("scale.lesson.toml",
+                              "handrail_lesson = 1\ntitle = \"Scale\"\nworld = \"first_room.map\"\n[settings]\n"
+                              "\"workspace.scale\" = \"8\"\n[[landmark]]\nname = \"Here\"\nplace_m = [0.0, 0.0, 0.0]\n"
+                              "[[session]]\nname = \"All\"\n[[session.step]]\ndo = \"free\"\n"
+                              "say = \"Look around.\"\n"),
+                  file);
+    const std::string room = test::bundled_world("first_room.map");
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"lesson", file}, std::vector<std::string>{room}}) {
+        std::vector<std::string> all = words;
+        all.insert(all.end(), {"--no-window", "--device", "sim-t"});
+        Pupil pupil(*this, ("pupil " + std::to_string(words.size())).c_str(), all);
+        ASSERT_TRUE(pupil.hears("First room")) << pupil.all();
+        if (words.size() == 1) {
+            pupil.type("scale-bar");
+            ASSERT_TRUE(pupil.hears("metres are 5.8")) << pupil.all();
+            pupil.type("task");
+            ASSERT_TRUE(pupil.hears("Begin Scale")) << pupil.all();
+            pupil.type("1");
+        }
+        ASSERT_TRUE(pupil.hears("Look around.")) << pupil.all();
+        pupil.type("scale-bar");
+        ASSERT_TRUE(pupil.hears("metres are 43.8")) << pupil.all();
+        pupil.type("done");
+        ASSERT_TRUE(pupil.hears("All is over.")) << pupil.all();
+        pupil.type("scale-bar");
+        ASSERT_TRUE(pupil.hears("metres are 5.8")) << pupil.all();
+        EXPECT_EQ(pupil.leave(), 0);
+    }
+}
+
 TEST_F(TaughtByTheProgram, is_neither_recorded_without_consent_nor_taught_to_who_is_not_there) {
     EXPECT_EQ(run({"learner", "new", "Oak Owl"}).exit_status, 0);
     std::vector<std::string> words = taught("2");

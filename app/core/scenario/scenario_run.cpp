@@ -278,6 +278,9 @@ Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<
                                 std::vector<int>* undone) {
     const std::string file = scenario.file.filename().string();
     SettingsStore settings;
+    if (const auto faults = settings.load_file(settings_beside(scenario.world.file), SettingSource::World);
+        !faults.empty())
+        return fail(faults.front().sentence(), file);
     for (const auto& [key, value] : scenario.settings)
         if (const auto set = settings.set(key, value, SettingSource::CommandLine); !set)
             return fail(set.error().message, file);
@@ -311,10 +314,12 @@ Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<
     while (session.now_s() < kLongestRun_s) {
         // In virtual time a world is read in no time; one that cannot be read is said and the old one stays.
         if (const auto wanted = session.app().requests().take_world()) {
-            if (auto other = read_world(wanted->file, read_options(*wanted)))
+            if (auto other = read_world(wanted->file, read_options(*wanted))) {
+                settings.load_file(settings_beside(wanted->file), SettingSource::World);
+                session.change_settings(settings.values());
                 session.app().apply(WorldEntered{make_ready(std::make_shared<const Scene>(std::move(*other)))},
                                     session.now_s());
-            else session.app().apply(Told{other.error().sentence(), SpeechClass::Answer}, session.now_s());
+            } else session.app().apply(Told{other.error().sentence(), SpeechClass::Answer}, session.now_s());
         }
         if (const auto stepped = player.step(); !stepped) return tl::unexpected(stepped.error());
         if (!player.done()) last_action_s = session.now_s();

@@ -4,7 +4,11 @@
 
 #include "app/core/scenario/scenario_run.h"
 #include "app/core/session/headless_session.h"
+#include "audio-cues/sinks/recording_sinks.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/project_root.h"
+#include "tests/support/temporary_folder.h"
+#include "worlds/readers/reader.h"
 
 namespace handrail {
 namespace scenario_test {
@@ -140,6 +144,32 @@ TEST(RunScenario, gives_the_same_log_every_time) {
         EXPECT_EQ(speech.text, said);
         EXPECT_FALSE(said.empty());
     }
+}
+
+// As for a person: what stands next to the world counts, but less than what the scenario itself sets.
+TEST(RunScenario, counts_the_settings_next_to_its_world) {
+    const test::TemporaryFolder folder;
+    const auto world = folder.path() / "room.map";
+    std::filesystem::copy_file(test::bundled_world("first_room.map"), world);
+    const auto scene = read_world(world);
+    ASSERT_TRUE(scene);
+    Scenario scenario;
+    scenario.device = "sim-t";
+    scenario.world.file = world;
+    scenario.actions.push_back({"", Wait{0.1}, {}, false, 0});
+    const auto scale = [&] {
+        RecordingAudio audio;
+        RecordingSpeech speech;
+        const auto log = run_scenario(scenario, std::make_shared<const Scene>(*scene), audio, speech);
+        return log ? std::to_string(log->ticks.back().scale) : log.error().sentence();
+    };
+    EXPECT_EQ(scale(), "60.000000");
+    folder.write("room.settings.toml", "[workspace]\nscale = 8\n");
+    EXPECT_EQ(scale(), "8.000000");
+    scenario.settings["workspace.scale"] = "20";
+    EXPECT_EQ(scale(), "20.000000");
+    folder.write("room.settings.toml", "[haptic]\nceiling = \"full\"\n");
+    EXPECT_THAT(scale(), testing::HasSubstr("room.settings.toml, line 2"));
 }
 
 }  // namespace scenario_test
