@@ -151,6 +151,9 @@ Json fields_of(const SessionInput& input) {
             [](const LineTyped& in) {
                 return Json{{"is", "line"}, {"line", in.line}};
             },
+            [](const ListsLeft&) {
+                return Json{{"is", "lists_left"}};
+            },
             [](const ItemActed& in) {
                 return Json{{"is", "item_act"},
                             {"act", kActs.at(static_cast<std::size_t>(in.act.kind))},
@@ -256,6 +259,7 @@ const std::map<std::string, ReadFields, std::less<>>& readers() {
         {"key", [](const Json& j) -> SessionInput { return KeyTapped{j.at("key").get<std::string>()}; }},
         {"text", [](const Json& j) -> SessionInput { return TextTyped{j.at("text").get<std::string>()}; }},
         {"line", [](const Json& j) -> SessionInput { return LineTyped{j.at("line").get<std::string>()}; }},
+        {"lists_left", [](const Json&) -> SessionInput { return ListsLeft{}; }},
         {"item_act",
          [](const Json& j) -> SessionInput {
              return ItemActed{{static_cast<ItemAct::Kind>(place_in(kActs, j.at("act"))),

@@ -73,6 +73,8 @@ struct Writer {
         else if (const auto* text = std::get_if<TextTyped>(&input)) act(now_s, "type = " + in_quotes(text->utf8));
         else if (const auto* line = std::get_if<LineTyped>(&input)) {
             act(now_s, "line = " + in_quotes(line->line));
+        } else if (std::holds_alternative<ListsLeft>(input)) {
+            act(now_s, "key = \"Escape\"");
         } else if (const auto* placed = std::get_if<Placed>(&input)) {
             const Vec3& feet = placed->feet_m;
             act(now_s, fmt::format("place = [{}, {}, {}]\nheading_deg = {}", feet.x, feet.y, feet.z,

@@ -1,6 +1,5 @@
 // The same typed lines by two clocks: the program with its threads and real time, and the session on a virtual clock
 // that scenarios and tests use. Both must say the same.
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,11 +18,17 @@ namespace handrail::test {
 namespace typed_commands_test {
 
 const std::vector<std::string> kThirty{
-    "where",         "forward 3",    "left 2",      "exits",       "around",    "describe kitchen",
-    "overview",      "right 4",      "forward 5",   "trail-left",  "lost",      "heading",
-    "back 2",        "find piano",   "escape",      "use",         "mark",      "storeys",
-    "escape",        "nearest door", "measure",     "turn round",  "help",      "hello",
-    "trail-right 2", "home",         "route study", "rest-of-way", "forward 4", "where"};
+    "where",    "forward 3",  "left 2",    "exits",       "around",    "describe kitchen",
+    "overview", "right 4",    "forward 5", "trail-left",  "lost",      "heading",
+    "back 2",   "find piano", "forward 1", "use",         "mark",      "Clock",
+    "storeys",  "escape",     "help",      "hello",       "turn left", "trail-right 2",
+    "home",     "routes",     "study",     "rest-of-way", "forward 4", "where"};
+
+std::string joined(const std::vector<std::string>& lines) {
+    std::string all;
+    for (const std::string& line : lines) all += line + "\n";
+    return all;
+}
 
 // What is said from the world's first sentence on.
 std::vector<std::string> from_greeting(std::vector<std::string> said) {
@@ -69,7 +74,7 @@ std::vector<std::string> said_in_virtual_time() {
 TEST(TypedCommands, are_answered_alike_in_real_and_in_virtual_time) {
     const std::vector<std::string> virtual_time = said_in_virtual_time();
     EXPECT_GT(virtual_time.size(), kThirty.size());
-    EXPECT_THAT(said_by_program(), testing::ElementsAreArray(virtual_time));
+    EXPECT_EQ(joined(said_by_program()), joined(virtual_time));
 }
 
 }  // namespace typed_commands_test

@@ -74,6 +74,14 @@ std::string take_last_character(std::string& text) {
     return last;
 }
 
+// The key of a list that is typed as this word; empty: none.
+std::string_view key_of_word(std::string_view word) {
+    constexpr std::string_view kKeys[] = {"Down", "Up", "Home", "End", "Enter", "Escape", "Left", "Right", "Space"};
+    const auto* const found =
+        std::find_if(std::begin(kKeys), std::end(kKeys), [&](auto name) { return lower_ascii(name) == word; });
+    return found == std::end(kKeys) ? std::string_view{} : *found;
+}
+
 std::string spoken_character(const std::string& character) {
     return character == " " ? phrase("dialogue.space") : character;
 }
@@ -260,9 +268,7 @@ DialogueReply Dialogue::line(std::string_view text, double now_s) {
     }
     if (text.empty()) return {true, false, item_words(*list)};
     const auto as_key = [&](std::string_view key_word) -> std::optional<DialogueReply> {
-        constexpr std::string_view kKeys[] = {"Down", "Up", "Home", "End", "Enter", "Escape", "Left", "Right", "Space"};
-        for (const std::string_view name : kKeys)
-            if (key_word == lower_ascii(name)) return key(name, now_s);
+        if (const std::string_view name = key_of_word(key_word); !name.empty()) return key(name, now_s);
         if (key_word != "list") return std::nullopt;
         std::string all = as_sentence(list->title);
         for (std::size_t i = 0; i < list->items.size(); ++i) {
@@ -287,6 +293,11 @@ bool Dialogue::holds(std::string_view typed, bool by_all) const {
     if (!list) return false;
     const std::size_t item = item_called(*list, without_blanks(typed));
     return item < list->items.size() && (!by_all || is_called(list->items[item].name, typed));
+}
+
+bool Dialogue::has_use_for(std::string_view line) const {
+    const std::string word = list_word(lower_ascii(without_blanks(line)));
+    return word.empty() || word == "list" || !key_of_word(word).empty() || holds(line);
 }
 
 DialogueReply Dialogue::act(const ItemAct& act, double now_s) {

@@ -106,6 +106,9 @@ public:
     // the begin of it or of a word in it, too.
     bool holds(std::string_view typed, bool by_all = false) const;
 
+    // Whether the open list has a use for such a line: as a key's name, for all items, or to choose an item.
+    bool has_use_for(std::string_view line) const;
+
     DialogueReply act(const ItemAct& act, double now_s);
 
     // What stands in the open list is other now; `at` stays where it is, as far as there is one. Nothing without an

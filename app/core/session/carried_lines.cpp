@@ -3,7 +3,9 @@
 #include <iterator>
 #include <utility>
 
+#include "app/core/dialogue/command_words.h"
 #include "app/core/dialogue/terminal_line.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -50,7 +52,8 @@ bool CarriedLines::next_leaves() const {
 }
 
 bool CarriedLines::take(double now_s) {
-    if (repeat_left_ == 0 && !app_.idle()) {
+    // Directions that are still being planned are waited for, too, but not to leave.
+    if (repeat_left_ == 0 && (!app_.idle() || (app_.guide().plans_legs() && !next_leaves()))) {
         settle_until_s_ = now_s + kSettles_s;  // what came of it wants to be said before the next line interrupts
         return true;
     }
@@ -61,23 +64,31 @@ bool CarriedLines::take(double now_s) {
         return true;
     }
     if (const std::string choice = std::exchange(choice_, {}); !choice.empty() && app_.dialogue().is_open()) {
-        const auto other = other_list(repeat_command_);
-        if (other && !looked_elsewhere_ && (!app_.dialogue().holds(choice) || means_room(choice))) {
-            // A room is no thing, and a thing no room: in the other list, which tells what is in none.
-            looked_elsewhere_ = true;
-            app_.apply(KeyTapped{"Escape"}, now_s);
-            repeat_command_ = *other;
-            choice_ = choice;
-            tap(*other, 1, now_s);
-            return true;
-        }
-        app_.apply(LineTyped{choice}, now_s);
+        choose(choice, now_s);
         return true;
     }
     const auto line = take_next();
     if (!line) return false;
     carry_out(*line, now_s);
     return true;
+}
+
+// In the list that the last command opened. What is not there may be in the other list: a room is no thing, and a thing
+// is no room. What is in neither closes the list, which nobody asked for.
+void CarriedLines::choose(const std::string& choice, double now_s) {
+    const bool holds = app_.dialogue().holds(choice);
+    const auto other = other_list(repeat_command_);
+    if (other && !looked_elsewhere_ && (!holds || means_room(choice))) {
+        looked_elsewhere_ = true;
+        app_.apply(ListsLeft{}, now_s);
+        repeat_command_ = *other;
+        choice_ = choice;
+        return tap(*other, 1, now_s);
+    }
+    if (holds) return void(app_.apply(LineTyped{choice}, now_s));
+    app_.apply(ListsLeft{}, now_s);
+    app_.apply(Told{phrase("terminal.not_found", {{"typed", choice}, {"word", asked_by_}}), SpeechClass::Answer},
+               now_s);
 }
 
 // "Where is the kitchen" asks for the room of that name, not for the kitchen counter.
@@ -91,6 +102,10 @@ void CarriedLines::carry_out(const std::string& line, double now_s) {
     // names of a list.
     const std::string word = parsed && parsed->command ? std::string(info(*parsed->command).word) : line;
     const bool always = parsed && parsed->command && in_list(*parsed->command) == InList::Always;
+    // A command or question that the open list has no use for is carried out as if the list were closed.
+    if (parsed && parsed->command && in_list(*parsed->command) == InList::Waits && app_.dialogue().is_open() &&
+        !app_.dialogue().typing() && !app_.dialogue().has_use_for(line))
+        app_.apply(ListsLeft{}, now_s);
     if (app_.apply(LineTyped{always ? word : line}, now_s)) return;
     if (!always && word != line && app_.apply(LineTyped{word}, now_s)) return;
     if (!parsed) return void(app_.apply(Told{parsed.error().message, SpeechClass::Answer}, now_s));
@@ -99,6 +114,7 @@ void CarriedLines::carry_out(const std::string& line, double now_s) {
     } else if (parsed->command) {
         repeat_command_ = *parsed->command;
         choice_ = parsed->choice;
+        asked_by_ = spoken_word(repeat_command_);
         looked_elsewhere_ = false;
         const bool counts = counts_by_itself(repeat_command_);
         repeat_left_ = counts ? 0 : parsed->times - 1;

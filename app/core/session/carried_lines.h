@@ -37,11 +37,13 @@ public:
 private:
     bool means_room(const std::string& choice) const;
     void carry_out(const std::string& line, double now_s);
+    void choose(const std::string& choice, double now_s);
     void tap(Command command, int times, double now_s);
 
     Session& app_;
     std::deque<std::string> lines_;
     Command repeat_command_ = Command::Forward;
+    std::string asked_by_;  // what to type for the list in which the choice was looked for first
     int repeat_left_ = 0;
     std::string choice_;             // to be made in the list that the last command opens
     bool looked_elsewhere_ = false;  // for the choice, in the other list too

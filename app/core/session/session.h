@@ -140,6 +140,7 @@ private:
     bool take_key(std::string_view key, double now_s);
     bool take_text(std::string_view utf8, double now_s);
     bool take_line(std::string_view line, double now_s);
+    bool leave_lists(double now_s);
     bool take_act(const ItemAct& act, double now_s);
     void know_stops(std::uint32_t stops, double now_s);
     void steer(const Steering& steering) { walk_.walking.steer(steering); }

@@ -40,6 +40,17 @@ bool Session::take_text(std::string_view utf8, double now_s) {
     return reply(state_.lists.dialogue.typed(utf8, now_s), now_s);
 }
 
+bool Session::leave_lists(double now_s) {
+    constexpr int kDeepest = 16;  // one that is left may open another one
+    Dialogue& dialogue = state_.lists.dialogue;
+    int left = 0;
+    while (dialogue.is_open() && !dialogue.typing() && left < kDeepest) {
+        (void)dialogue.key("Escape", now_s);
+        ++left;
+    }
+    return left > 0;
+}
+
 bool Session::take_act(const ItemAct& act, double now_s) {
     if (!state_.lists.dialogue.is_open()) return false;
     quiet(now_s);
@@ -52,19 +63,17 @@ bool Session::take_line(std::string_view line, double now_s) {
     if (!state_.lists.dialogue.is_open()) return false;
     if (const CommandInfo* row = find_command(line); row && in_list(row->command) == InList::Always) return false;
     quiet(now_s);
-    DialogueReply said = state_.lists.dialogue.line(line, now_s);
+    const DialogueReply said = state_.lists.dialogue.line(line, now_s);
     const auto asked = [&]() -> std::optional<Command> {
         if (is_quit_word(bare)) return Command::Leave;  // asked first: in a list it may be meant for the list
         if (const auto command = command_of_word(bare)) return command;
         const auto sentence = typed_sentence(bare);
         return sentence && sentence->choice.empty() ? std::optional(sentence->command) : std::nullopt;
     };
-    if (const auto command = said.denied ? asked() : std::nullopt; command && !state_.lists.dialogue.typing()) {
-        if (in_list(*command) != InList::Waits) {
-            act(*command, now_s);
-            return true;
-        }
-        said.words = phrase("dialogue.close_first", {{"word", bare}});
+    if (const auto command = said.denied ? asked() : std::nullopt;
+        command && !state_.lists.dialogue.typing() && in_list(*command) != InList::Waits) {
+        act(*command, now_s);
+        return true;
     }
     return reply(said, now_s);
 }

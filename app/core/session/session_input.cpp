@@ -16,6 +16,7 @@ bool Session::apply(SessionInput input, double now_s) {
                    [&](const KeyTapped& in) { taken = take_key(in.key, now_s); },
                    [&](const TextTyped& in) { taken = take_text(in.utf8, now_s); },
                    [&](const LineTyped& in) { taken = take_line(in.line, now_s); },
+                   [&](const ListsLeft&) { taken = leave_lists(now_s); },
                    [&](const ItemActed& in) { taken = take_act(in.act, now_s); },
                    [&](const Steered& in) { steer(in.steering); },
                    [&](const FocusChanged& in) { set_focus(in.focused); },

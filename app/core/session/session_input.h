@@ -44,6 +44,8 @@ struct TextTyped {
 struct LineTyped {
     std::string line;
 };
+// Leaves the open list and all lists under it, up to a question for a text, without a word. False: no list is open.
+struct ListsLeft {};
 struct ItemActed {
     ItemAct act;
 };
@@ -147,9 +149,9 @@ struct WorldsKnown {
 };
 
 using SessionInput =
-    std::variant<CommandDown, CommandUp, KeyTapped, TextTyped, LineTyped, ItemActed, Steered, FocusChanged, Stopped,
-                 HandMoved, SettingSet, SettingsChanged, HandChanged, LeftHandChanged, HandOffered, WorldEntered,
-                 Placed, Told, FirstMinutesBegun, LessonLeft, SetUpOver, LastPlaceKnown, WentOnAt, CrashReportKnown,
-                 SettingsFaultsKnown, DevicesFound, WorldsKnown, TeacherActed>;
+    std::variant<CommandDown, CommandUp, KeyTapped, TextTyped, LineTyped, ListsLeft, ItemActed, Steered, FocusChanged,
+                 Stopped, HandMoved, SettingSet, SettingsChanged, HandChanged, LeftHandChanged, HandOffered,
+                 WorldEntered, Placed, Told, FirstMinutesBegun, LessonLeft, SetUpOver, LastPlaceKnown, WentOnAt,
+                 CrashReportKnown, SettingsFaultsKnown, DevicesFound, WorldsKnown, TeacherActed>;
 
 }  // namespace handrail

@@ -273,6 +273,7 @@ TEST(RecordedInput, of_every_kind_is_read_as_it_was) {
     inputs.emplace_back(KeyTapped{"Escape"});
     inputs.emplace_back(TextTyped{"äß"});
     inputs.emplace_back(LineTyped{"the \"kitchen\"\n"});
+    inputs.emplace_back(ListsLeft{});
     inputs.emplace_back(ItemActed{{ItemAct::Kind::Put, 3, "Volume", 0.7}});
     inputs.emplace_back(Steered{{0.1, -0.2, 0.30000000000000004}});
     inputs.emplace_back(FocusChanged{false});

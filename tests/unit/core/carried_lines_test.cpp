@@ -1,0 +1,86 @@
+// What a typed line does while a list is open, in the session on a virtual clock.
+#include "app/core/session/carried_lines.h"
+
+#include "app/core/session/headless_session.h"
+#include "audio-cues/sinks/recording_sinks.h"
+#include "tests/support/project_root.h"
+#include "tests/support/spoken_language.h"
+#include "worlds/base/typist.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail {
+namespace carried_lines_test {
+
+class CarriedLinesInTheHouse : public testing::Test {
+protected:
+    void SetUp() override {
+        speak_to(ActsBy::Lines);
+        const auto house = read_world(test::bundled_world("house.map"));
+        ASSERT_TRUE(house);
+        session_.app().apply(WorldEntered{make_ready(std::make_shared<const Scene>(*house))}, 0.0);
+        type({});
+    }
+    void TearDown() override { speak_to(ActsBy::WindowKeys); }
+    // What is said of a line until it is over; empty: waits only.
+    std::string type(const std::string& line) {
+        const std::size_t before = speech_.lines().size();
+        if (!line.empty()) session_.type(line);
+        for (int quiet_ms = 0; quiet_ms < 500 && session_.now_s() < 120.0; ++quiet_ms) {
+            session_.advance();
+            if (!session_.lines().done() || !session_.app().idle()) quiet_ms = 0;
+        }
+        std::string said;
+        for (std::size_t i = before; i < speech_.lines().size(); ++i) said += speech_.lines()[i].utterance.text + "\n";
+        return said;
+    }
+    bool list_is_open() { return session_.app().dialogue().is_open(); }
+
+    RecordingAudio audio_;
+    RecordingSpeech speech_;
+    HeadlessSession session_{Settings{}, HandFacts{}, audio_, speech_};
+};
+
+TEST_F(CarriedLinesInTheHouse, are_commands_where_the_open_list_has_no_use_for_them) {
+    for (const char* list : {"menu", "find", "routes", "find piano", "describe"}) {
+        type(list);
+        ASSERT_TRUE(list_is_open()) << list;
+        const std::string said = type("left 1");
+        EXPECT_EQ(said.find("list"), std::string::npos) << list << ": " << said;
+        EXPECT_NE(said.find("orth"), std::string::npos) << list << ": " << said;
+        EXPECT_FALSE(list_is_open()) << list;
+        type("right 1");
+        // A sentence is a command, too.
+        type(list);
+        EXPECT_NE(type("turn left three times").find("West"), std::string::npos) << list;
+        EXPECT_FALSE(list_is_open()) << list;
+        type("right 3");
+    }
+}
+
+TEST_F(CarriedLinesInTheHouse, choose_from_the_open_list_before_they_are_commands) {
+    EXPECT_NE(type("describe").find("Which room to describe."), std::string::npos);
+    EXPECT_NE(type("kitchen").find("Kitchen: 4.5 by 3 metres"), std::string::npos);
+    type("menu");
+    EXPECT_NE(type("down").find("2 of "), std::string::npos);
+    EXPECT_NE(type("list").find("1: "), std::string::npos);
+    EXPECT_NE(type("around").find("Ahead: "), std::string::npos) << "only asks";
+    EXPECT_NE(type("bananas").find("\"bananas\" is not in this list."), std::string::npos);
+    EXPECT_TRUE(list_is_open());
+    EXPECT_NE(type("escape").find("Closed"), std::string::npos);
+}
+
+TEST_F(CarriedLinesInTheHouse, leave_no_list_open_that_nobody_asked_for) {
+    for (const auto& [line, answer] :
+         {std::pair("where is the unicorn", "Nothing called \"unicorn\" was found. Type find to hear what there is."),
+          std::pair("how do i get to the moon", "Nothing called \"moon\" was found. Type routes to hear"),
+          std::pair("describe attic", "Nothing called \"attic\" was found. Type describe to hear")}) {
+        EXPECT_NE(type(line).find(answer), std::string::npos) << line;
+        EXPECT_FALSE(list_is_open()) << line;
+    }
+    const test::InLanguage german("de");
+    EXPECT_NE(type("wo ist das einhorn").find("„einhorn“ wurde nicht gefunden."), std::string::npos);
+    EXPECT_FALSE(list_is_open());
+}
+
+}  // namespace carried_lines_test
+}  // namespace handrail
