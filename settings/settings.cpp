@@ -502,8 +502,6 @@ std::string source_name(SettingSource source) {
     switch (source) {
         case SettingSource::Default:
             return phrase("settings_file.from_default");
-        case SettingSource::Shipped:
-            return phrase("settings_file.from_program");
         case SettingSource::UserFile:
             return phrase("settings_file.from_user");
         case SettingSource::World:

@@ -158,7 +158,7 @@ struct Settings {
 
 // Where a value came from, weakest first. What a stronger source says of a setting also counts more than what a weaker
 // one says of it for one device ([workspace.device] or [profile]).
-enum class SettingSource { Default, Shipped, UserFile, World, CommandLine, Live };
+enum class SettingSource { Default, UserFile, World, CommandLine, Live };
 
 struct SettingRow {
     std::string key;      // "workspace.scale"

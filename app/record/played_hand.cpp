@@ -33,8 +33,15 @@ ForceCommand PlayedServo::tick(const HandRow& row) {
     ServoTuning tuning = with_switches(tunings_.at(reads.tuning), reads.stops, reads.focused);
     if (reads.stopping) tuning.forces_on = false;
     engine_ = scenes.engine.get();
-    return servo_tick(*state_, scenes.scene.get(), tuning, poses_.at(reads.pose), row.sample, row.time_s,
-                      &bodies_.at(reads.bodies), scenes.desk.get(), &guidances_.at(reads.guidance), engine_);
+    return servo_tick(*state_, {.scene = scenes.scene.get(),
+                                .tuning = tuning,
+                                .pose = poses_.at(reads.pose),
+                                .sample = row.sample,
+                                .now_s = row.time_s,
+                                .bodies = &bodies_.at(reads.bodies),
+                                .desk = scenes.desk.get(),
+                                .guidance = &guidances_.at(reads.guidance),
+                                .engine = engine_});
 }
 
 ServoInbox* PlayedHand::change(const HandFacts& facts) {

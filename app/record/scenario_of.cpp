@@ -40,7 +40,6 @@ struct Writer {
     double begun_s = 0.0;  // of the world
     std::string actions;
     std::vector<std::string> left_out;
-    std::map<Command, double> down_s;  // held keys
     std::vector<RecordedInput> inputs;
 
     void act(double now_s, const std::string& what) {

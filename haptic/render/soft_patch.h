@@ -72,10 +72,6 @@ public:
     // patch that pushes back.
     Vec3 force_n(const HapticScene& scene, const HandMotion& hand, const Vec3& ball_m, double radius_m,
                  const SoftPatch*& pressed) noexcept;
-    // For checks: how deep a cell stays, world metres.
-    double set_m(const SoftPatch& patch, std::uint32_t cell_u, std::uint32_t cell_v) const noexcept {
-        return set_m_[patch.first_cell + cell_v * patch.cells_u + cell_u];
-    }
 
 private:
     Vec3 press(const SoftPatch& patch, bool& awake, const HandMotion& hand, const Vec3& ball_m, double radius_m,

@@ -129,11 +129,6 @@ const ToolState& ServoLoop::tool() {
     return tool_.read();
 }
 
-const ToolState& ServoLoop::tool_for_ears() {
-    tool_for_ears_.refresh();
-    return tool_for_ears_.read();
-}
-
 const ServoReport& ServoLoop::report() {
     report_.refresh();
     return report_.read();
@@ -160,8 +155,15 @@ bool ServoLoop::step_as() noexcept {
 
     DeviceSample sample = device_->read(start_s);
     if constexpr (kRecorded) round_to_whole_steps(sample);
-    const ForceCommand command = servo_tick(state_, scene.scene, tuning, pose_.read().value, sample, start_s,
-                                            &bodies_.read().value, scene.desk, &guidance_.read().value, scene.engine);
+    const ForceCommand command = servo_tick(state_, {.scene = scene.scene,
+                                                     .tuning = tuning,
+                                                     .pose = pose_.read().value,
+                                                     .sample = sample,
+                                                     .now_s = start_s,
+                                                     .bodies = &bodies_.read().value,
+                                                     .desk = scene.desk,
+                                                     .guidance = &guidance_.read().value,
+                                                     .engine = scene.engine});
     device_->write(command);
     if constexpr (kRecorded) record(start_s, sample, command, stops, focused, stopping);
 
@@ -170,7 +172,6 @@ bool ServoLoop::step_as() noexcept {
     for (const ContactEvent& event : state_.events())
         if (!events_->push(event)) ++ring_lost_;
     tool_.publish(state_.tool());
-    tool_for_ears_.publish(state_.tool());
     counted_.durations.add(clock_.now_s() - start_s);
     if (state_.tool().ticks % kReportEveryTicks == 0) publish_report();
     return !(stopping && state_.tool().force_gain == 0.0);

@@ -78,7 +78,6 @@ public:
 
     // Ears' thread.
     EventRing& events() { return *events_; }
-    const ToolState& tool_for_ears();
 
     // One tick at the clock's time: the thread's body, or for the owner of virtual time. False when stop was asked for
     // and the force is gone.
@@ -137,7 +136,7 @@ private:
     LatestValue<Given<BodyFrame>> bodies_;
     LatestValue<Given<GuidancePath>> guidance_;
     ServoReads given_;  // app thread
-    LatestValue<ToolState> tool_, tool_for_ears_;
+    LatestValue<ToolState> tool_;
     LatestValue<ServoReport> report_;
     std::unique_ptr<EventRing> own_events_;  // null when it was given one
     EventRing* events_;

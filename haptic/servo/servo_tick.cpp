@@ -454,9 +454,8 @@ ForceFlow ServoState::flow(const ServoTuning& tuning, bool scene_present, bool l
     return tuning.forces_on && tool_.pause == Fault::None ? ForceFlow::Run : ForceFlow::Fade;
 }
 
-ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const ServoTuning& tuning,
-                        const WorkspacePose& pose, const DeviceSample& sample, double now_s, const BodyFrame* bodies,
-                        const HapticScene* desk, const GuidancePath* guidance, HandEngine* engine) noexcept {
+ForceCommand servo_tick(ServoState& state, const TickInputs& given) noexcept {
+    const auto& [scene, tuning, pose, sample, now_s, bodies, desk, guidance, engine] = given;
     ServoState& s = state;
     s.events_.count = 0;
     s.events_.lost = 0;

@@ -112,6 +112,19 @@ struct ServoCounters {
     std::uint64_t waits = 0;  // ticks that had more to do than their budget of work (ContactSet::waits)
 };
 
+// What one tick is given. Nothing is kept beyond the tick.
+struct TickInputs {
+    const HapticScene* scene = nullptr;  // null: there is none yet, so no contact and no force
+    const ServoTuning& tuning;
+    const WorkspacePose& pose;  // the newest that is known; the same as before is fine
+    const DeviceSample& sample;
+    double now_s = 0.0;                 // by the clock of WorkspacePose::time_s; ticks come in rising time
+    const BodyFrame* bodies = nullptr;  // the newest that is known; null: the scene's bodies stand where it has them
+    const HapticScene* desk = nullptr;  // behind the wall of ServoTuning::personal_space, device frame; null: none
+    const GuidancePath* guidance = nullptr;  // the newest that is known; null or number 0: none
+    HandEngine* engine = nullptr;            // this hand's side of the scene's free bodies; null: there are none
+};
+
 // Everything that lives from tick to tick. Allocates when created; then owned by one thread.
 class ServoState {
 public:
@@ -129,10 +142,7 @@ public:
     const ServoCounters& counters() const noexcept { return counters_; }
 
 private:
-    friend ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const ServoTuning& tuning,
-                                   const WorkspacePose& pose, const DeviceSample& sample, double now_s,
-                                   const BodyFrame* bodies, const HapticScene* desk, const GuidancePath* guidance,
-                                   HandEngine* engine) noexcept;
+    friend ForceCommand servo_tick(ServoState& state, const TickInputs& given) noexcept;
 
     enum class Answer { None, Bad, Good };
 
@@ -212,15 +222,7 @@ private:
     Vec3 velocity_m_per_s_{0.0};  // hand metres, world axes, one pole at 50 Hz
 };
 
-// One tick. scene: null while there is none (no contact, no force). pose: the newest that is known, the same as before
-// is fine. now_s: the tick's time, the same clock as WorkspacePose::time_s; ticks come in rising time. bodies: the
-// newest frame that is known, the same as before is fine; null: the scene's bodies stand where it has them. desk: the
-// scene behind the wall of ServoTuning::personal_space, device frame; null: there is none. guidance: the newest that is
-// known; null or number 0: none. engine: this hand's side of the scene's free bodies; null: there are none, and the
-// tick pays a comparison. Numbered stages stand in the source.
-ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const ServoTuning& tuning,
-                        const WorkspacePose& pose, const DeviceSample& sample, double now_s,
-                        const BodyFrame* bodies = nullptr, const HapticScene* desk = nullptr,
-                        const GuidancePath* guidance = nullptr, HandEngine* engine = nullptr) noexcept;
+// One tick. Numbered stages stand in the source. Servo thread; never allocates, locks, throws or reads a clock.
+ForceCommand servo_tick(ServoState& state, const TickInputs& given) noexcept;
 
 }  // namespace handrail

@@ -62,8 +62,12 @@ GuidancePath led(const std::string& how, const std::vector<Vec3>& goals) {
     for (const Vec3& goal : goals) {
         DeviceSample sample;
         sample.position_m = goal;  // scale 1 and a workspace at the origin: the hand is where the world is
-        const ForceCommand command = servo_tick(state, &scene, tuning, WorkspacePose{}, sample, now_s += 1e-3, nullptr,
-                                                nullptr, state.tool().waiting_for_hand ? &none : &guidance);
+        const ForceCommand command = servo_tick(state, {.scene = &scene,
+                                                        .tuning = tuning,
+                                                        .pose = WorkspacePose{},
+                                                        .sample = sample,
+                                                        .now_s = now_s += 1e-3,
+                                                        .guidance = state.tool().waiting_for_hand ? &none : &guidance});
         tally.checksum += command.force_n.x;
         tally.touching += state.tool().contacts.count > 0;
         tally.worst_iterations = std::max<long>(tally.worst_iterations, state.tool().contacts.iterations);

@@ -72,7 +72,7 @@ void lead_one(const DeviceSpec& spec, std::mt19937& random, Measured& worst) {
         pose.time_s = now_s;
         const DeviceSample sample = device.read(now_s);
         device.write(
-            servo_tick(state, scene.get(), tuning, pose, sample, now_s, nullptr, nullptr, i >= 1500 ? &path : &none));
+            servo_tick(state, {scene.get(), tuning, pose, sample, now_s, nullptr, nullptr, i >= 1500 ? &path : &none}));
         const GuidanceState& g = state.tool().guidance;
         const Vec3 force = g.force_n;
         if (i >= 1500) {

@@ -55,7 +55,7 @@ public:
         pose.time_s = now_s_;
         const DeviceSample sample = device_.read(now_s_);
         const ForceCommand command =
-            servo_tick(state_, world_.get(), tuning, pose, sample, now_s_, nullptr, desk_.get());
+            servo_tick(state_, {world_.get(), tuning, pose, sample, now_s_, nullptr, desk_.get()});
         device_.write(command);
         if (known_) {
             // By the trapezoid over measured places, which is exact for springs: what the hold between two ticks adds

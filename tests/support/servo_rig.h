@@ -45,7 +45,7 @@ struct ServoRig {
         now_s += dt_s;
         pose.time_s = now_s;
         sample.position_m = device_m;
-        last = servo_tick(state, scene.get(), tuning, pose, sample, now_s);
+        last = servo_tick(state, {scene.get(), tuning, pose, sample, now_s});
         events.insert(events.end(), state.events().begin(), state.events().end());
         return last;
     }

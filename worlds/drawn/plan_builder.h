@@ -65,7 +65,6 @@ private:
     static StatedPortal portal_between(StatedPortalKind kind, const std::string& name, int line, std::uint32_t low,
                                        std::uint32_t high);
     std::vector<std::uint32_t> rooms_at(const std::vector<std::size_t>& spaces, std::size_t level) const;
-    const StatedRoom* stated_at(std::size_t space, std::size_t level) const;
 
     FloorPlan plan_;
     const PlanOptions& options_;

@@ -31,11 +31,6 @@ const EffectSpec* find_effect(std::string_view name) {
     return found == kEffects.end() ? nullptr : &*found;
 }
 
-const EffectSpec& effect_spec(EffectKind kind) {
-    contract_pre(static_cast<std::size_t>(kind) < effect_table().size());
-    return *std::find_if(kEffects.begin(), kEffects.end(), [kind](const EffectSpec& row) { return row.kind == kind; });
-}
-
 std::string effect_meaning(const EffectSpec& spec) {
     std::string key = "effect.";
     for (const char c : spec.name) key += c == '-' ? '_' : c;

@@ -29,7 +29,6 @@ struct EffectSpec {
 std::span<const EffectSpec> effect_table();
 // Exact, case-insensitive; nullptr when there is none of that name.
 const EffectSpec* find_effect(std::string_view name);
-const EffectSpec& effect_spec(EffectKind kind);
 // What strength and width mean, in a sentence.
 std::string effect_meaning(const EffectSpec& spec);
 

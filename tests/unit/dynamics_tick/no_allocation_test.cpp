@@ -80,7 +80,9 @@ TEST(ServoTick, never_allocates_or_frees_with_free_bodies) {
         if (i == 3500) ++pose.jump;
         pose.time_s = now_s;
         const long before = allocations;
-        servo_tick(state, felt.get(), tuning, pose, sample, now_s, nullptr, nullptr, nullptr, &hand);
+        servo_tick(
+            state,
+            {.scene = felt.get(), .tuning = tuning, .pose = pose, .sample = sample, .now_s = now_s, .engine = &hand});
         during += allocations - before;
         held += state.tool().holds != kNoBody;
         touched += state.tool().touches();

@@ -38,7 +38,7 @@ Sweep sweep(const TiltedWall& wall, double stall_s, bool silent, std::uint32_t s
         DeviceSample sample;
         sample.position_m = measured_m;
         if (silent && stall_s > 0.0 && now_s > 0.4) sample.fresh = std::fmod(now_s + 1e-9, 0.4) >= stall_s;
-        return servo_tick(*state, wall.scene.get(), tuning, WorkspacePose{}, sample, now_s).force_n;
+        return servo_tick(*state, {wall.scene.get(), tuning, WorkspacePose{}, sample, now_s}).force_n;
     };
     const Vec3 rest = wall.to_world({tuning.touch.radius_m, 0.0, 0.0});
     ClosedLoop loop(settings, rest + wall.out * 0.01);

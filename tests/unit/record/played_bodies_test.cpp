@@ -46,7 +46,12 @@ public:
     }
     Vec3 tick(const DeviceSample& sample, double now_s) {
         pose_.time_s = now_s;
-        return servo_tick(state_, world_.felt.get(), tuning_, pose_, sample, now_s, nullptr, nullptr, nullptr, &engine_)
+        return servo_tick(state_, {.scene = world_.felt.get(),
+                                   .tuning = tuning_,
+                                   .pose = pose_,
+                                   .sample = sample,
+                                   .now_s = now_s,
+                                   .engine = &engine_})
             .force_n;
     }
     HandEngine& engine() { return engine_; }

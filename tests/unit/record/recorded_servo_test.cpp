@@ -49,7 +49,7 @@ TEST(RecordedServo, hands_over_each_tick_from_which_it_is_computed_again_to_the_
         EXPECT_EQ(rows[i].reads.tuning, i / 17 + 1);
         ServoTuning tuning;
         tuning.confirm = static_cast<std::uint32_t>(i / 17 * 17);
-        servo_tick(again, nullptr, tuning, {}, rows[i].sample, rows[i].time_s, nullptr);
+        servo_tick(again, {nullptr, tuning, WorkspacePose{}, rows[i].sample, rows[i].time_s});
         ASSERT_EQ(again.tool().hand_m, states[i].hand_m) << i;
         ASSERT_EQ(again.tool().hip_m, states[i].hip_m) << i;
         ASSERT_EQ(again.tool().time_s, states[i].time_s) << i;

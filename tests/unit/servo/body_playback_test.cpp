@@ -37,7 +37,7 @@ TEST(BodyPlayback, a_crate_pushed_sixty_times_a_second_meets_the_hand_without_a_
             push(frame, *rig.scene, 0.02 + speed * (rig.now_s - begin_s), rig.now_s);
             rig.pose.time_s = rig.now_s;
         }
-        rig.last = servo_tick(rig.state, rig.scene.get(), rig.tuning, rig.pose, rig.sample, rig.now_s, &frame);
+        rig.last = servo_tick(rig.state, {rig.scene.get(), rig.tuning, rig.pose, rig.sample, rig.now_s, &frame});
         const double force = -rig.last.force_n.y;
         largest = std::max(largest, std::abs(force - before));
         before = force;

@@ -44,7 +44,7 @@ TEST(Walking, a_frame_drifting_into_a_wall_is_felt_in_steps_of_at_most_25_mn) {
             }
             rig.now_s += kTick;
             rig.sample.position_m = pressed;
-            rig.last = servo_tick(rig.state, rig.scene.get(), rig.tuning, known, rig.sample, rig.now_s);
+            rig.last = servo_tick(rig.state, {rig.scene.get(), rig.tuning, known, rig.sample, rig.now_s});
             const double force = glm::length(rig.last.force_n);
             largest = std::max(largest, std::abs(force - last));
             last = force;
@@ -108,7 +108,7 @@ Walk walk_into_wall(bool jitter) {
         }
         rig.now_s += kTick;
         rig.sample.position_m = ahead;
-        rig.last = servo_tick(rig.state, rig.scene.get(), rig.tuning, known, rig.sample, rig.now_s);
+        rig.last = servo_tick(rig.state, {rig.scene.get(), rig.tuning, known, rig.sample, rig.now_s});
         const double force = -rig.last.force_n.y;
         walk.largest_step_n = std::max(walk.largest_step_n, std::abs(force - last));
         walk.falls |= force < last && rig.tool().hip_m.y < kStop + 0.6 - 1e-6;

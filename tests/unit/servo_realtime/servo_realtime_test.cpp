@@ -180,7 +180,7 @@ TEST_F(ServoRealtime, a_tick_does_not_allocate_lock_or_read_a_clock_whatever_hap
                 pose.heading_rad = unit(random);
             }
             const auto& scene = scenes[static_cast<std::size_t>(i / 500) % scenes.size()];
-            servo_tick(state, dice == 31 ? nullptr : scene.get(), tuning, pose, sample, now_s);
+            servo_tick(state, {dice == 31 ? nullptr : scene.get(), tuning, pose, sample, now_s});
             events += state.events().count;
             touching += state.tool().contacts.count > 0;
             now_s += dice == 37 ? 0.04 : kTick;

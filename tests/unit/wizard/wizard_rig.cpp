@@ -43,8 +43,8 @@ void WizardRig::advance() {
     const double begun_s = now_s();
     if (servo_ && sense.search == WizardSearch::Ready) {
         const DeviceSample sample = held_->device().read(now_s());
-        held_->device().write(servo_tick(*servo_, session.wizard().haptic_scene().get(), session.wizard().tuning(),
-                                         session.wizard().pose(), sample, now_s()));
+        held_->device().write(servo_tick(*servo_, {session.wizard().haptic_scene().get(), session.wizard().tuning(),
+                                                   session.wizard().pose(), sample, now_s()}));
         sense.tool = servo_->tool();
         for (const ContactEvent& event : servo_->events()) contacts_.push_back(event);
         const Vec3 force_n = held_->force_on_hand_n();
