@@ -1,53 +1,73 @@
 #include "worlds/geometry/box_index.h"
 
-#include <algorithm>
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point.hpp>
-#include <boost/geometry/index/rtree.hpp>
-#include <boost/iterator/function_output_iterator.hpp>
-// Boost 1.83 needs it for rtree.hpp, which does not include it; Boost 1.74 does not have it.
-#if __has_include(<boost/geometry/strategies/relate/cartesian.hpp>)
-#include <boost/geometry/strategies/relate/cartesian.hpp>
-#endif
+#include <numeric>
 
 namespace handrail {
 namespace {
 
-namespace bg = boost::geometry;
-using Point = bg::model::point<double, 3, bg::cs::cartesian>;
-using IndexBox = bg::model::box<Point>;
-using Entry = std::pair<IndexBox, std::uint32_t>;
-
-IndexBox box_of(const Aabb& box) {
-    return {Point(box.min_m.x, box.min_m.y, box.min_m.z), Point(box.max_m.x, box.max_m.y, box.max_m.z)};
-}
-
-std::vector<Entry> entries_of(std::span<const Aabb> boxes) {
-    std::vector<Entry> entries;
-    entries.reserve(boxes.size());
-    for (std::uint32_t i = 0; i < boxes.size(); ++i)
-        if (!boxes[i].empty()) entries.emplace_back(box_of(boxes[i]), i);
-    return entries;
-}
+constexpr std::uint32_t kLeaf = 4;
 
 }  // namespace
 
-struct BoxIndex::Tree {
-    explicit Tree(const std::vector<Entry>& entries) : rtree(entries) {}
-    bg::index::rtree<Entry, bg::index::linear<16>> rtree;  // built from a range: packed, whatever the insertion rule
-};
-
-BoxIndex::BoxIndex(std::span<const Aabb> boxes) : tree_(std::make_unique<Tree>(entries_of(boxes))) {}
-BoxIndex::~BoxIndex() = default;
-BoxIndex::BoxIndex(BoxIndex&&) noexcept = default;
-BoxIndex& BoxIndex::operator=(BoxIndex&&) noexcept = default;
+// Halved at the middle item along the longest way between the boxes' middles; of equal ones the one that came first is
+// lower.
+BoxIndex::BoxIndex(std::span<const Aabb> boxes) {
+    for (std::uint32_t i = 0; i < boxes.size(); ++i)
+        if (!boxes[i].empty()) items_.push_back(i);
+    if (items_.empty()) return;
+    std::vector<Vec3> middles(boxes.size());
+    for (const std::uint32_t i : items_) middles[i] = boxes[i].centre_m();
+    struct Range {
+        std::uint32_t node, first, count;
+    };
+    nodes_.emplace_back();
+    std::vector<Range> open{{0, 0, static_cast<std::uint32_t>(items_.size())}};
+    while (!open.empty()) {
+        const Range range = open.back();
+        open.pop_back();
+        Aabb box, spread;
+        for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
+            box.include(boxes[items_[i]]);
+            spread.include(middles[items_[i]]);
+        }
+        nodes_[range.node].box = box;
+        if (range.count <= kLeaf) {
+            nodes_[range.node].first = range.first;
+            nodes_[range.node].items = range.count;
+            continue;
+        }
+        const Vec3 size = spread.size_m();
+        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        const auto begin = items_.begin() + range.first;
+        const std::uint32_t half = range.count / 2;
+        std::nth_element(begin, begin + half, begin + range.count, [&](std::uint32_t a, std::uint32_t b) {
+            return middles[a][axis] != middles[b][axis] ? middles[a][axis] < middles[b][axis] : a < b;
+        });
+        const auto children = static_cast<std::uint32_t>(nodes_.size());
+        nodes_[range.node].first = children;
+        nodes_.resize(nodes_.size() + 2);
+        open.push_back({children + 1, range.first + half, range.count - half});
+        open.push_back({children, range.first, half});
+    }
+    boxes_.reserve(items_.size());
+    for (const std::uint32_t i : items_) boxes_.push_back(boxes[i]);
+}
 
 void BoxIndex::find(const Aabb& box, std::vector<std::uint32_t>& found) const {
     found.clear();
     if (box.empty()) return;
-    tree_->rtree.query(
-        bg::index::intersects(box_of(box)),
-        boost::make_function_output_iterator([&](const Entry& entry) { found.push_back(entry.second); }));
+    std::array<std::uint32_t, kMostDepth> stack;
+    std::size_t depth = 0;
+    if (!nodes_.empty()) stack[depth++] = 0;
+    while (depth > 0) {
+        const Node& node = nodes_[stack[--depth]];
+        if (!meets(node.box, box)) continue;
+        for (std::uint32_t i = node.first; i < node.first + node.items; ++i)
+            if (meets(boxes_[i], box)) found.push_back(items_[i]);
+        if (node.items > 0) continue;
+        stack[depth++] = node.first + 1;
+        stack[depth++] = node.first;
+    }
     std::sort(found.begin(), found.end());
 }
 

@@ -1,10 +1,13 @@
-// Finds which of many boxes meet a given one. Immutable after building; queries from any thread. Building O(n log n), a
-// query O(log n + found).
+// A hierarchy over boxes in double precision: which of many meet a box, which a straight line may meet before it has
+// met something. Built once, then only read, from any thread. Building O(n log n), a query O(log n + found). Bvh, which
+// the hand's tick asks, works on points and in single precision.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
-#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "worlds/geometry/convex.h"
@@ -13,17 +16,92 @@ namespace handrail {
 
 class BoxIndex {
 public:
+    struct Node {
+        Aabb box;
+        std::uint32_t first = 0;  // of items(), or the first of two nodes side by side
+        std::uint32_t items = 0;  // 0: an inner node
+    };
+
+    BoxIndex() = default;
+    // Empty boxes are never found.
     explicit BoxIndex(std::span<const Aabb> boxes);
-    ~BoxIndex();
-    BoxIndex(BoxIndex&&) noexcept;
-    BoxIndex& operator=(BoxIndex&&) noexcept;
+
+    bool empty() const noexcept { return nodes_.empty(); }
+    // Node 0 is the root.
+    const std::vector<Node>& nodes() const noexcept { return nodes_; }
+    const std::vector<std::uint32_t>& items() const noexcept { return items_; }
 
     // Replaces `found` by the indices of all boxes that meet `box`, borders included, in rising order.
     void find(const Aabb& box, std::vector<std::uint32_t>& found) const;
 
+    // Calls visit(item) for every item whose box may meet this one: those of a leaf together.
+    template <class Visit>
+    void meeting(const Aabb& box, Visit&& visit) const {
+        std::array<std::uint32_t, kMostDepth> stack;
+        std::size_t depth = 0;
+        if (!nodes_.empty()) stack[depth++] = 0;
+        while (depth > 0) {
+            const Node& node = nodes_[stack[--depth]];
+            if (!meets(node.box, box)) continue;
+            for (std::uint32_t i = 0; i < node.items; ++i) visit(items_[node.first + i]);
+            if (node.items > 0) continue;
+            stack[depth++] = node.first + 1;
+            stack[depth++] = node.first;
+        }
+    }
+
+    // Calls visit(item, reach) for every item whose box, grown by low_m downwards and high_m upwards along each axis,
+    // is met by from + (to - from) t with t from 0 to `reach`, at first 1; visit may lower reach. Near ones first,
+    // roughly.
+    template <class Visit>
+    void along(const Vec3& from_m, const Vec3& to_m, const Vec3& low_m, const Vec3& high_m, Visit&& visit) const {
+        const Vec3 way = to_m - from_m;
+        double reach = 1.0;
+        // Where the line enters a box; above 1 where it does not.
+        const auto enters = [&](const Aabb& box) {
+            double in = 0.0, out = reach;
+            for (int axis = 0; axis < 3; ++axis) {
+                const double low = box.min_m[axis] - low_m[axis] - from_m[axis],
+                             high = box.max_m[axis] + high_m[axis] - from_m[axis];
+                if (way[axis] == 0.0) {
+                    if (low > 0.0 || high < 0.0) return kMissed;
+                    continue;
+                }
+                const double a = low / way[axis], b = high / way[axis];
+                in = std::max(in, std::min(a, b));
+                out = std::min(out, std::max(a, b));
+            }
+            return in <= out ? in : kMissed;
+        };
+        std::array<std::pair<double, std::uint32_t>, kMostDepth> stack;
+        std::size_t depth = 0;
+        if (!nodes_.empty()) stack[depth++] = {enters(nodes_[0].box), 0};
+        while (depth > 0) {
+            const auto [in, which] = stack[--depth];
+            if (in > reach) continue;
+            const Node& node = nodes_[which];
+            for (std::uint32_t i = 0; i < node.items; ++i) visit(items_[node.first + i], reach);
+            if (node.items > 0) continue;
+            std::pair<double, std::uint32_t> near{enters(nodes_[node.first].box), node.first},
+                far{enters(nodes_[node.first + 1].box), node.first + 1};
+            if (near.first > far.first) std::swap(near, far);
+            if (far.first <= reach) stack[depth++] = far;
+            if (near.first <= reach) stack[depth++] = near;
+        }
+    }
+
+    static bool meets(const Aabb& a, const Aabb& b) noexcept {
+        return a.min_m.x <= b.max_m.x && b.min_m.x <= a.max_m.x && a.min_m.y <= b.max_m.y && b.min_m.y <= a.max_m.y &&
+               a.min_m.z <= b.max_m.z && b.min_m.z <= a.max_m.z;
+    }
+
 private:
-    struct Tree;
-    std::unique_ptr<Tree> tree_;
+    static constexpr std::size_t kMostDepth = 80;  // halves: 2^32 items are 32 deep
+    static constexpr double kMissed = 2.0;
+
+    std::vector<Node> nodes_;
+    std::vector<std::uint32_t> items_;
+    std::vector<Aabb> boxes_;  // of items_
 };
 
 }  // namespace handrail

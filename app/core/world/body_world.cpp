@@ -90,7 +90,7 @@ std::shared_ptr<const BodyWorld::Building> BodyWorld::built(const Scene& scene) 
         made->sights.features.push_back(FeatureId{i});
         made->sights.boxes.push_back(boxes[i]);
     }
-    made->sights.tree = BoxTree(made->sights.boxes);
+    made->sights.tree = BoxIndex(made->sights.boxes);
     return made;
 }
 
@@ -132,7 +132,7 @@ void BodyWorld::Pieces::arrange() {
     std::vector<Aabb> boxes;
     boxes.reserve(pieces.size());
     for (const Piece& piece : pieces) boxes.push_back(piece.bounds_m);
-    tree = BoxTree(boxes);
+    tree = BoxIndex(boxes);
 }
 
 // The pieces of a scene, or of a model that stands in the frame.
@@ -223,7 +223,7 @@ template <class Visit>
 void BodyWorld::visit_near(const Aabb& box, Visit visit) const {
     for (const Pieces* some : {&building_->pieces, &placed_})
         some->tree.meeting(box, [&](std::uint32_t i) {
-            if (BoxTree::meets(some->pieces[i].bounds_m, box)) visit(*some, some->pieces[i]);
+            if (BoxIndex::meets(some->pieces[i].bounds_m, box)) visit(*some, some->pieces[i]);
         });
 }
 
@@ -271,7 +271,7 @@ TraceHit BodyWorld::trace(const Vec3& from_m, const Vec3& to_m, const BodyShape&
     };
     const auto look_at = [&](const Pieces& some, std::uint32_t i, double& reach) {
         const Piece& piece = some.pieces[i];
-        if ((through_clips && piece.clip_only) || piece.placed == but_placed || !BoxTree::meets(piece.bounds_m, sweep))
+        if ((through_clips && piece.clip_only) || piece.placed == but_placed || !BoxIndex::meets(piece.bounds_m, sweep))
             return;
         const BodyShape body_there = next_to(piece.narrow, body);
         double enter = -1.0, leave = 1.0;
@@ -433,7 +433,7 @@ bool BodyWorld::hides(std::uint32_t number, const Vec3& eye_m, const Aabb& box) 
     constexpr double kDrawnIn_m = 2e-3, kApart_m = 1e-2;
     const Piece& one = piece(number);
     const Aabb around{box.min_m - Vec3(kApart_m), box.max_m + Vec3(kApart_m)};
-    if (one.clip_only || BoxTree::meets(one.bounds_m, around)) return false;
+    if (one.clip_only || BoxIndex::meets(one.bounds_m, around)) return false;
     const std::vector<Bound>& bounds =
         number < building_->pieces.pieces.size() ? building_->pieces.bounds : placed_.bounds;
     const std::uint32_t sides =

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "worlds/geometry/box_tree.h"
+#include "worlds/geometry/box_index.h"
 #include "worlds/scene/scene.h"
 #include "worlds/scene/stair_rule.h"
 
@@ -76,7 +76,7 @@ public:
     struct Sights {
         std::vector<FeatureId> features;
         std::vector<Aabb> boxes;
-        BoxTree tree;
+        BoxIndex tree;
     };
     const Sights& standing() const { return building_->sights; }
     // The box of all that goes by a thing's name where it stands now. Index of Scene::placed.
@@ -103,7 +103,7 @@ private:
     struct Pieces {
         std::vector<Bound> bounds;
         std::vector<Piece> pieces;  // sorted by bounds_m.min_m.x, then y
-        BoxTree tree;
+        BoxIndex tree;
         // `stairs`: null for what is set down, which is never part of stairs.
         void add_scene(const Scene& scene, const PlacedFrame* frame, std::int32_t placed, const StairRule* stairs);
         void add_piece(const std::vector<Bound>& of_piece, Piece piece);

@@ -126,8 +126,8 @@ std::vector<Seen> things_in_sight(const BodyWorld& world, const Vec3& feet_m, do
         if (hidden(place.hider, place.around)) continue;
         if (place.what == What::Node) {
             const BodyWorld::Sights& all = standing;
-            const BoxTree::Node& node = all.tree.nodes()[place.number];
-            if (!BoxTree::meets(node.box, {eye, eye})) {
+            const BoxIndex::Node& node = all.tree.nodes()[place.number];
+            if (!BoxIndex::meets(node.box, {eye, eye})) {
                 place.hider = look_at(node.box.centre_m()).piece;
                 if (hidden(place.hider, node.box)) continue;
             }

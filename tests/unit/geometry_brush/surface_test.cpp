@@ -346,7 +346,7 @@ TEST(JoinedSurfaces, joins_along_edges_and_t_junctions_but_not_at_corners) {
     EXPECT_THAT(joined({square(0, 0, 1, 1), higher}), ElementsAre(0, 1));
 }
 
-TEST(BoxIndex, finds_what_brute_force_finds) {
+TEST(BoxIndex, finds_the_boxes_that_brute_force_finds_in_rising_order) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> place(0.0, 10.0), extent(0.0, 2.0);
     const auto random_box = [&] {

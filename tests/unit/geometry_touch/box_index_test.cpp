@@ -2,10 +2,10 @@
 #include <random>
 
 #include "tests/support/scale.h"
-#include "worlds/geometry/box_tree.h"
+#include "worlds/geometry/box_index.h"
 
 namespace handrail::test {
-namespace box_tree_test {
+namespace box_index_test {
 
 constexpr std::uint32_t kSeed = 20261123;
 
@@ -43,12 +43,12 @@ double enters(const Aabb& box, const Vec3& from, const Vec3& to, const Vec3& low
     return in <= out ? in : 2.0;
 }
 
-TEST(BoxTree, finds_what_a_scan_finds_for_boxes_and_lines) {
+TEST(BoxIndex, finds_what_a_scan_finds_for_boxes_and_lines) {
     std::mt19937 random(kSeed);
     for (const Vec3 shift : {Vec3(0.0), Vec3(1e6, -1e6, 3.0)})
         for (const int count : {0, 1, 4, 5, 200}) {
             const std::vector<Aabb> boxes = random_boxes(random, count, shift);
-            const BoxTree tree(boxes);
+            const BoxIndex tree(boxes);
             for (int query = 0; query < 200; ++query) {
                 SCOPED_TRACE(fmt::format("{} boxes, query {}, seed {}", count, query, kSeed));
                 const Vec3 from = shift + in_cube(random, 7.0);
@@ -67,7 +67,7 @@ TEST(BoxTree, finds_what_a_scan_finds_for_boxes_and_lines) {
                         EXPECT_FALSE(met[i] || seen[i]);
                         continue;
                     }
-                    if (BoxTree::meets(boxes[i], asked)) {
+                    if (BoxIndex::meets(boxes[i], asked)) {
                         EXPECT_TRUE(met[i]) << i;
                     }
                     const double in = enters(boxes[i], from, to, low, high);
@@ -89,5 +89,5 @@ TEST(BoxTree, finds_what_a_scan_finds_for_boxes_and_lines) {
         }
 }
 
-}  // namespace box_tree_test
+}  // namespace box_index_test
 }  // namespace handrail::test
