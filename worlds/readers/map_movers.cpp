@@ -120,6 +120,227 @@ void lay_track(ReadMover& read, const std::vector<ReadCorner>& corners, double u
     diagnostics.warn(read.target_place, "map.then_stands", "map.train_target");
 }
 
+// Puts what was read of movers, switches and their targets into the scene, in the order of attach_movers().
+class MoverLinks {
+public:
+    MoverLinks(ReadMovers& found, Scene& scene, Diagnostics& diagnostics)
+        : found_(found),
+          movers_(found.movers),
+          scene_(scene),
+          diagnostics_(diagnostics),
+          unit_m_(scene.metres_per_unit),
+          wanted_(movers_.size(), false) {}
+
+    void lay_ways();
+    void group_leaves();
+    void aim_switches();
+    void aim_movers();
+    void set_approaches();
+    void hand_over();
+
+private:
+    void lay_way(ReadMover& read);
+    void lay_lift(ReadMover& read, bool called) const;
+    void lay_slide(ReadMover& read) const;
+    void take_a_known_wish(ReadMover& read);
+    bool swings(const ReadMover& read, const Feature& feature) const;
+    std::vector<std::uint32_t> want(const std::string& target);
+    void send_lift(ReadMover& read) const;
+    void join_lift(ReadMover& read);
+
+    ReadMovers& found_;
+    std::vector<ReadMover>& movers_;
+    Scene& scene_;
+    Diagnostics& diagnostics_;
+    const double unit_m_;
+    std::vector<bool> wanted_;  // something sets it going
+};
+
+void MoverLinks::lay_ways() {
+    for (std::size_t i = 0; i < movers_.size(); ++i) {
+        ReadMover& read = movers_[i];
+        read.bounds_m = scene_.features[read.mover.feature.value].bounds_m;
+        read.mover.group = static_cast<std::uint32_t>(i);
+        if (read.bounds_m.empty()) {
+            read.mover.turn_rad_per_s = 0.0;
+            continue;
+        }
+        read.mover.pivot_m = read.bounds_m.centre_m();
+        if (read.train) lay_track(read, found_.corners, unit_m_, diagnostics_);
+        else if (!read.turns) lay_way(read);
+        else if (read.turns_about_units) read.mover.pivot_m = *read.turns_about_units * unit_m_;
+    }
+}
+
+void MoverLinks::lay_way(ReadMover& read) {
+    // In a building one calls a lift that has a name, and it stays where it was sent.
+    const bool called = read.lift && !scene_.game_map && !read.name.empty();
+    if (called && !read.has_wait) read.mover.wait_s = -1.0;
+    if (called && !read.has_speed) read.speed_units = kLiftSpeedInBuilding_units_per_s;
+    take_a_known_wish(read);
+    const Feature& feature = scene_.features[read.mover.feature.value];
+    if (swings(read, feature)) {
+        hang(read, feature.hinge);
+        if (!read.has_wait) read.mover.wait_s = -1.0;  // the person shuts it again
+    } else if (read.lift) {
+        lay_lift(read, called);
+    } else {
+        lay_slide(read);
+    }
+}
+
+void MoverLinks::take_a_known_wish(ReadMover& read) {
+    static const std::vector<std::string> kWishes{"north", "east", "south", "west", "up", "down", "slide"};
+    if (read.wish.empty() || std::find(kWishes.begin(), kWishes.end(), read.wish) != kWishes.end()) return;
+    const std::string nearest = nearest_name(read.wish, kWishes);
+    diagnostics_.warn(read.wish_place, "map.then_word", "map.door_wish", {{"taken", nearest}});
+    read.wish = nearest;
+}
+
+bool MoverLinks::swings(const ReadMover& read, const Feature& feature) const {
+    const Vec3 size = read.bounds_m.size_m();
+    const bool flat = size.z < 0.5 * std::min(size.x, size.y);
+    return read.door && !flat && !scene_.game_map && !read.has_angle && read.wish != "up" && read.wish != "down" &&
+           read.wish != "slide" && feature.hinge != "top" && feature.hinge != "bottom";
+}
+
+void MoverLinks::lay_lift(ReadMover& read, bool called) const {
+    const double way_m =
+        read.height_units > 0.0 ? read.height_units * unit_m_ : read.bounds_m.size_m().z - read.lip_units * unit_m_;
+    if (way_m > 0.0) read.mover.slide_m = {0.0, 0.0, -way_m};
+    read.mover.rests_far = read.name.empty() || called;  // waits below until somebody steps on or calls it
+    read.mover.travel_s = travel_s(way_m, read.speed_units * unit_m_);
+}
+
+void MoverLinks::lay_slide(ReadMover& read) const {
+    Vec3 direction = direction_of_angle(read.angle_deg);
+    if (read.wish == "up") direction = {0.0, 0.0, 1.0};
+    if (read.wish == "down") direction = {0.0, 0.0, -1.0};
+    if (!read.has_angle && read.wish == "slide" && read.bounds_m.size_m().y > read.bounds_m.size_m().x)
+        direction = {0.0, 1.0, 0.0};
+    read.mover.slide_m = slide_of(read.bounds_m, direction, read.lip_units * unit_m_);
+    read.mover.travel_s = travel_s(glm::length(read.mover.slide_m), read.speed_units * unit_m_);
+    if (!scene_.game_map && !read.has_wait) read.mover.wait_s = -1.0;
+}
+
+// Doors of a game that touch one another are leaves of one door.
+void MoverLinks::group_leaves() {
+    const auto leaf = [](const ReadMover& read) { return read.door && read.linked && read.mover.swing_rad == 0.0; };
+    for (std::size_t i = 0; i < movers_.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const ReadMover &a = movers_[i], &b = movers_[j];
+            if (!leaf(a) || !leaf(b)) continue;
+            const Aabb near = grown_by(a.bounds_m, Vec3(unit_m_));
+            const Vec3 gap = glm::max(near.min_m - b.bounds_m.max_m, b.bounds_m.min_m - near.max_m);
+            if (std::max({gap.x, gap.y, gap.z}) > 0.0) continue;
+            const std::uint32_t from = std::max(a.mover.group, b.mover.group),
+                                to = std::min(a.mover.group, b.mover.group);
+            for (ReadMover& other : movers_)
+                if (other.mover.group == from) other.mover.group = to;
+        }
+}
+
+// The movers of that name, which something sets going.
+std::vector<std::uint32_t> MoverLinks::want(const std::string& target) {
+    std::vector<std::uint32_t> all;
+    for (std::size_t i = 0; i < movers_.size(); ++i) {
+        if (target.empty() || movers_[i].name != target) continue;
+        all.push_back(static_cast<std::uint32_t>(i));
+        wanted_[i] = true;
+    }
+    return all;
+}
+
+void MoverLinks::aim_switches() {
+    for (ReadSwitch& read : found_.switches) {
+        read.act.sets_going = want(read.target);
+        if (!read.teleports) continue;
+        const auto to = std::find_if(found_.destinations.begin(), found_.destinations.end(),
+                                     [&](const ReadDestination& d) { return d.name == read.target; });
+        if (to == found_.destinations.end()) {
+            if (!found_.names.contains(read.target))
+                diagnostics_.warn(read.place, "map.then_nowhere", "map.teleporter_target",
+                                  {{"target", excerpt(read.target)}});
+            continue;
+        }
+        read.act.leads_elsewhere = true;
+        read.act.feet_m = to->feet_m;
+        read.act.heading_rad = to->heading_rad;
+    }
+}
+
+void MoverLinks::aim_movers() {
+    for (ReadMover& read : movers_) read.mover.sets_going = want(read.target);
+    for (std::size_t i = 0; i < movers_.size(); ++i) {
+        ReadMover& read = movers_[i];
+        // What has one name is meant to go together, whatever the ways.
+        for (std::size_t j = 0; j <= i && !read.name.empty() && read.mover.passes == kNoMover; ++j)
+            if (movers_[j].name == read.name) read.mover.passes = static_cast<std::uint32_t>(j);
+        if (read.train || read.turns) read.mover.starts_going = read.starts_on || !wanted_[i];
+        send_lift(read);
+        if (!read.of_lift.empty()) join_lift(read);
+    }
+}
+
+// A button calls a building's lift to where the button is.
+void MoverLinks::send_lift(ReadMover& read) const {
+    if (read.door || scene_.game_map || read.bounds_m.empty()) return;
+    for (const std::uint32_t other : read.mover.sets_going)
+        if (movers_[other].lift && movers_[other].mover.moves())
+            read.mover.sends_to = end_near(movers_[other], read.bounds_m.centre_m().z - kHandAbove_m);
+}
+
+// A lift's door.
+void MoverLinks::join_lift(ReadMover& read) {
+    const auto lift = std::find_if(movers_.begin(), movers_.end(),
+                                   [&](const ReadMover& other) { return other.lift && other.name == read.of_lift; });
+    if (lift == movers_.end() || !lift->mover.moves())
+        return diagnostics_.warn(read.of_lift_place, "map.then_any_door", "map.lift_name",
+                                 {{"name", excerpt(read.of_lift)}});
+    read.mover.lift = static_cast<std::uint32_t>(lift - movers_.begin());
+    read.mover.lift_part = end_near(*lift, read.bounds_m.min_m.z);
+    if (!read.has_wait) read.mover.wait_s = kLiftDoorWait_s;
+    // Nobody is shut in by it.
+    read.mover.approach_m = lift->bounds_m;
+    read.mover.approach_m.min_m.z = top_m(*lift, read.mover.lift_part);
+    read.mover.approach_m.max_m.z = read.mover.approach_m.min_m.z + kStandingRoom_m;
+}
+
+// In a game a door without a name goes by itself when a body comes near, all its leaves together; one with a name waits
+// for its button.
+void MoverLinks::set_approaches() {
+    for (ReadMover& read : movers_) {
+        if (read.mover.moves() && read.lift && read.name.empty()) {
+            // Whoever stands in its shaft below.
+            Aabb shaft = read.bounds_m;
+            shaft.max_m.z = read.bounds_m.max_m.z + read.mover.slide_m.z + kAboveDoor_units * unit_m_;
+            shaft.min_m.z = read.bounds_m.min_m.z + read.mover.slide_m.z;
+            read.mover.approach_m = shaft;
+        }
+        if (!read.door || !scene_.game_map || read.mover.rests_far || read.mover.lift != kNoMover) continue;
+        Aabb all;
+        bool alone = true;
+        for (const ReadMover& other : movers_) {
+            if (other.mover.group != read.mover.group) continue;
+            all.include(other.bounds_m);
+            alone = alone && other.name.empty();
+        }
+        if (alone)
+            read.mover.approach_m = grown_by(all, Vec3(kNearDoor_units, kNearDoor_units, kAboveDoor_units) * unit_m_);
+    }
+}
+
+void MoverLinks::hand_over() {
+    for (std::size_t i = 0; i < movers_.size(); ++i) {
+        // A door that its button opens is not opened by hand, where there is such a button.
+        if (movers_[i].door && scene_.game_map && wanted_[i] && movers_[i].mover.lift == kNoMover)
+            movers_[i].mover.by_hand = false;
+        scene_.movers.push_back(movers_[i].mover);
+    }
+    for (const ReadSwitch& read : found_.switches)
+        if (read.act.leads_elsewhere || !read.act.sets_going.empty()) scene_.switches.push_back(read.act);
+}
+
 }  // namespace
 
 void note_name(ReadMovers& found, const MapEntity& entity) {
@@ -209,164 +430,13 @@ void note_destination(ReadMovers& found, const MapEntity& entity, const Vec3& fe
 }
 
 void attach_movers(ReadMovers& found, Scene& scene, Diagnostics& diagnostics) {
-    const double unit_m = scene.metres_per_unit;
-    std::vector<ReadMover>& movers = found.movers;
-    for (std::size_t i = 0; i < movers.size(); ++i) {
-        ReadMover& read = movers[i];
-        Mover& mover = read.mover;
-        const Feature& feature = scene.features[mover.feature.value];
-        read.bounds_m = feature.bounds_m;
-        mover.group = static_cast<std::uint32_t>(i);
-        if (read.bounds_m.empty()) {
-            mover.turn_rad_per_s = 0.0;
-            continue;
-        }
-        mover.pivot_m = read.bounds_m.centre_m();
-        if (read.train) {
-            lay_track(read, found.corners, unit_m, diagnostics);
-            continue;
-        }
-        if (read.turns) {
-            if (read.turns_about_units) mover.pivot_m = *read.turns_about_units * unit_m;
-            continue;
-        }
-        // In a building one calls a lift that has a name, and it stays where it was sent.
-        const bool called = read.lift && !scene.game_map && !read.name.empty();
-        if (called && !read.has_wait) mover.wait_s = -1.0;
-        if (called && !read.has_speed) read.speed_units = kLiftSpeedInBuilding_units_per_s;
-        const bool flat = read.bounds_m.size_m().z < 0.5 * std::min(read.bounds_m.size_m().x, read.bounds_m.size_m().y);
-        static const std::vector<std::string> kWishes{"north", "east", "south", "west", "up", "down", "slide"};
-        if (!read.wish.empty() && std::find(kWishes.begin(), kWishes.end(), read.wish) == kWishes.end()) {
-            const std::string nearest = nearest_name(read.wish, kWishes);
-            diagnostics.warn(read.wish_place, "map.then_word", "map.door_wish", {{"taken", nearest}});
-            read.wish = nearest;
-        }
-        const bool swings = read.door && !flat && !scene.game_map && !read.has_angle && read.wish != "up" &&
-                            read.wish != "down" && read.wish != "slide" && feature.hinge != "top" &&
-                            feature.hinge != "bottom";
-        if (swings) {
-            hang(read, feature.hinge);
-            if (!read.has_wait) mover.wait_s = -1.0;  // the person shuts it again
-        } else if (read.lift) {
-            const double way_m = read.height_units > 0.0 ? read.height_units * unit_m
-                                                         : read.bounds_m.size_m().z - read.lip_units * unit_m;
-            if (way_m > 0.0) mover.slide_m = {0.0, 0.0, -way_m};
-            mover.rests_far = read.name.empty() || called;  // waits below until somebody steps on or calls it
-            mover.travel_s = travel_s(way_m, read.speed_units * unit_m);
-        } else {
-            Vec3 direction = direction_of_angle(read.angle_deg);
-            if (read.wish == "up") direction = {0.0, 0.0, 1.0};
-            if (read.wish == "down") direction = {0.0, 0.0, -1.0};
-            if (!read.has_angle && read.wish == "slide" && read.bounds_m.size_m().y > read.bounds_m.size_m().x)
-                direction = {0.0, 1.0, 0.0};
-            mover.slide_m = slide_of(read.bounds_m, direction, read.lip_units * unit_m);
-            mover.travel_s = travel_s(glm::length(mover.slide_m), read.speed_units * unit_m);
-            if (!scene.game_map && !read.has_wait) mover.wait_s = -1.0;
-        }
-    }
-    // Doors of a game that touch one another are leaves of one door.
-    for (std::size_t i = 0; i < movers.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j) {
-            const ReadMover &a = movers[i], &b = movers[j];
-            if (!a.door || !b.door || !a.linked || !b.linked || a.mover.swing_rad != 0.0 || b.mover.swing_rad != 0.0)
-                continue;
-            const Aabb near = grown_by(a.bounds_m, Vec3(unit_m));
-            const Vec3 gap = glm::max(near.min_m - b.bounds_m.max_m, b.bounds_m.min_m - near.max_m);
-            if (std::max({gap.x, gap.y, gap.z}) > 0.0) continue;
-            const std::uint32_t from = std::max(a.mover.group, b.mover.group),
-                                to = std::min(a.mover.group, b.mover.group);
-            for (ReadMover& other : movers)
-                if (other.mover.group == from) other.mover.group = to;
-        }
-    const auto targets = [&](const std::string& target) {
-        std::vector<std::uint32_t> all;
-        for (std::size_t i = 0; i < movers.size(); ++i)
-            if (!target.empty() && movers[i].name == target) all.push_back(static_cast<std::uint32_t>(i));
-        return all;
-    };
-    std::vector<bool> wanted(movers.size(), false);  // something sets it going
-    const auto want = [&](const std::vector<std::uint32_t>& list) {
-        for (const std::uint32_t i : list) wanted[i] = true;
-    };
-    for (ReadSwitch& read : found.switches) {
-        read.act.sets_going = targets(read.target);
-        want(read.act.sets_going);
-        if (!read.teleports) continue;
-        const auto to = std::find_if(found.destinations.begin(), found.destinations.end(),
-                                     [&](const ReadDestination& d) { return d.name == read.target; });
-        if (to == found.destinations.end()) {
-            if (!found.names.contains(read.target))
-                diagnostics.warn(read.place, "map.then_nowhere", "map.teleporter_target",
-                                 {{"target", excerpt(read.target)}});
-            continue;
-        }
-        read.act.leads_elsewhere = true;
-        read.act.feet_m = to->feet_m;
-        read.act.heading_rad = to->heading_rad;
-    }
-    for (ReadMover& read : movers) {
-        read.mover.sets_going = targets(read.target);
-        want(read.mover.sets_going);
-    }
-    for (std::size_t i = 0; i < movers.size(); ++i) {
-        ReadMover& read = movers[i];
-        // What has one name is meant to go together, whatever the ways.
-        for (std::size_t j = 0; j <= i && !read.name.empty() && read.mover.passes == kNoMover; ++j)
-            if (movers[j].name == read.name) read.mover.passes = static_cast<std::uint32_t>(j);
-        if (read.train || read.turns) read.mover.starts_going = read.starts_on || !wanted[i];
-        const auto is_lift = [&](std::uint32_t other) { return movers[other].lift && movers[other].mover.moves(); };
-        // A button calls a building's lift to where the button is.
-        if (!read.door && !scene.game_map && !read.bounds_m.empty())
-            for (const std::uint32_t other : read.mover.sets_going)
-                if (is_lift(other))
-                    read.mover.sends_to = end_near(movers[other], read.bounds_m.centre_m().z - kHandAbove_m);
-        if (read.of_lift.empty()) continue;
-        const auto lift = std::find_if(movers.begin(), movers.end(), [&](const ReadMover& other) {
-            return other.lift && other.name == read.of_lift;
-        });
-        if (lift == movers.end() || !lift->mover.moves()) {
-            diagnostics.warn(read.of_lift_place, "map.then_any_door", "map.lift_name",
-                             {{"name", excerpt(read.of_lift)}});
-            continue;
-        }
-        read.mover.lift = static_cast<std::uint32_t>(lift - movers.begin());
-        read.mover.lift_part = end_near(*lift, read.bounds_m.min_m.z);
-        if (!read.has_wait) read.mover.wait_s = kLiftDoorWait_s;
-        // Nobody is shut in by it.
-        read.mover.approach_m = lift->bounds_m;
-        read.mover.approach_m.min_m.z = top_m(*lift, read.mover.lift_part);
-        read.mover.approach_m.max_m.z = read.mover.approach_m.min_m.z + kStandingRoom_m;
-    }
-    // In a game a door without a name goes by itself when a body comes near, all its leaves together; one with a name
-    // waits for its button.
-    for (std::size_t i = 0; i < movers.size(); ++i) {
-        ReadMover& read = movers[i];
-        if (read.mover.moves() && read.lift && read.name.empty()) {
-            // Whoever stands in its shaft below.
-            Aabb shaft = read.bounds_m;
-            shaft.max_m.z = read.bounds_m.max_m.z + read.mover.slide_m.z + kAboveDoor_units * unit_m;
-            shaft.min_m.z = read.bounds_m.min_m.z + read.mover.slide_m.z;
-            read.mover.approach_m = shaft;
-        }
-        if (!read.door || !scene.game_map || read.mover.rests_far || read.mover.lift != kNoMover) continue;
-        Aabb all;
-        bool alone = true;
-        for (std::size_t j = 0; j < movers.size(); ++j)
-            if (movers[j].mover.group == read.mover.group) {
-                all.include(movers[j].bounds_m);
-                alone = alone && movers[j].name.empty();
-            }
-        if (alone)
-            read.mover.approach_m = grown_by(all, Vec3(kNearDoor_units, kNearDoor_units, kAboveDoor_units) * unit_m);
-    }
-    for (std::size_t i = 0; i < movers.size(); ++i) {
-        // A door that its button opens is not opened by hand, where there is such a button.
-        if (movers[i].door && scene.game_map && wanted[i] && movers[i].mover.lift == kNoMover)
-            movers[i].mover.by_hand = false;
-        scene.movers.push_back(movers[i].mover);
-    }
-    for (ReadSwitch& read : found.switches)
-        if (read.act.leads_elsewhere || !read.act.sets_going.empty()) scene.switches.push_back(read.act);
+    MoverLinks links(found, scene, diagnostics);
+    links.lay_ways();
+    links.group_leaves();
+    links.aim_switches();
+    links.aim_movers();
+    links.set_approaches();
+    links.hand_over();
 }
 
 }  // namespace handrail

@@ -53,73 +53,133 @@ MaterialId material_id(Scene& scene, const Material& material) {
     return static_cast<MaterialId>(scene.materials.size() - 1);
 }
 
-Result<void> validate(const Scene& scene) {
-    const auto wrong = [&](const std::string& message, int line) { return fail(message, scene.source_file, line); };
-    const auto known = [&](FeatureId id) { return !id || id.value < scene.features.size(); };
-    const auto finite_box = [](const Aabb& box) {
-        return box.empty() || (is_finite(box.min_m) && is_finite(box.max_m));
-    };
-    if (scene.materials.empty()) return wrong(phrase("worlds.no_default_material"), 0);
-    if (!finite_box(scene.bounds_m)) return wrong(phrase("worlds.size_no_number"), 0);
-    for (const Feature& feature : scene.features) {
-        if (feature.material >= scene.materials.size())
-            return wrong(phrase("worlds.unknown_material", {{"name", spoken_name(feature)}}), feature.source.line);
-        if (feature.name.empty()) return wrong(phrase("worlds.no_name"), feature.source.line);
-        if (!is_finite(feature.normal) || !finite_box(feature.bounds_m) || !std::isfinite(feature.area_m2))
-            return wrong(phrase("worlds.place_no_number", {{"name", spoken_name(feature)}}), feature.source.line);
+namespace {
+
+struct WrongPart {
+    std::string message;
+    int line = 0;
+};
+using MaybeWrong = std::optional<WrongPart>;
+
+bool finite_box(const Aabb& box) { return box.empty() || (is_finite(box.min_m) && is_finite(box.max_m)); }
+
+// Finds the first thing that is wrong with a scene, in the order of its parts.
+class SceneCheck {
+public:
+    explicit SceneCheck(const Scene& scene) : scene_(scene) {}
+
+    MaybeWrong wrong() const {
+        if (scene_.materials.empty()) return WrongPart{phrase("worlds.no_default_material")};
+        if (!finite_box(scene_.bounds_m)) return WrongPart{phrase("worlds.size_no_number")};
+        if (auto found = first_of(scene_.features)) return found;
+        if (auto found = first_of(scene_.solids)) return found;
+        if (auto found = first_of(scene_.triangles)) return found;
+        if (auto found = first_of(scene_.bodies)) return found;
+        if (auto found = first_of(scene_.placed)) return found;
+        if (auto found = first_of(scene_.surfaces)) return found;
+        return wrong_starts();
     }
-    for (const Solid& solid : scene.solids) {
+
+private:
+    bool known(FeatureId id) const { return !id || id.value < scene_.features.size(); }
+    bool is_material(MaterialId id) const { return id < scene_.materials.size(); }
+
+    template <class Part>
+    MaybeWrong first_of(const std::vector<Part>& parts) const {
+        for (const Part& part : parts)
+            if (auto found = wrong(part)) return found;
+        return std::nullopt;
+    }
+
+    MaybeWrong wrong(const Feature& feature) const {
+        const int line = feature.source.line;
+        if (!is_material(feature.material))
+            return WrongPart{phrase("worlds.unknown_material", {{"name", spoken_name(feature)}}), line};
+        if (feature.name.empty()) return WrongPart{phrase("worlds.no_name"), line};
+        if (!is_finite(feature.normal) || !finite_box(feature.bounds_m) || !std::isfinite(feature.area_m2))
+            return WrongPart{phrase("worlds.place_no_number", {{"name", spoken_name(feature)}}), line};
+        return std::nullopt;
+    }
+
+    MaybeWrong wrong(const Solid& solid) const {
         const std::size_t faces = solid.shape.planes.size();
         const int line = solid.source.line;
-        if (faces < 4 || solid.shape.faces.size() != faces) return wrong(phrase("worlds.solid_too_few_faces"), line);
+        if (faces < 4 || solid.shape.faces.size() != faces)
+            return WrongPart{phrase("worlds.solid_too_few_faces"), line};
         if (solid.face_features.size() != faces || solid.face_materials.size() != faces ||
             solid.face_hidden.size() != faces)
-            return wrong(phrase("worlds.solid_faces_unsaid"), line);
+            return WrongPart{phrase("worlds.solid_faces_unsaid"), line};
         if (!(signed_distance(solid.round, solid.shape.bounds_m.centre_m()) > -std::numeric_limits<double>::infinity()))
-            return wrong(phrase("worlds.round_no_size"), line);
-        if (!known(solid.feature)) return wrong(phrase("worlds.solid_of_unknown"), line);
-        for (std::size_t i = 0; i < faces; ++i) {
-            const Plane& plane = solid.shape.planes[i];
-            if (!is_finite(plane.normal) || !std::isfinite(plane.offset_m) ||
-                std::abs(glm::length(plane.normal) - 1.0) > 1e-9)
-                return wrong(phrase("worlds.face_no_direction"), line);
-            if (solid.shape.faces[i].points_m.size() < 3) return wrong(phrase("worlds.face_too_few_corners"), line);
-            for (const Vec3& p : solid.shape.faces[i].points_m)
-                if (!is_finite(p)) return wrong(phrase("worlds.solid_corner_no_number"), line);
-            if (!known(solid.face_features[i])) return wrong(phrase("worlds.face_of_unknown"), line);
-            if (solid.face_materials[i] >= scene.materials.size())
-                return wrong(phrase("worlds.face_unknown_material"), line);
-        }
+            return WrongPart{phrase("worlds.round_no_size"), line};
+        if (!known(solid.feature)) return WrongPart{phrase("worlds.solid_of_unknown"), line};
+        for (std::size_t i = 0; i < faces; ++i)
+            if (auto found = wrong_face(solid, i)) return found;
+        return std::nullopt;
     }
-    for (const MeshTriangle& t : scene.triangles) {
+
+    MaybeWrong wrong_face(const Solid& solid, std::size_t i) const {
+        const int line = solid.source.line;
+        const Plane& plane = solid.shape.planes[i];
+        const std::vector<Vec3>& corners_m = solid.shape.faces[i].points_m;
+        if (!is_finite(plane.normal) || !std::isfinite(plane.offset_m) ||
+            std::abs(glm::length(plane.normal) - 1.0) > 1e-9)
+            return WrongPart{phrase("worlds.face_no_direction"), line};
+        if (corners_m.size() < 3) return WrongPart{phrase("worlds.face_too_few_corners"), line};
+        if (!std::all_of(corners_m.begin(), corners_m.end(), [](const Vec3& p) { return is_finite(p); }))
+            return WrongPart{phrase("worlds.solid_corner_no_number"), line};
+        if (!known(solid.face_features[i])) return WrongPart{phrase("worlds.face_of_unknown"), line};
+        if (!is_material(solid.face_materials[i])) return WrongPart{phrase("worlds.face_unknown_material"), line};
+        return std::nullopt;
+    }
+
+    MaybeWrong wrong(const MeshTriangle& t) const {
         if (!is_finite(t.a_m) || !is_finite(t.b_m) || !is_finite(t.c_m))
-            return wrong(phrase("worlds.triangle_corner_no_number"), 0);
-        if (!known(t.feature) || t.material >= scene.materials.size())
-            return wrong(phrase("worlds.triangle_of_unknown"), 0);
+            return WrongPart{phrase("worlds.triangle_corner_no_number")};
+        if (!known(t.feature) || !is_material(t.material)) return WrongPart{phrase("worlds.triangle_of_unknown")};
+        return std::nullopt;
     }
-    for (const FreeBody& body : scene.bodies)
-        if (!known(body.feature) || !body.feature || !(body.mass_kg >= FreeBody::kLeast_kg) ||
-            !(body.mass_kg <= FreeBody::kMost_kg) || !is_finite(body.string_at_m) || !(body.string_n_per_m >= 0.0))
-            return wrong(phrase("worlds.body_no_mass"), body.source.line);
-    for (const PlacedModel& placed : scene.placed) {
-        if (!placed.model) return wrong(phrase("worlds.thing_no_shape"), 0);
-        if (!known(placed.feature) || !placed.feature || placed.material >= scene.materials.size())
-            return wrong(phrase("worlds.thing_unknown"), 0);
+
+    MaybeWrong wrong(const FreeBody& body) const {
+        const bool right = known(body.feature) && body.feature && body.mass_kg >= FreeBody::kLeast_kg &&
+                           body.mass_kg <= FreeBody::kMost_kg && is_finite(body.string_at_m) &&
+                           body.string_n_per_m >= 0.0;
+        return right ? std::nullopt : MaybeWrong{{phrase("worlds.body_no_mass"), body.source.line}};
+    }
+
+    MaybeWrong wrong(const PlacedModel& placed) const {
+        if (!placed.model) return WrongPart{phrase("worlds.thing_no_shape")};
+        if (!known(placed.feature) || !placed.feature || !is_material(placed.material))
+            return WrongPart{phrase("worlds.thing_unknown")};
         if (!is_finite(placed.at.position_m) || !(placed.at.scale > 0.0))
-            return wrong(phrase("worlds.thing_no_place"), 0);
+            return WrongPart{phrase("worlds.thing_no_place")};
+        return std::nullopt;
     }
-    for (const SurfacePolygon& surface : scene.surfaces) {
-        if (surface.polygon.points_m.size() < 3) return wrong(phrase("worlds.surface_too_few_corners"), 0);
-        if (!known(surface.feature) || surface.material >= scene.materials.size())
-            return wrong(phrase("worlds.surface_of_unknown"), 0);
+
+    MaybeWrong wrong(const SurfacePolygon& surface) const {
+        if (surface.polygon.points_m.size() < 3) return WrongPart{phrase("worlds.surface_too_few_corners")};
+        if (!known(surface.feature) || !is_material(surface.material))
+            return WrongPart{phrase("worlds.surface_of_unknown")};
+        return std::nullopt;
     }
-    int bases = 0;
-    for (const Start& start : scene.starts) {
-        if (!is_finite(start.feet_m) || !std::isfinite(start.heading_rad))
-            return wrong(phrase("worlds.start_no_place"), start.source.line);
-        bases += start.base ? 1 : 0;
+
+    MaybeWrong wrong_starts() const {
+        int bases = 0;
+        for (const Start& start : scene_.starts) {
+            if (!is_finite(start.feet_m) || !std::isfinite(start.heading_rad))
+                return WrongPart{phrase("worlds.start_no_place"), start.source.line};
+            bases += start.base ? 1 : 0;
+        }
+        if (bases != (scene_.starts.empty() ? 0 : 1)) return WrongPart{phrase("worlds.one_base")};
+        return std::nullopt;
     }
-    if (bases != (scene.starts.empty() ? 0 : 1)) return wrong(phrase("worlds.one_base"), 0);
+
+    const Scene& scene_;
+};
+
+}  // namespace
+
+Result<void> validate(const Scene& scene) {
+    if (const auto wrong = SceneCheck(scene).wrong()) return fail(wrong->message, scene.source_file, wrong->line);
     return {};
 }
 
