@@ -253,11 +253,12 @@ KeyDecoder::Step KeyDecoder::escape_step(std::string_view bytes, bool nothing_fo
     return {1 + behind.bytes, {with_modifiers(key, modifiers), {}, false}};
 }
 
+KeyDecoder::Step KeyDecoder::named(std::size_t used, std::string_view key, unsigned modifiers) {
+    return {used, {with_modifiers(key, modifiers), {}, false}};
+}
+
 // ESC [ ... and ESC O ...
 KeyDecoder::Step KeyDecoder::control_step(std::string_view bytes) const {
-    const auto named = [](std::size_t used, std::string_view key, unsigned modifiers) {
-        return Step{used, {with_modifiers(key, modifiers), {}, false}};
-    };
     if (bytes.size() < 3) return {};
     // The Linux console's F1 to F5.
     if (bytes[1] == '[' && bytes[2] == '[') {
@@ -293,28 +294,35 @@ KeyDecoder::Step KeyDecoder::control_step(std::string_view bytes) const {
     if (const std::size_t arrow = kRxvtArrows.find(last); arrow != std::string_view::npos && parameters.empty())
         return named(used, kArrows[arrow], kShift);
     if (last == 'Z') return named(used, "Tab", modifiers | kShift);
-    if (last == 'u' || (last == '~' && numbers.size() == 3 && numbers[0] == 27)) {
-        const unsigned code = last == 'u' ? numbers[0] : numbers[2];
-        if (const std::string_view alone = key_of(kLoneModifiers, code); !alone.empty()) return named(used, alone, 0);
-        if (code == 27) return named(used, "Escape", modifiers);
-        if (code > 0x7F || (code < 0x20 && code != '\t' && code != '\r')) return {used, {}};
-        const char character = static_cast<char>(code);
-        const Step typed = character_step({&character, 1});
-        return {used,
-                {with_modifiers(typed.input.key, modifiers), modifiers == 0 ? typed.input.text : std::string{}, false}};
-    }
-    if (last == '~' || last == '^' || last == '@' || last == '$') {
-        unsigned held = modifiers;
-        if (last == '^' || last == '@') held |= kControl;
-        if (last == '$' || last == '@') held |= kShift;
-        if (last == '~' && numbers[0] == 200) return {used, {{}, {}, true}};
-        if (const std::string_view key = key_of(kNumbered, numbers[0]); !key.empty()) return named(used, key, held);
-        for (std::size_t i = 0; i < std::size(kShiftedFunctions); ++i)
-            if (numbers[0] == kShiftedFunctions[i])
-                return named(used, "F" + std::to_string(i + (keyboard_.rxvt_functions ? 3 : 1)), held | kShift);
-        return {used, {}};
-    }
+    if (last == 'u') return coded_step(used, numbers[0], modifiers);
+    if (last == '~' && numbers.size() == 3 && numbers[0] == 27) return coded_step(used, numbers[2], modifiers);
+    if (last == '~' || last == '^' || last == '@' || last == '$')
+        return numbered_step(used, last, numbers[0], modifiers);
     return named(used, key_of(kLettered, last), modifiers);
+}
+
+// A key by the code of its character.
+KeyDecoder::Step KeyDecoder::coded_step(std::size_t used, unsigned code, unsigned modifiers) const {
+    if (const std::string_view alone = key_of(kLoneModifiers, code); !alone.empty()) return named(used, alone, 0);
+    if (code == 27) return named(used, "Escape", modifiers);
+    if (code > 0x7F || (code < 0x20 && code != '\t' && code != '\r')) return {used, {}};
+    const char character = static_cast<char>(code);
+    const Step typed = character_step({&character, 1});
+    return {used,
+            {with_modifiers(typed.input.key, modifiers), modifiers == 0 ? typed.input.text : std::string{}, false}};
+}
+
+// A key by its number, with the sign that ends its sequence.
+KeyDecoder::Step KeyDecoder::numbered_step(std::size_t used, char last, unsigned number, unsigned modifiers) const {
+    unsigned held = modifiers;
+    if (last == '^' || last == '@') held |= kControl;
+    if (last == '$' || last == '@') held |= kShift;
+    if (last == '~' && number == 200) return {used, {{}, {}, true}};
+    if (const std::string_view key = key_of(kNumbered, number); !key.empty()) return named(used, key, held);
+    for (std::size_t i = 0; i < std::size(kShiftedFunctions); ++i)
+        if (number == kShiftedFunctions[i])
+            return named(used, "F" + std::to_string(i + (keyboard_.rxvt_functions ? 3 : 1)), held | kShift);
+    return {used, {}};
 }
 
 KeyDecoder::Step KeyDecoder::character_step(std::string_view bytes) const {

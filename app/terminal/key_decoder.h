@@ -55,6 +55,9 @@ private:
     Step step(std::string_view bytes, bool nothing_follows) const;
     Step escape_step(std::string_view bytes, bool nothing_follows) const;
     Step control_step(std::string_view bytes) const;
+    Step coded_step(std::size_t used, unsigned code, unsigned modifiers) const;
+    Step numbered_step(std::size_t used, char last, unsigned number, unsigned modifiers) const;
+    static Step named(std::size_t used, std::string_view key, unsigned modifiers);
     Step character_step(std::string_view bytes) const;
     // Of the text between the marks of a paste; false when all that is held may be part of the end mark.
     bool paste_step(std::vector<TerminalInput>& done);
