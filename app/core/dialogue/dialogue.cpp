@@ -40,6 +40,12 @@ bool holds_word(const std::string& name, const std::string& begin) {
     return false;
 }
 
+// Questions may be typed with or without their mark.
+bool is_also_called(const ListItem& item, std::string_view typed) {
+    if (typed.ends_with('?')) typed.remove_suffix(1);
+    return !item.also_typed.empty() && is_called(item.also_typed, typed);
+}
+
 // The item that is called just so, of that number, or whose name is or begins so, or has a word that does; as many as
 // there are: none. "To the kitchen", where nothing is called so, is the kitchen; umlauts may be written out.
 std::size_t item_called(const ListSpec& list, std::string_view typed) {
@@ -55,6 +61,8 @@ std::size_t item_called(const ListSpec& list, std::string_view typed) {
         for (const auto fits : {+is, begins_with, holds_word})
             for (std::size_t i = 0; i < list.items.size() && !wanted.empty(); ++i)
                 if (fits(plain_word(list.items[i].name), wanted)) return i;
+    for (std::size_t i = 0; i < list.items.size(); ++i)
+        if (is_also_called(list.items[i], typed)) return i;
     return list.items.size();
 }
 
@@ -292,7 +300,8 @@ bool Dialogue::holds(std::string_view typed, bool by_all) const {
     const auto* list = is_open() ? std::get_if<ListSpec>(stack_.back().get()) : nullptr;
     if (!list) return false;
     const std::size_t item = item_called(*list, without_blanks(typed));
-    return item < list->items.size() && (!by_all || is_called(list->items[item].name, typed));
+    return item < list->items.size() &&
+           (!by_all || is_called(list->items[item].name, typed) || is_also_called(list->items[item], typed));
 }
 
 bool Dialogue::has_use_for(std::string_view line) const {

@@ -26,6 +26,8 @@ struct ListItem {
     std::string value;  // said after the name; empty: none
     bool adjustable = false;
     std::optional<ItemNumber> number{};  // of an adjustable one that is a quantity
+    // What people also type for it, as a question; never said or shown.
+    std::string also_typed{};
 };
 
 struct ListSpec {
@@ -99,7 +101,7 @@ public:
     // Characters, as the keyboard's layout makes them of keys. In a list they look for names that begin so.
     DialogueReply typed(std::string_view utf8, double now_s);
     // A line of a terminal: the name of a key (down, up, home, end, enter, escape, left, right, backspace), "list" for
-    // all items, an item's number or the begin of its name; for a question the text itself.
+    // all items, an item's number, the begin of its name or what is also typed for it; for a question the text itself.
     DialogueReply line(std::string_view line, double now_s);
 
     // Whether such a line would choose an item of the open list by its number or name; by all of its name, or only by

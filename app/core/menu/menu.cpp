@@ -29,6 +29,7 @@ void Menu::open(double now_s) {
         acts.push_back(std::move(act));
     };
     add(phrase("menu.what_i_can_do"), [this] { commands_.open(false, context_.tick_s); });
+    list.items.back().also_typed = phrase("menu.what_i_can_do_question");
     add(phrase("menu.worlds"), [this] { worlds_.open(context_.tick_s); });
     add(phrase("menu.read_again"), [this] {
         context_.lists.dialogue.close_all();
@@ -44,11 +45,13 @@ void Menu::open(double now_s) {
         add(phrase("menu.settings_faults"), [this] { reports_.open_settings_faults(context_.tick_s); });
     for (const auto& [key, command] :
          {std::pair{"menu.learners", Command::Learners}, std::pair{"menu.input_help", Command::InputHelp},
-          std::pair{"menu.set_up", Command::Calibrate}, std::pair{"menu.leave", Command::Leave}})
+          std::pair{"menu.set_up", Command::Calibrate}, std::pair{"menu.leave", Command::Leave}}) {
         add(phrase(key), [this, chosen = command] {
             context_.lists.dialogue.close_all();
             context_.asks.perform(chosen, context_.tick_s);
         });
+        if (command == Command::Learners) list.items.back().also_typed = phrase("menu.learners_question");
+    }
     list.chosen = [acts](std::size_t i) { acts[i](); };
     context_.open_list(std::move(list), now_s);
 }

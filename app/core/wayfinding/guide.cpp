@@ -198,6 +198,7 @@ void Guide::list_routes(double now_s) {
     std::vector<std::uint32_t> rooms;
     if (ear_.following()) {
         list.items.push_back({phrase("way.goes_on"), {}, false});
+        list.items.back().also_typed = phrase("way.goes_on_question");
         list.items.push_back({phrase("rooms.stop_following"), {}, false});
         rooms.assign(2, kNothing);
     }
@@ -264,6 +265,7 @@ void Guide::open_tools(const Goal& goal, double now_s) {
     for (const char* way : {"guide.beacon", "guide.take_me", "guide.warmer", "guide.lines"})
         list.items.push_back({phrase(way), ""});
     list.items.push_back({phrase("guide.where_is_it"), where_words(context_, told_box(rooms_, goal))});
+    list.items.back().also_typed = phrase("guide.where_is_it_question");
     list.chosen = [this, goal](std::size_t i) {
         if (i == 0) set_beacon(goal, context_.tick_s);
         if (i == 1) lead_as_planned(goal, context_.tick_s);

@@ -88,6 +88,27 @@ TEST(Dialogue, finds_names_of_several_words_as_they_are_typed) {
     EXPECT_EQ(said, "Nothing begins with lib do.");
 }
 
+TEST(Dialogue, finds_an_item_by_what_is_also_typed_for_it) {
+    Dialogue dialogue;
+    std::size_t chosen = 9;
+    const auto open = [&] {
+        ListSpec list{"Clock", {{"Beacon", ""}, {"Where it is", "3 steps"}}, 0, [&](std::size_t i) { chosen = i; }};
+        list.items[1].also_typed = "where is it";
+        dialogue.open(std::move(list));
+    };
+    for (const char* typed : {"where it is", "where is it", "Where is it?", "Where it"}) {
+        open();
+        EXPECT_TRUE(dialogue.holds(typed)) << typed;
+        chosen = 9;
+        EXPECT_TRUE(dialogue.line(typed, 0.0).taken);
+        EXPECT_EQ(chosen, 1U) << typed;
+    }
+    open();
+    EXPECT_TRUE(dialogue.holds("where is it?", true));
+    EXPECT_FALSE(dialogue.holds("where is the kitchen"));
+    EXPECT_EQ(dialogue.line("list", 0.0).words, "Clock. 1: Beacon. 2: Where it is, 3 steps.") << "it is not said";
+}
+
 TEST(Dialogue, changes_a_value_in_place) {
     Fruit f;
     ListSpec spec = f.list();

@@ -60,6 +60,16 @@ TEST_F(MenuAlone, leads_to_commands_and_has_them_performed) {
     EXPECT_THAT(plain.said().back(), HasSubstr("Say which way you face"));
 }
 
+TEST_F(MenuAlone, understands_items_typed_as_questions) {
+    menu.act(Command::Menu, 1.0);
+    plain.said();
+    line("what can I do?");
+    EXPECT_THAT(plain.said(), Contains(HasSubstr("All topics")));
+    line("escape");
+    line("who is here");
+    EXPECT_THAT(performed, ElementsAre(Command::Learners));
+}
+
 TEST_F(MenuAlone, gives_a_command_another_key) {
     EXPECT_FALSE(menu.commands().take_key("J", 1.0)) << "nobody asked for a key";
     menu.commands().open(true, 1.0);

@@ -4,6 +4,7 @@
 #include "app/core/wayfinding/guide.h"
 #include "app/core/wayfinding/way_words.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/spoken_language.h"
 #include "tests/unit/features/plain_session.h"
 
 namespace handrail {
@@ -482,6 +483,19 @@ TEST(Wayfinding, leads_along_a_kept_way_by_ear_from_stop_to_stop) {
     ASSERT_FALSE(last.empty());
     EXPECT_THAT(last.back(), HasSubstr("Shed"));
     EXPECT_THAT(plain.walk(), IsEmpty()) << "there";
+}
+
+TEST(Wayfinding, says_where_a_thing_is_by_the_name_of_the_item_and_by_the_question) {
+    for (const char* language : {"en", "de"}) {
+        const test::InLanguage spoken(language);
+        for (const std::string& typed : {phrase("guide.where_is_it"), phrase("guide.where_is_it_question")}) {
+            Guided plain;
+            plain.guide.open_tools(plain.goal("Bench"), 0.0);
+            plain.said();
+            plain.lists.dialogue.line(typed, 0.0);
+            EXPECT_THAT(plain.said(), Contains(HasSubstr("Bench"))) << typed;
+        }
+    }
 }
 
 TEST(Wayfinding, leads_by_ear_where_no_force_may_act) {
