@@ -202,15 +202,18 @@ std::string heading_of(const std::string& words, bool markdown) {
     return markdown ? "\n## " + words + "\n\n" : "\n" + words + "\n";
 }
 
-void hard_case_tables(std::ostringstream& out, const BenchReport& report, bool markdown) {
+void hard_case_table(std::ostringstream& out, const BenchReport& report, bool markdown) {
     const std::vector<Summary> hard = hard_case_summary(report);
     if (hard.empty()) return;
     out << heading_of("All hard cases together", markdown);
     table(out, only(hard, true, ""), markdown);
-    if (const std::vector<Summary> knobs = only(hard, false, ""); !knobs.empty()) {
-        out << heading_of("The knobs, over all hard cases", markdown);
-        table(out, knobs, markdown);
-    }
+}
+
+void knob_table(std::ostringstream& out, const BenchReport& report, bool markdown) {
+    const std::vector<Summary> knobs = only(hard_case_summary(report), false, "");
+    if (knobs.empty()) return;
+    out << heading_of("The knobs, over all hard cases", markdown);
+    table(out, knobs, markdown);
 }
 
 void family_tables(std::ostringstream& out, const BenchReport& report, bool markdown) {
@@ -224,11 +227,11 @@ void family_tables(std::ostringstream& out, const BenchReport& report, bool mark
     }
 }
 
-// The worst ticks, the stiffest walls, the servo thread.
-void limit_tables(std::ostringstream& out, const BenchReport& report, bool markdown) {
+// The worst ticks.
+void worst_tick_table(std::ostringstream& out, const BenchReport& report, bool markdown) {
     const auto heading = [&](const std::string& words) { out << heading_of(words, markdown); };
     if (!report.worst.empty()) {
-        heading("The worst ticks: places where more is near the ball than a tick has time for");
+        heading("The worst ticks: places with more near the ball than a tick has time for");
         if (markdown)
             out << "| Place | Mean tick | 99.9 % | Worst tick | Most work | Most looks | Ticks that waited | "
                    "Instructions, mean | Instructions, worst tick |\n|---|---|---|---|---|---|---|---|---|\n";
@@ -248,6 +251,11 @@ void limit_tables(std::ostringstream& out, const BenchReport& report, bool markd
                     w.instructions >= 0.0 ? "; " + counted + " instructions in the mean, " + most + " at worst" : "");
         }
     }
+}
+
+// The stiffest walls, moving objects, and the servo thread.
+void loop_tables(std::ostringstream& out, const BenchReport& report, bool markdown) {
+    const auto heading = [&](const std::string& words) { out << heading_of(words, markdown); };
     if (!report.stability.empty()) {
         heading("Stiffest wall that a hand holds with each renderer (0.3 kg, 3 Ns/m, 6 N, delay 1 ms, no damping)");
         std::vector<std::string> walls;
@@ -272,10 +280,10 @@ void limit_tables(std::ostringstream& out, const BenchReport& report, bool markd
         }
     }
     if (!report.bodies.empty()) {
-        heading("Things that move: a ball on a rubber string pushed to and fro, without damping by the hand's side");
+        heading("Moving objects: a ball on a rubber string, pushed to and fro without damping");
         if (markdown)
-            out << "| Way | Mass | Error of the force, rms | Swing of the force | Given to the hand in a loop | "
-                   "It should be | Tick of the hand | Step of the engine |\n|---|---|---|---|---|---|---|---|\n";
+            out << "| Method | Mass | Error of the force, rms | Swing of the force | Given to the hand in a loop | "
+                   "Correct | Tick of the hand | Step of the engine |\n|---|---|---|---|---|---|---|---|\n";
         for (const BodiesMeasured& b : report.bodies)
             out << fmt::format(
                 fmt::runtime(
@@ -296,7 +304,7 @@ void limit_tables(std::ostringstream& out, const BenchReport& report, bool markd
     }
 }
 
-// Every family in a row, every renderer in a column: the tables that docs/results/speed.md speaks of.
+// Every family in a row, every renderer in a column.
 void at_a_glance(std::ostringstream& out, const BenchReport& report) {
     const std::vector<Summary> all = summaries(report);
     std::vector<Summary> titles;
@@ -389,9 +397,11 @@ std::string text_of(const BenchReport& report) {
         "Speed against error, on {}, in {:.0f} seconds{}. At 1 kN/m a millimetre of error is a newton.\n",
         report.machine, report.took_s, report.quick ? ", quickly: times are rough" : "");
     for (const std::string& sentence : report.left_out) out << sentence << '\n';
-    hard_case_tables(out, report, false);
+    hard_case_table(out, report, false);
+    knob_table(out, report, false);
     family_tables(out, report, false);
-    limit_tables(out, report, false);
+    worst_tick_table(out, report, false);
+    loop_tables(out, report, false);
     return out.str();
 }
 
@@ -399,21 +409,23 @@ std::string markdown_of(const BenchReport& report, const std::string& families_f
     std::ostringstream out;
     out << fmt::format(
         "<!-- Made by `handrail bench --markdown`; do not edit. -->\n# Speed against error: tables\n\nMeasured {} on "
-        "{}{}. [How to read this](results/speed.md#speed-against-error); [each family by itself]({}).\n",
+        "{}{}. [How to read this](results/speed.md#speed-against-error); [each family separately]({}).\n",
         report.day, report.machine, report.quick ? ", quickly: times are rough" : "", families_file);
     for (const std::string& sentence : report.left_out) out << '\n' << sentence << '\n';
-    at_a_glance(out, report);
-    hard_case_tables(out, report, true);
-    limit_tables(out, report, true);
+    hard_case_table(out, report, true);
+    worst_tick_table(out, report, true);
     return out.str();
 }
 
 std::string families_markdown_of(const BenchReport& report, const std::string& first_file) {
     std::ostringstream out;
     out << fmt::format(
-        "<!-- Made by `handrail bench --markdown`; do not edit. -->\n# Speed against error: each family by itself\n\n"
-        "Measured {} on {}{}. [All families at a glance]({}).\n",
+        "<!-- Made by `handrail bench --markdown`; do not edit. -->\n# Speed against error: each family separately\n\n"
+        "Measured {} on {}{}. [All hard cases together]({}).\n",
         report.day, report.machine, report.quick ? ", quickly: times are rough" : "", first_file);
+    at_a_glance(out, report);
+    knob_table(out, report, true);
+    loop_tables(out, report, true);
     family_tables(out, report, true);
     return out.str();
 }

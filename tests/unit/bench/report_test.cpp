@@ -127,6 +127,8 @@ TEST(BenchCommand, writes_tables_and_plots_and_names_what_is_missing) {
     EXPECT_NE(first.find("(bench-families.md)"), std::string::npos) << first;
     EXPECT_NE(first.find("\n## All hard cases together\n"), std::string::npos) << first;
     EXPECT_EQ(first.find("## T11"), std::string::npos) << first;
+    EXPECT_EQ(first.find("At a glance"), std::string::npos) << first;
+    EXPECT_NE(families.find("\n## At a glance: "), std::string::npos) << families;
     EXPECT_NE(families.find("(bench.md)"), std::string::npos) << families;
     EXPECT_NE(families.find("\n## T11"), std::string::npos) << families;
     EXPECT_EQ(std::get<0>(run({"--scene", "no such scene"})), 1);
