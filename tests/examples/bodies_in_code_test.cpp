@@ -1,4 +1,4 @@
-// A world with bodies in code, pushed and lifted by a simulated hand; quoted in docs/developer/examples.md.
+// A world with bodies in code, pushed and lifted by a simulated hand; described in docs/developer/examples.md.
 #include <algorithm>
 
 #include "haptic/dynamics/dynamics.h"

@@ -1,4 +1,4 @@
-// A force of one's own, computed on each tick, quoted in docs/developer/examples.md.
+// A custom force, computed on each tick, described in docs/developer/examples.md.
 #include "haptic/render/haptic_scene.h"
 #include "haptic/render/touch.h"
 

@@ -1,4 +1,5 @@
-// What docs/developer/examples.md shows of a new feature of the session: a class over the context, tried without it.
+// A new feature of the session: a class over the context, tested without the session; described in
+// docs/developer/examples.md.
 #include <gmock/gmock.h>
 
 #include "app/core/context/session_part.h"

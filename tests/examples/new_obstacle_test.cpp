@@ -1,4 +1,4 @@
-// A solid of one's own, felt exactly, quoted in docs/developer/examples.md.
+// A custom solid, felt exactly, described in docs/developer/examples.md.
 #include <random>
 
 #include "haptic/render/haptic_scene.h"

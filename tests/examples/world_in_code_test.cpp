@@ -1,4 +1,4 @@
-// Worlds made in code, quoted in docs/developer/examples.md.
+// Worlds made in code, described in docs/developer/examples.md.
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/render/touch.h"
 #include "worlds/readers/reader.h"
