@@ -1,4 +1,4 @@
-// Tables of the guides, as their rows.
+// Tables of the guides as their rows, and lists as their items.
 #pragma once
 
 #include <sstream>
@@ -22,6 +22,20 @@ inline std::vector<std::string> table_rows(const std::string& document, const st
     }
     EXPECT_TRUE(inside) << document << " has no table that starts with: " << head;
     return rows;
+}
+
+// The items of the list under a heading, each on one line, however it is wrapped.
+inline std::vector<std::string> list_items(const std::string& document, const std::string& heading) {
+    std::istringstream lines(test::content_of(test::project_root() / "docs" / document));
+    std::vector<std::string> items;
+    bool inside = false;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("#")) inside = line == heading;
+        else if (inside && line.starts_with("- ")) items.push_back(line);
+        else if (inside && line.starts_with("  ") && !items.empty()) items.back() += line.substr(1);
+    }
+    EXPECT_FALSE(items.empty()) << document << " has no list under: " << heading;
+    return items;
 }
 
 }  // namespace handrail::test

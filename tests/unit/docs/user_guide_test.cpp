@@ -9,9 +9,11 @@
 #include "tests/support/project_root.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/docs/table_rows.h"
+#include "worlds/base/text.h"
 
 namespace handrail {
 namespace user_guide_test {
+using test::list_items;
 using test::table_rows;
 using testing::UnorderedElementsAreArray;
 
@@ -24,23 +26,27 @@ std::string keys_of(const CommandInfo& command, const std::string& between, Name
     return keys;
 }
 
+// A line of the list: "- `where` (F2 or 1): Say where you are."
+std::string command_line(const std::string& word, const std::string& keys, const std::string& help) {
+    return fmt::format("- `{}`{}: {}", word, keys.empty() ? "" : " (" + keys + ")", help);
+}
+
 TEST(UserGuide, lists_every_command_with_its_keys_and_nothing_else) {
     std::vector<std::string> expected;
     for (const CommandInfo& command : command_table())
-        expected.push_back(fmt::format("| {} | {} | {} |", command.word,
-                                       keys_of(command, " or ", [](const std::string& key) { return key; }),
-                                       command.help()));
-    EXPECT_THAT(table_rows("user-guide/keys.md", "| Command | Keys |"), UnorderedElementsAreArray(expected));
+        expected.push_back(command_line(std::string(command.word),
+                                        keys_of(command, " or ", [](const std::string& key) { return key; }),
+                                        command.help()));
+    EXPECT_THAT(list_items("user-guide/keys.md", "## Keys"), UnorderedElementsAreArray(expected));
 }
 
 TEST(UserGuide, lists_every_command_in_german_by_its_german_word_and_keys) {
     const test::InLanguage german("de");
     std::vector<std::string> expected;
     for (const CommandInfo& command : command_table())
-        expected.push_back(fmt::format("| {} | {} | {} |", spoken_word(command.command),
-                                       keys_of(command, " oder ", spoken_key), command.help()));
-    EXPECT_THAT(table_rows("de/benutzerhandbuch/tasten.md", "| Befehl | Tasten |"),
-                UnorderedElementsAreArray(expected));
+        expected.push_back(
+            command_line(spoken_word(command.command), keys_of(command, " oder ", spoken_key), command.help()));
+    EXPECT_THAT(list_items("de/benutzerhandbuch/tasten.md", "## Tasten"), UnorderedElementsAreArray(expected));
 }
 
 // What a page is made of, by kind: titles of each level, rows of tables, items of lists, lines of code, and settings
@@ -113,17 +119,31 @@ TEST(AuthorsGuide, is_all_there_in_german) {
         EXPECT_EQ(first_words(rows), first_words(same));
         EXPECT_EQ(numbers_of(rows), numbers_of(same));
     }
-    EXPECT_EQ(first_words(table_rows("de/autorenhandbuch/schluessel.md", "| Schlüssel | Bei |")),
-              first_words(table_rows("map-authors-guide/keys.md", "| Key | On |")));
+    const auto keys = [](std::vector<std::string> items) {
+        for (std::string& item : items) item.resize(item.find('('));
+        return items;
+    };
+    EXPECT_EQ(keys(list_items("de/autorenhandbuch/schluessel.md", "## Schlüssel")),
+              keys(list_items("map-authors-guide/keys.md", "## Keys")));
     EXPECT_EQ(first_words(table_rows("de/autorenhandbuch/moebel.md", "| Schlüssel | Größe")),
               first_words(table_rows("map-authors-guide/furniture.md", "| Key | Size")));
 }
 
 TEST(Dictionary, lists_every_sound_as_the_spoken_one_tells_it_in_its_order) {
     std::vector<std::string> expected;
-    for (const DictionaryEntry& entry : sound_dictionary())
-        expected.push_back(fmt::format("| `{}` | {} |", info(entry.kind).name, entry.text));
-    EXPECT_EQ(table_rows("dictionary.md", "| Name | What it tells |"), expected);
+    std::string contacts;
+    for (const DictionaryEntry& entry : sound_dictionary()) {
+        if (entry.kind != SoundKind::Contact) {
+            expected.push_back("- " + entry.text);
+            // Scenarios name a sound by its words before the colon, in small letters.
+            EXPECT_EQ(lower_ascii(entry.text.substr(0, entry.text.find(':'))), info(entry.kind).name);
+        } else {
+            contacts += (contacts.empty() ? "" : ", ") + std::string(material_sound_name(entry.material));
+        }
+    }
+    contacts.replace(contacts.rfind(", "), 2, " or ");
+    expected.push_back("- Contact with a material: " + contacts + ".");
+    EXPECT_EQ(list_items("dictionary.md", "## Sounds"), expected);
 }
 
 }  // namespace user_guide_test

@@ -1,7 +1,8 @@
-// What the plugin that Handrail succeeds offered to programs, and ours: the table in docs/developer/adding.md by rows.
-// Every row is called here.
+// What the plugin that Handrail succeeds offered to programs, and ours: the list in docs/developer/adding.md, line by
+// line. Every row is called here.
 #include <algorithm>
 #include <functional>
+#include <regex>
 
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/device/simulated_device.h"
@@ -267,19 +268,17 @@ const std::vector<Row>& rows() {
     return kRows;
 }
 
-std::string first_cell(const std::string& row) {
-    const std::string cell = row.substr(2, row.find(" |", 2) - 2);
-    return cell.size() > 2 && cell.front() == '`' ? cell.substr(1, cell.size() - 2) : cell;
-}
-
-TEST(ParityWithTheOriginal, every_row_of_the_list_is_called_here_and_names_a_file_that_exists) {
+TEST(ParityWithTheOriginal, every_line_of_the_list_is_called_here_and_names_a_file_that_exists) {
+    // "- `start()`: `ServoLoop::start` (`haptic/servo/servo_loop.h`)"
+    static const std::regex kLine(R"re(- (.+?): .* \(`([^`]+)`\))re");
     std::vector<std::string> listed, called;
-    for (const std::string& row : test::table_rows("developer/adding.md", "| Original | Ours |")) {
-        listed.push_back(first_cell(row));
-        const std::size_t last = row.rfind("| ", row.size() - 2);
-        std::string file = row.substr(last + 2, row.size() - last - 4);
-        file.erase(std::remove(file.begin(), file.end(), '`'), file.end());
-        EXPECT_TRUE(std::filesystem::exists(test::project_root() / file)) << row;
+    for (const std::string& line : test::list_items("developer/adding.md", "## The original's interface and ours")) {
+        std::smatch parts;
+        ASSERT_TRUE(std::regex_match(line, parts, kLine)) << line;
+        std::string original = parts[1];
+        original.erase(std::remove(original.begin(), original.end(), '`'), original.end());
+        listed.push_back(original);
+        EXPECT_TRUE(std::filesystem::exists(test::project_root() / parts[2].str())) << line;
     }
     for (const Row& row : rows()) called.push_back(row.original);
     EXPECT_EQ(listed, called);
