@@ -21,19 +21,11 @@ std::shared_ptr<const Scene> entered_at(const Hut& hut, const std::vector<Vec3>&
     return scene;
 }
 
-// A wall divides the hall, and the widest place of the whole room is on a gallery without stairs.
 TEST(RoomGoals, are_any_place_of_the_room_that_one_comes_to) {
-    Hut hut;
-    hut.part("IFCSLAB", "Floor", hut.block({-6.0, -2.0, -0.2}, {8.0, 6.0, 0.0}), ",$");
-    hut.part("IFCSLAB", "Gallery", hut.block({0.0, 0.0, 2.4}, {8.0, 6.0, 2.6}), ",$");
-    hut.part("IFCSLAB", "Ceiling", hut.block({0.0, 0.0, 6.0}, {8.0, 6.0, 6.2}), ",$");
-    for (const Aabb& wall : {Aabb{{0.0, -0.2, 0.0}, {8.0, 0.0, 6.0}}, Aabb{{0.0, 6.0, 0.0}, {8.0, 6.2, 6.0}},
-                             Aabb{{8.0, -0.2, 0.0}, {8.2, 6.2, 6.0}}, Aabb{{-0.2, 1.2, 0.0}, {0.0, 6.2, 6.0}},
-                             Aabb{{0.0, 1.2, 0.0}, {8.0, 1.4, 2.4}}})
-        hut.part("IFCWALL", "Wall", hut.block(wall.min_m, wall.max_m), ",$");
-    hut.space("Hall", hut.block({0.0, 0.0, 0.0}, {8.0, 6.0, 6.0}));
     AppSession person;
-    person.app.apply(WorldEntered{make_ready(entered_at(hut, {{-2.0, 0.6, 0.0}, {6.0, 4.0, 2.6}}))}, person.now);
+    person.app.apply(
+        WorldEntered{make_ready(entered_at(test::hall_with_gallery(), {{-2.0, 0.6, 0.0}, {6.0, 4.0, 2.6}}))},
+        person.now);
     person.run(0.5);
     EXPECT_TRUE(test::go_to_room(person, "Hall", 60.0)) << person.news();
     EXPECT_GT(person.app.feet_m().x, 0.0);

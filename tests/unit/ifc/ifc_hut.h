@@ -117,6 +117,20 @@ private:
     std::vector<int> parts_, spaces_;
 };
 
+// A hall 8 by 6 m, entered from the west. A wall divides it, and a gallery without stairs is its widest place.
+inline Hut hall_with_gallery() {
+    Hut hut;
+    hut.part("IFCSLAB", "Floor", hut.block({-6.0, -2.0, -0.2}, {8.0, 6.0, 0.0}), ",$");
+    hut.part("IFCSLAB", "Gallery", hut.block({0.0, 0.0, 2.4}, {8.0, 6.0, 2.6}), ",$");
+    hut.part("IFCSLAB", "Ceiling", hut.block({0.0, 0.0, 6.0}, {8.0, 6.0, 6.2}), ",$");
+    for (const Aabb& wall : {Aabb{{0.0, -0.2, 0.0}, {8.0, 0.0, 6.0}}, Aabb{{0.0, 6.0, 0.0}, {8.0, 6.2, 6.0}},
+                             Aabb{{8.0, -0.2, 0.0}, {8.2, 6.2, 6.0}}, Aabb{{-0.2, 1.2, 0.0}, {0.0, 6.2, 6.0}},
+                             Aabb{{0.0, 1.2, 0.0}, {8.0, 1.4, 2.4}}})
+        hut.part("IFCWALL", "Wall", hut.block(wall.min_m, wall.max_m), ",$");
+    hut.space("Hall", hut.block({0.0, 0.0, 0.0}, {8.0, 6.0, 6.0}));
+    return hut;
+}
+
 // Of the solids that lie wholly in a box.
 inline double volume_within_m3(const Scene& scene, const Aabb& box) {
     double sum = 0.0;

@@ -568,18 +568,8 @@ TEST(RoomsOfIfc, as_high_as_their_storey_do_not_hold_the_floor_over_them) {
     EXPECT_FALSE(holds(room, {5.0, 2.0, 1.0}));
 }
 
-// A gallery that nothing leads to is the widest place of the room.
 TEST(RoomsOfIfc, have_their_goal_where_one_comes_to_from_the_base) {
-    Hut hut;
-    hut.part("IFCSLAB", "Floor", hut.block({-6.0, -2.0, -0.2}, {8.0, 6.0, 0.0}), ",$");
-    hut.part("IFCSLAB", "Gallery", hut.block({0.0, 0.0, 2.4}, {8.0, 6.0, 2.6}), ",$");
-    hut.part("IFCSLAB", "Ceiling", hut.block({0.0, 0.0, 6.0}, {8.0, 6.0, 6.2}), ",$");
-    for (const Aabb& wall : {Aabb{{0.0, -0.2, 0.0}, {8.0, 0.0, 6.0}}, Aabb{{0.0, 6.0, 0.0}, {8.0, 6.2, 6.0}},
-                             Aabb{{8.0, -0.2, 0.0}, {8.2, 6.2, 6.0}}, Aabb{{-0.2, 1.2, 0.0}, {0.0, 6.2, 6.0}},
-                             Aabb{{0.0, 1.2, 0.0}, {8.0, 1.4, 2.4}}})
-        hut.part("IFCWALL", "Wall", hut.block(wall.min_m, wall.max_m), ",$");
-    hut.space("Hall", hut.block({0.0, 0.0, 0.0}, {8.0, 6.0, 6.0}));
-    Scene placed = hut.scene();
+    Scene placed = test::hall_with_gallery().scene();
     placed.starts = {Start{{-2.0, 0.6, 0.0}, 0.0, true, "", {}}, Start{{6.0, 4.0, 2.6}, 0.0, false, "", {}}};
     const Result<WalkSpace> space = make_walk_space(placed, WalkBody{});
     ASSERT_TRUE(space.has_value());
