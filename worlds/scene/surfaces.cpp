@@ -67,7 +67,12 @@ class SurfaceBuilder {
 public:
     SurfaceBuilder(Scene& scene, std::span<const std::vector<FaceLook>> looks, double metres_per_unit,
                    const std::stop_token& stop)
-        : scene_(scene), looks_(looks), unit_m_(metres_per_unit), stop_(stop), index_(boxes_of(scene)) {}
+        : scene_(scene),
+          looks_(looks),
+          unit_m_(metres_per_unit),
+          stop_(stop),
+          index_(boxes_of(scene)),
+          sheets_(sheet_boxes_of(scene)) {}
 
     void build() {
         for (const auto step :
@@ -84,6 +89,15 @@ private:
         std::vector<Aabb> boxes;
         boxes.reserve(scene.solids.size());
         for (const Solid& solid : scene.solids) boxes.push_back(solid.shape.bounds_m);
+        return boxes;
+    }
+    static std::vector<Aabb> sheet_boxes_of(const Scene& scene) {
+        std::vector<Aabb> boxes;
+        boxes.reserve(scene.triangles.size());
+        for (const MeshTriangle& sheet : scene.triangles) {
+            Aabb& box = boxes.emplace_back();
+            for (const Vec3& corner : {sheet.a_m, sheet.b_m, sheet.c_m}) box.include(corner);
+        }
         return boxes;
     }
 
@@ -121,18 +135,35 @@ private:
             for (const ExposedPiece& piece : pieces_of(s)) solid.face_hidden[piece.face] = false;
         }
         for (const Solid& solid : scene_.solids) all_m_.include(solid.shape.bounds_m);
+        for (const MeshTriangle& sheet : scene_.triangles)
+            for (const Vec3& corner : {sheet.a_m, sheet.b_m, sheet.c_m}) all_m_.include(corner);
     }
 
     std::span<const ExposedPiece> pieces_of(std::uint32_t solid) const {
         return std::span(pieces_).subspan(first_piece_[solid], first_piece_[solid + 1] - first_piece_[solid]);
     }
 
-    // Does a straight line from here leave the world without meeting anything of the building?
+    // The line from one place to the other passes through the triangle, borders included. A sheet without area stops
+    // nothing. Source: Moeller, Trumbore, Fast, minimum storage ray-triangle intersection, 1997.
+    static bool crosses(const MeshTriangle& sheet, const Vec3& from_m, const Vec3& to_m) {
+        const Vec3 way = to_m - from_m, ab = sheet.b_m - sheet.a_m, ac = sheet.c_m - sheet.a_m;
+        const Vec3 across = glm::cross(way, ac), off = from_m - sheet.a_m, turned = glm::cross(off, ab);
+        const double det = glm::dot(ab, across);
+        if (det == 0.0) return false;
+        const double u = glm::dot(off, across) / det, v = glm::dot(way, turned) / det, at = glm::dot(ac, turned) / det;
+        return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && at >= 0.0 && at <= 1.0;
+    }
+
+    // Does a straight line from here leave the world without meeting a solid or a sheet of the building?
     bool escapes(const Vec3& from_m, const Vec3& direction) {
         const Vec3 to_m = from_m + direction * (2.0 * glm::length(all_m_.size_m()) + 1.0);
         Aabb box;
         box.include(from_m);
         box.include(to_m);
+        sheets_.find(box, near_);
+        if (std::any_of(near_.begin(), near_.end(),
+                        [&](std::uint32_t t) { return crosses(scene_.triangles[t], from_m, to_m); }))
+            return false;
         index_.find(box, near_);
         return std::none_of(near_.begin(), near_.end(), [&](std::uint32_t s) {
             if (!is_touchable(scene_.solids[s].role)) return false;
@@ -466,7 +497,8 @@ private:
     std::span<const std::vector<FaceLook>> looks_;
     double unit_m_ = 1.0;
     std::stop_token stop_;
-    BoxIndex index_;  // over the solids
+    BoxIndex index_;   // over the solids
+    BoxIndex sheets_;  // over the triangles
     Aabb all_m_;
     std::vector<ExposedPiece> pieces_;
     std::vector<double> areas_m2_;                        // per piece

@@ -36,14 +36,14 @@ public:
              << most.y - least.y << ',' << most.z - least.z << ')';
         return add(text.str());
     }
+    int face(const std::vector<Vec3>& ring) {
+        std::vector<int> points;
+        for (const Vec3& p : ring) points.push_back(point(p));
+        return add("IFCFACE((" +
+                   ref(add("IFCFACEOUTERBOUND(" + ref(add("IFCPOLYLOOP(" + refs(points) + ")")) + ",.T.)")) + "))");
+    }
     // A closed shell whose outline, seen from above, need not be convex.
     int brep(const Ring& outline, double low, double high) {
-        const auto face = [this](const std::vector<Vec3>& ring) {
-            std::vector<int> points;
-            for (const Vec3& p : ring) points.push_back(point(p));
-            return add("IFCFACE((" +
-                       ref(add("IFCFACEOUTERBOUND(" + ref(add("IFCPOLYLOOP(" + refs(points) + ")")) + ",.T.)")) + "))");
-        };
         std::vector<Vec3> lower, upper;
         for (const Vec2& p : outline) {
             lower.insert(lower.begin(), {p.x, p.y, low});
@@ -55,6 +55,12 @@ public:
             faces.push_back(face({{a.x, a.y, low}, {b.x, b.y, low}, {b.x, b.y, high}, {a.x, a.y, high}}));
         }
         return add("IFCFACETEDBREP(" + ref(add("IFCCLOSEDSHELL(" + refs(faces) + ")")) + ")");
+    }
+    // Open faces without an inside.
+    int sheet(const std::vector<std::vector<Vec3>>& rings) {
+        std::vector<int> faces;
+        for (const std::vector<Vec3>& ring : rings) faces.push_back(face(ring));
+        return add("IFCSHELLBASEDSURFACEMODEL((" + ref(add("IFCOPENSHELL(" + refs(faces) + ")")) + "))");
     }
     int less(int from, int what) { return add("IFCBOOLEANRESULT(.DIFFERENCE.," + ref(from) + "," + ref(what) + ")"); }
     // A part of that class; `more` are its attributes after the tag.

@@ -48,6 +48,29 @@ TEST(PartsOfIfc, stand_however_deep_a_cutter_is_made_of_cutters) {
     EXPECT_NEAR(volume_within_m3(hut.scene(), kWall), 4.5 - 0.3 * 2.0, 1e-4);
 }
 
+// A partition is named by its two sides whether the wall before it is a solid or a sheet; only without that wall its
+// front is the outer side of the building.
+TEST(PartsOfIfc, behind_a_sheet_are_named_as_behind_a_wall) {
+    enum class Before { Nothing, Solid, Sheet };
+    for (const Before before : {Before::Nothing, Before::Solid, Before::Sheet}) {
+        SCOPED_TRACE(static_cast<int>(before));
+        Hut hut;
+        hut.part("IFCSLAB", "Floor", hut.block({0.0, 0.0, -0.2}, {8.0, 8.2, 0.0}), ",$");
+        hut.part("IFCWALL", "North", hut.block({0.0, 8.0, 0.0}, {8.0, 8.2, 3.0}), ",$");
+        hut.part("IFCWALL", "Partition", hut.block({0.0, 4.0, 0.0}, {3.0, 4.2, 3.0}), ",$");
+        if (before == Before::Solid) hut.part("IFCWALL", "South", hut.block({0.0, 0.0, 0.0}, {3.0, 0.1, 3.0}), ",$");
+        if (before == Before::Sheet)
+            hut.part("IFCWALL", "South",
+                     hut.sheet({{{0.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {3.0, 0.0, 3.0}, {0.0, 0.0, 3.0}}}), ",$");
+        const Scene scene = hut.scene();
+        std::string front;
+        for (const SurfacePolygon& surface : scene.surfaces)
+            if (surface.normal.y < -0.99 && std::abs(surface.polygon.points_m.front().y - 4.0) < 1e-6)
+                front = spoken_name(scene.features[surface.feature.value]);
+        EXPECT_EQ(front, before == Before::Nothing ? "south wall" : "north wall");
+    }
+}
+
 TEST(PartsOfIfc, are_named_when_a_cut_refers_to_itself) {
     Hut hut;
     hut.part("IFCSLAB", "Floor", hut.block({0.0, 0.0, -0.2}, {6.0, 6.0, 0.0}), ",$");
