@@ -21,7 +21,6 @@ std::string without_path(std::string name) {
     return name;
 }
 
-constexpr double kFarAway_m = 10'000.0;                          // numbers further from zero are an origin elsewhere
 constexpr double kThrough_m = 1.0;                               // how far an opening is lengthened through its wall
 constexpr double kNarrowestLeaf_m = 0.4, kThickestLeaf_m = 0.6;  // else it is drawn open, or no leaf
 
@@ -162,7 +161,7 @@ private:
                 const Frame frame = model_.placement(reference_at(model_.values(instance.id), 5));
                 const Aabb box = shapes_.body_of(reference_at(model_.values(instance.id), 6)).bounds_m();
                 if (box.empty()) continue;
-                if (const Vec3 at = frame.at(box.centre_m());
+                if (const Vec3 at = frame.at({box.centre_m().x, box.centre_m().y, box.min_m.z});
                     glm::length(at - building_.origin_m) > kFarAway_m && is_finite(at))
                     building_.origin_m = at;
                 return true;

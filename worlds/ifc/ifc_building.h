@@ -14,6 +14,9 @@
 
 namespace handrail {
 
+// Coordinates farther from zero than this belong to a national grid.
+inline constexpr double kFarAway_m = 10'000.0;
+
 struct IfcPart {
     PartRole role = PartRole::Other;
     std::uint64_t id = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "worlds/geometry/clip.h"
@@ -53,23 +54,38 @@ void lay_by_elevation(std::vector<StatedStorey>& storeys, const std::vector<doub
             storeys[i].floor_m += above_m;
 }
 
+// Some programs give the parts national coordinates and leave the storeys at zero, so that these have no height among
+// the parts. The lowest storey is then where the lowest part begins.
+void lay_under_parts(std::vector<StatedStorey>& storeys, const std::vector<IfcPart>& parts) {
+    double least_part_m = std::numeric_limits<double>::infinity(), least_storey_m = least_part_m;
+    for (const IfcPart& part : parts)
+        if (!part.box.empty()) least_part_m = std::min(least_part_m, part.box.min_m.z);
+    for (const StatedStorey& storey : storeys) least_storey_m = std::min(least_storey_m, storey.floor_m);
+    if (!std::isfinite(least_part_m)) return;
+    for (StatedStorey& storey : storeys) storey.floor_m += least_part_m - least_storey_m;
+}
+
 }  // namespace
 
 void read_spaces(IfcBuilding& building, IfcModel& model, const IfcRelations& relations, IfcShapes& shapes) {
     std::unordered_map<std::uint64_t, std::uint32_t> storey_of_id;
     std::vector<double> elevations_m;
+    bool all_elsewhere = true;
     for (const StepInstance& instance : model.file().instances()) {
         if (role_of(instance.name) != PartRole::Storey) continue;
         const Values v = model.file().values_of(instance);
         StatedStorey storey;
         storey.name = text_at(v, 2).empty() ? text_at(v, 7) : text_at(v, 2);
-        storey.floor_m = model.placement(reference_at(v, 5)).origin_m.z - building.origin_m.z;
+        const Vec3 at = model.placement(reference_at(v, 5)).origin_m - building.origin_m;
+        all_elsewhere = all_elsewhere && std::hypot(at.x, at.y) > kFarAway_m;
+        storey.floor_m = at.z;
         if (!(std::abs(storey.floor_m) <= kFarthestPart_m)) storey.floor_m = 0.0;
         storey_of_id.emplace(instance.id, static_cast<std::uint32_t>(building.storeys.size()));
         building.storeys.push_back(std::move(storey));
         elevations_m.push_back(number_at(v, 9) * model.metres_per_unit());
     }
     if (all_equal(building.storeys)) lay_by_elevation(building.storeys, elevations_m);
+    if (all_elsewhere) lay_under_parts(building.storeys, building.parts);
     for (const StepInstance& instance : model.file().instances()) {
         if (role_of(instance.name) != PartRole::Space) continue;
         const Values v = model.file().values_of(instance);

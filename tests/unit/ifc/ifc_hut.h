@@ -95,14 +95,21 @@ public:
         if (filling)
             add("IFCRELFILLSELEMENT('F" + std::to_string(last_) + "',$,$,$," + ref(made) + "," + ref(filling) + ")");
     }
-    std::string text(const std::string& schema = "IFC4") const {
+    // `storey_m`: where its storey is placed.
+    std::string text(const std::string& schema = "IFC4", const Vec3& storey_m = Vec3(0.0)) const {
+        std::ostringstream at;
+        at.precision(12);
+        at << std::showpoint << '(' << storey_m.x << ',' << storey_m.y << ',' << storey_m.z << ')';
         return "ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('" + schema +
                "'));\nENDSEC;\nDATA;\n#1=IFCCARTESIANPOINT((0.,0.,0.));\n#2=IFCAXIS2PLACEMENT3D(#1,$,$);\n"
                "#3=IFCSIUNIT(*,.LENGTHUNIT.,$,.METRE.);\n#4=IFCUNITASSIGNMENT((#3));\n"
                "#5=IFCGEOMETRICREPRESENTATIONCONTEXT($,'Model',3,1.E-5,#2,$);\n"
                "#6=IFCPROJECT('P',$,'Plan',$,$,$,$,(#5),#4);\n#7=IFCLOCALPLACEMENT($,#2);\n"
                "#8=IFCBUILDING('B',$,'Hut',$,$,#7,$,$,.ELEMENT.,$,$,$);\n"
-               "#9=IFCBUILDINGSTOREY('S',$,'Ground',$,$,#7,$,$,.ELEMENT.,0.);\n"
+               "#9=IFCBUILDINGSTOREY('S',$,'Ground',$,$,#14,$,$,.ELEMENT.,0.);\n"
+               "#12=IFCCARTESIANPOINT(" +
+               at.str() +
+               ");\n#13=IFCAXIS2PLACEMENT3D(#12,$,$);\n#14=IFCLOCALPLACEMENT($,#13);\n"
                "#10=IFCRELAGGREGATES('R1',$,$,$,#6,(#8));\n#11=IFCRELAGGREGATES('R2',$,$,$,#8,(#9));\n" +
                data_.str() +
                (spaces_.empty() ? "" : "#999998=IFCRELAGGREGATES('R3',$,$,$,#9," + refs(spaces_) + ");\n") +
@@ -110,8 +117,8 @@ public:
                                : "#999999=IFCRELCONTAINEDINSPATIALSTRUCTURE('C',$,$,$," + refs(parts_) + ",#9);\n") +
                "ENDSEC;\nEND-ISO-10303-21;\n";
     }
-    Scene scene(const std::string& schema = "IFC4") const {
-        Result<Scene> read = read_world_bytes("hut.ifc", text(schema), {});
+    Scene scene(const std::string& schema = "IFC4", const Vec3& storey_m = Vec3(0.0)) const {
+        Result<Scene> read = read_world_bytes("hut.ifc", text(schema, storey_m), {});
         EXPECT_TRUE(read.has_value()) << (read ? "" : read.error().message);
         return read ? *std::move(read) : Scene{};
     }

@@ -316,9 +316,7 @@ TEST(PartsOfIfc, are_read_at_national_coordinates_whatever_their_class) {
         hut.part(kind, "One", hut.block({0.0, 0.0, 0.0}, {6.0, 0.2, 2.7}), ",$", far);
         hut.part(kind, "Other", hut.block({0.0, 4.0, 0.0}, {6.0, 4.2, 2.7}), ",$", far);
         const Scene scene = hut.scene();
-        EXPECT_NEAR(volume_within_m3(scene, {Vec3(-100.0), Vec3(100.0)}) -
-                        volume_within_m3(scene, {{-100.0, -100.0, -100.0}, {100.0, 100.0, -1.3}}),
-                    2 * 6.0 * 0.2 * 2.7, 1e-4);
+        EXPECT_NEAR(volume_within_m3(scene, {{-100.0, -100.0, 0.0}, Vec3(100.0)}), 2 * 6.0 * 0.2 * 2.7, 1e-4);
     }
 }
 
@@ -616,6 +614,27 @@ TEST(RoomsOfIfc, have_their_goal_where_one_comes_to_from_the_base) {
     EXPECT_EQ(room_at(graph, *space, goal), room);
     EXPECT_TRUE((*ways)->plan(on_gallery, goal).reaches);
     EXPECT_EQ(goal_in_room(**ways, graph, room, placed.starts[0].feet_m), hall->middle_m);
+}
+
+// Some programs give the parts national coordinates and leave the storeys at zero.
+TEST(StoreysOfIfc, are_as_high_as_the_parts_on_a_national_grid) {
+    for (const std::string kind : {"IFCBUILDINGELEMENTPROXY", "IFCWALL"})
+        for (const double height_m : {0.0, 71.0, -3.0, 2412.5})
+            for (const bool storeys_too : {false, true}) {
+                SCOPED_TRACE(kind + " at " + std::to_string(height_m) + (storeys_too ? ", all" : ", parts only"));
+                const Vec3 grid{412300.0, 5654100.0, height_m};
+                Hut hut;
+                const int there = hut.add("IFCLOCALPLACEMENT($," + Hut::ref(hut.placed(grid)) + ")");
+                if (!storeys_too) hut.storey("Upper", 2.8);
+                hut.part(kind, "Wall", hut.block({0.0, 0.0, 0.0}, {6.0, 0.2, 5.6}), ",$", there);
+                hut.part(kind, "Slab", hut.block({0.0, 0.0, 2.6}, {6.0, 4.0, 2.8}), ",$", there);
+                const Scene scene = hut.scene("IFC4", storeys_too ? grid : Vec3(0.0));
+                ASSERT_TRUE(scene.stated);
+                // The wall is 5.6 m high, the ground under it a little lower.
+                EXPECT_NEAR(scene.bounds_m.max_m.z, 5.6, 1e-6);
+                EXPECT_NEAR(scene.stated->storeys.front().floor_m, 0.0, 1e-6);
+                EXPECT_NEAR(scene.stated->storeys.back().floor_m, storeys_too ? 0.0 : 2.8, 1e-6);
+            }
 }
 
 // Rooms of a house with half-storeys, side by side; and a sunken part of a storey, which the file states as no storey.
