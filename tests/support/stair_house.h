@@ -46,7 +46,9 @@ inline const char* form_name(StairForm form) {
 
 class StairHouse {
 public:
-    explicit StairHouse(StairForm form) {
+    // wall_tops_m: of the pieces that the walls are made of, from the lowest up.
+    explicit StairHouse(StairForm form, std::vector<double> wall_tops_m = {3.8})
+        : wall_tops_m_(std::move(wall_tops_m)) {
         b_.box({-6, -6, -0.2}, {8, 8, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
         switch (form) {
             case StairForm::Straight:
@@ -88,7 +90,7 @@ public:
     const Vec3& gallery_m() const { return gallery_m_; }
 
 private:
-    static constexpr double kUp_m = 2.8, kThick_m = 0.2, kWallTop_m = 3.8;
+    static constexpr double kUp_m = 2.8, kThick_m = 0.2;
 
     void room(const std::string& name, const Vec3& low, const Vec3& high, const Vec3& at_m) {
         StatedRoom made;
@@ -105,7 +107,9 @@ private:
                FeatureKind::Floor);
     }
     void wall(const Vec2& low, const Vec2& high) {
-        b_.box({low, 0.0}, {high, kWallTop_m}, "wall", SolidRole::Solid, {}, FeatureKind::Wall);
+        for (std::size_t i = 0; i < wall_tops_m_.size(); ++i)
+            b_.box({low, i == 0 ? 0.0 : wall_tops_m_[i - 1]}, {high, wall_tops_m_[i]}, "wall", SolidRole::Solid, {},
+                   FeatureKind::Wall);
     }
     // A part of the stairs, all of which are one feature.
     void part(const std::vector<Vec2>& outline_m, double low_m, double high_m) {
@@ -224,6 +228,7 @@ private:
 
     SceneBuilder b_;
     StatedBuilding stated_;
+    std::vector<double> wall_tops_m_;
     FeatureId stairs_ = kNoFeature;
     bool sheets_ = false;
     Vec3 hall_m_{0.0}, gallery_m_{0.0}, gallery_low_m_{0.0}, gallery_high_m_{0.0};

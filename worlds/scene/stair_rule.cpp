@@ -1,5 +1,7 @@
 #include "worlds/scene/stair_rule.h"
 
+#include <cmath>
+
 #include "worlds/scene/stated_building.h"
 
 namespace handrail {
@@ -8,6 +10,18 @@ namespace {
 constexpr double kBeside_m = 0.3;    // a part that is nearer to the stairs, seen from above, is above them
 constexpr double kOverFoot_m = 1.0;  // what begins lower is a wall
 constexpr double kOverHead_m = 0.3;  // what ends higher is a wall or a roof
+constexpr double kSeam_m = 0.01;     // between two pieces of one wall
+
+// The place of the flight and what is next to it, at all heights.
+Aabb beside(Aabb stairs) {
+    stairs.min_m -= Vec3(kBeside_m, kBeside_m, 0.0);
+    stairs.max_m += Vec3(kBeside_m, kBeside_m, 0.0);
+    return stairs;
+}
+
+bool meets_level(const Aabb& a, const Aabb& b) {
+    return a.min_m.x < b.max_m.x && a.max_m.x > b.min_m.x && a.min_m.y < b.max_m.y && a.max_m.y > b.min_m.y;
+}
 
 // Up to the highest room that they join: railings go on above that.
 double head_m(const StatedBuilding& stated, const StatedPortal& portal, const Aabb& box) {
@@ -26,18 +40,51 @@ StairRule::StairRule(const Scene& scene) {
         if (!feature || feature->bounds_m.empty()) continue;
         is_stairs_.resize(scene.features.size(), false);
         is_stairs_[portal.feature.value] = true;
-        stairs_.push_back(feature->bounds_m);
-        stairs_.back().max_m.z = head_m(*scene.stated, portal, feature->bounds_m);
+        Flight& flight = flights_.emplace_back();
+        flight.box_m = feature->bounds_m;
+        flight.box_m.max_m.z = head_m(*scene.stated, portal, feature->bounds_m);
     }
+    find_walls(scene);
+}
+
+// From the lowest up, so that each piece of a wall finds those below it.
+void StairRule::find_walls(const Scene& scene) {
+    for (Flight& flight : flights_) {
+        const Aabb around = beside(flight.box_m);
+        std::vector<Aabb> near;
+        for (const Solid& solid : scene.solids)
+            if (solid.role == SolidRole::Solid && !is_stairs(solid.feature) &&
+                meets_level(solid.shape.bounds_m, around))
+                near.push_back(solid.shape.bounds_m);
+        std::sort(near.begin(), near.end(), [](const Aabb& a, const Aabb& b) { return a.min_m.z < b.min_m.z; });
+        for (const Aabb& box : near)
+            if (!above(flight, box) || on_wall(flight, box)) flight.wide_m.push_back(box);
+    }
+}
+
+bool StairRule::above(const Flight& flight, const Aabb& box) const {
+    const Aabb& stairs = flight.box_m;
+    return box.min_m.z > stairs.min_m.z + kOverFoot_m && box.max_m.z < stairs.max_m.z + kOverHead_m &&
+           meets_level(box, beside(stairs));
+}
+
+// Seen from above, and as far as it is near the flight, the piece is within the one that it stands on.
+bool StairRule::on_wall(const Flight& flight, const Aabb& box) const {
+    const Aabb around = beside(flight.box_m);
+    return std::any_of(flight.wide_m.begin(), flight.wide_m.end(), [&](const Aabb& wall) {
+        if (std::abs(wall.max_m.z - box.min_m.z) > kSeam_m) return false;
+        for (int axis = 0; axis < 2; ++axis)
+            if (std::max(box.min_m[axis], around.min_m[axis]) < wall.min_m[axis] - kSeam_m ||
+                std::min(box.max_m[axis], around.max_m[axis]) > wall.max_m[axis] + kSeam_m)
+                return false;
+        return true;
+    });
 }
 
 bool StairRule::narrow(FeatureId feature, const Aabb& box) const {
     if (is_stairs(feature)) return true;
-    return std::any_of(stairs_.begin(), stairs_.end(), [&](const Aabb& stairs) {
-        return box.min_m.z > stairs.min_m.z + kOverFoot_m && box.max_m.z < stairs.max_m.z + kOverHead_m &&
-               box.min_m.x < stairs.max_m.x + kBeside_m && box.max_m.x > stairs.min_m.x - kBeside_m &&
-               box.min_m.y < stairs.max_m.y + kBeside_m && box.max_m.y > stairs.min_m.y - kBeside_m;
-    });
+    return std::any_of(flights_.begin(), flights_.end(),
+                       [&](const Flight& flight) { return above(flight, box) && !on_wall(flight, box); });
 }
 
 }  // namespace handrail

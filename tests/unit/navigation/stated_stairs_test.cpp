@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "tests/support/box_scene.h"
@@ -118,6 +119,27 @@ TEST(StatedStairs, of_each_form_are_walked_up_and_down) {
 }
 
 // Where no stairs are stated the same treads carry nobody who is as wide and as tall as they are.
+// Architects' models have walls in pieces one upon the other. A foot that passes the upper one must find no ledge on
+// the lower one.
+TEST(StatedStairs, next_to_walls_in_pieces_are_as_next_to_whole_walls) {
+    std::mt19937 random(20261129);
+    const int rounds = test::kSanitizerScale < 1.0 ? 1 : 3;
+    for (const test::StairForm form : test::kStairForms)
+        for (int round = 0; round < rounds; ++round) {
+            SCOPED_TRACE(test::form_name(form));
+            constexpr double kTop_m = 2.9;
+            std::vector<double> tops_m{std::uniform_real_distribution(1.2, 2.0)(random),
+                                       std::uniform_real_distribution(2.0, 2.8)(random), kTop_m};
+            SCOPED_TRACE(testing::PrintToString(tops_m));
+            const auto whole = test::StairHouse(form, {kTop_m}).share(),
+                       pieces = test::StairHouse(form, tops_m).share();
+            const Result<WalkSpace> a = make_walk_space(*whole, WalkBody{}), b = make_walk_space(*pieces, WalkBody{});
+            ASSERT_TRUE(a && b);
+            ASSERT_EQ(a->spans.size(), b->spans.size());
+            for (std::uint32_t s = 0; s < a->spans.size(); ++s) ASSERT_EQ(a->place_m(s), b->place_m(s));
+        }
+}
+
 TEST(StatedStairs, alone_are_met_by_a_narrow_body) {
     for (const test::StairForm form : test::kStairForms) {
         const test::StairHouse house(form);
