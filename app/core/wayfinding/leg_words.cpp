@@ -110,9 +110,10 @@ std::string leg_words(const SpokenLeg& leg, const DistanceWords& how) {
         const std::string flight = phrase(leg.up ? "leg.stairs_up" : "leg.stairs_down", {{"risers", leg.risers}});
         text += " " + phrase("leg.over_flight", {{"flight", flight}, {"steps", leg.to_stairs}});
     }
-    if (leg.open) text += " " + phrase("leg.open_it");
-    else if (leg.by_itself) text += " " + phrase("leg.opens_by_itself");
+    // One thing to do at a time: nobody comes to the door before the leaf is out of the way.
     if (!leg.leaf.empty()) text += " " + capitalised(phrase("leg.leaf_in_way", {{"door", leg.leaf}}));
+    else if (leg.open) text += " " + phrase("leg.open_it");
+    else if (leg.by_itself) text += " " + phrase("leg.opens_by_itself");
     if (!leg.clue.empty()) text += " " + leg.clue;
     return text;
 }

@@ -45,6 +45,18 @@ TEST(LegWords, tell_what_to_do_first_then_how_far_then_to_what) {
     EXPECT_EQ(leg_words(leg(2, 3, PaceEnd::Steps, ""), {false, 0.7, true}), "Turn half right. 2 metres.");
 }
 
+TEST(LegWords, tell_one_thing_to_do_at_a_time) {
+    SpokenLeg leaf = leg(0, 2, PaceEnd::Stopped, "Toilet door, shut");
+    leaf.leaf = "front door";
+    for (const bool by_itself : {false, true}) {
+        leaf.open = !by_itself;
+        leaf.by_itself = by_itself;
+        EXPECT_EQ(
+            leg_words(leaf, {}),
+            "Straight on. 2 steps, until you meet Toilet door, shut. Front door is open and in the way. Shut it.");
+    }
+}
+
 TEST(LegWords, have_the_same_form_in_german) {
     const test::InLanguage german("de");
     EXPECT_EQ(leg_words(leg(0, 6, PaceEnd::Steps, ""), {}), "Geradeaus. 6 Schritte.");
