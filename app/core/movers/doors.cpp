@@ -59,9 +59,17 @@ bool passes_body(const Feature& feature, const PlacedModel& leaf, const std::opt
            !meets_body(leaf.model, *comes_to_rest, feet_m, body);
 }
 
-// The ways of two things may cross: leaves of one door, what its maker means to pass, and a lift with its own doors.
+// A leaf that hangs on a hinge and is opened by hand.
+bool swings_by_hand(const Scene& scene, const Mover& mover) {
+    return mover.by_hand && mover.swing_rad != 0.0 && scene.features[mover.feature.value].kind == FeatureKind::Door;
+}
+
+// The ways of two things may cross: leaves of one door, what its maker means to pass, a lift with its own doors, and
+// two doors on hinges. In narrow corridors the leaf of one reaches where that of another stands open. Whoever opens it
+// moves both.
 bool let_through(const Scene& scene, std::uint32_t a, std::uint32_t b) {
     const Mover &one = scene.movers[a], &other = scene.movers[b];
+    if (swings_by_hand(scene, one) && swings_by_hand(scene, other)) return true;
     return one.group == other.group || (one.passes != kNoMover && one.passes == other.passes) || one.lift == b ||
            other.lift == a;
 }
