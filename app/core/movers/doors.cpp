@@ -248,6 +248,8 @@ Meeting Doors::meet(std::uint32_t mover, const Placement& from, const Placement&
     if (world_.thing_of_mover[mover] < 0) return Meeting::None;
     const auto thing = [&](std::uint32_t i) { return static_cast<std::size_t>(world_.thing_of_mover[i]); };
     const PlacedModel& own = world_.scene->placed[thing(mover)];
+    const bool door = world_.scene->features[own.feature.value].kind == FeatureKind::Door;
+    const bool goes_shut = door ? world_.movers.goes_shut(mover) : world_.movers.goes_to_rest(mover);
     const BodyShape body = body_.walker->shape();
     const Aabb there = placed_bounds(own.model->bounds_m, to);
 
@@ -265,13 +267,11 @@ Meeting Doors::meet(std::uint32_t mover, const Placement& from, const Placement&
         const TraceHit hit = world_.solids->trace(feet, feet + way, body, false, index);
         if (hit.hit && hit.normal.z < kCeiling) return Meeting::Body;
         feet = hit.end_m;
-    } else if (!passes_body(
-                   world_.scene->features[own.feature.value], own,
-                   world_.movers.goes_to_rest(mover) ? std::optional(world_.movers.at_rest(mover)) : std::nullopt, feet,
-                   body) &&
+    } else if (!passes_body(world_.scene->features[own.feature.value], own,
+                            goes_shut ? std::optional(world_.movers.at_goal(mover)) : std::nullopt, feet, body) &&
                overlap(there, body_box(feet, body)) && meets_body(own.model, to, feet, body)) {
         // Whom it has come over otherwise it goes away from; but nothing shuts on anybody.
-        if (world_.movers.goes_to_rest(mover) || !meets_body(own.model, from, feet, body)) return Meeting::Body;
+        if (goes_shut || !meets_body(own.model, from, feet, body)) return Meeting::Body;
     }
 
     for (std::uint32_t other = 0; other < world_.movers.size(); ++other) {
@@ -342,20 +342,21 @@ void Doors::tell(std::span<const MoverEvent> events, double now_s) {
         const bool first = std::none_of(world_.scene->movers.begin(), world_.scene->movers.begin() + event.mover,
                                         [&](const Mover& other) { return other.group == mover.group; });
         if (!first) continue;
+        const bool opens = feature.kind == FeatureKind::Door, button = feature.kind == FeatureKind::Button;
+        // A door is shut where the file has it, also one that rests open.
+        const bool at_shut = opens ? event.at_rest != mover.rests_far : event.at_rest;
         CueRequest sound;
         sound.kind = CueRequestKind::Play;
-        sound.sound =
-            event.kind == MoverEvent::Kind::Leaves && !event.at_rest ? SoundKind::DoorMoves : SoundKind::DoorShuts;
+        sound.sound = event.kind == MoverEvent::Kind::Leaves && !at_shut ? SoundKind::DoorMoves : SoundKind::DoorShuts;
         sound.time_s = now_s;
         sound.position_m = middle;
         sound.material = world_.scene->material(feature.material).sound;
-        if (event.kind == MoverEvent::Kind::Leaves || (event.kind == MoverEvent::Kind::Arrives && event.at_rest)) {
+        if (event.kind == MoverEvent::Kind::Leaves || (event.kind == MoverEvent::Kind::Arrives && at_shut)) {
             const bool speaks = distance_m < 10.0 || locked(world_, event.mover);
-            if (event.kind == MoverEvent::Kind::Leaves && event.at_rest) continue;  // it shuts: heard when it is shut
+            if (event.kind == MoverEvent::Kind::Leaves && at_shut) continue;  // it shuts: heard when it is shut
             context_.cues.cue(std::move(sound));
             if (!speaks) continue;
             const std::string name = sentence_case(spoken_name(feature));
-            const bool opens = feature.kind == FeatureKind::Door, button = feature.kind == FeatureKind::Button;
             // What a button has brought about is an answer: as the name of what is met it would replace "button
             // pressed", or be replaced by it.
             const SpeechClass as = locked(world_, event.mover) ? SpeechClass::Answer : SpeechClass::Contact;
@@ -372,7 +373,7 @@ void Doors::tell(std::span<const MoverEvent> events, double now_s) {
                                     {{"name", name}}),
                              opens && distance_m < kBesideOne_m ? SpeechClass::Warning : SpeechClass::Ambient, now_s);
         } else if (event.kind == MoverEvent::Kind::TurnsBack) {
-            const bool opens_again = feature.kind == FeatureKind::Door && !event.at_rest;
+            const bool opens_again = opens && !at_shut;
             context_.say(phrase(opens_again ? "movers.met_you" : "movers.met_you_goes_back",
                                 {{"name", sentence_case(spoken_name(feature))}}),
                          SpeechClass::Contact, now_s);

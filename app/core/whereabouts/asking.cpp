@@ -68,12 +68,12 @@ std::string Asking::state_of(const Sight& sight) const {
     for (std::uint32_t i = 0; i < context_.world.movers.size(); ++i) {
         const Mover& mover = context_.world.scene->movers[i];
         if (mover.feature != sight.seen.feature || !mover.moves()) continue;
-        const double away = context_.world.movers.away(i);
+        const double open = context_.world.movers.part(i);
         if (feature->kind == FeatureKind::Door) {
-            text = phrase(away > kOpen ? "questions.open" : away < kShut ? "questions.shut" : "questions.half_open");
-            if (away < kShut && locked(context_.world, i))
+            text = phrase(open > kOpen ? "questions.open" : open < kShut ? "questions.shut" : "questions.half_open");
+            if (open < kShut && locked(context_.world, i))
                 text = joined(text, phrase("questions.opened_from_elsewhere"));
-        } else if (away > kShut) {
+        } else if (context_.world.movers.away(i) > kShut) {
             text = phrase("questions.moved");
         }
     }

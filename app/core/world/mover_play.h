@@ -60,6 +60,9 @@ public:
     Placement at_rest(std::uint32_t mover) const { return movers_[mover].at(rest(mover)); }
     // Where it is when it has come to where it goes.
     Placement at_goal(std::uint32_t mover) const { return movers_[mover].at(parts_[mover].goal); }
+    // How far it is from where the file has it, 0 to 1. There a door is shut, also one that rests open.
+    double part(std::uint32_t mover) const { return parts_[mover].part; }
+    bool goes_shut(std::uint32_t mover) const { return parts_[mover].goal == 0.0; }
     // How far it is from where it rests, as a part of its whole way, 0 to 1; of an endless one 0.
     double away(std::uint32_t mover) const { return std::abs(parts_[mover].part - rest(mover)); }
     bool goes_to_rest(std::uint32_t mover) const {

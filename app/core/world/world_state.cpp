@@ -29,7 +29,7 @@ bool locked(const WorldState& world, std::uint32_t mover) {
            door.approach_m.empty();
 }
 
-bool shut(const WorldState& world, std::uint32_t mover) { return world.movers.away(mover) < kShut; }
+bool shut(const WorldState& world, std::uint32_t mover) { return world.movers.part(mover) < kShut; }
 
 std::optional<FeatureId> button_of(const WorldState& world, std::uint32_t mover, const Vec3& from_m) {
     std::optional<FeatureId> button;
