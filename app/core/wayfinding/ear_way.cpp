@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -156,7 +157,7 @@ void EarWay::tell_on(double now_s) {
     const Route& route = leg->route;
     const std::string where = where_words(context_, std::hypot(off.x, off.y), std::atan2(off.x, off.y)),
                       all = sentence_case(distance_words(route.length_m, distances(context_)));
-    std::string leaf = leaf_ahead(context_, feet_m, leg->to_m);
+    std::string leaf = leaf_ahead(context_, std::array{feet_m, leg->to_m});
     if (!leaf.empty()) leaf = " " + capitalised(phrase("leg.leaf_in_way", {{"door", leaf}}));
     for (const RoutePassage& passage : route.passages)
         if (passage.at_m < leg->along_m + 1.0) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "app/core/context/telling.h"
 #include "app/core/world/body_meets.h"
@@ -12,19 +13,22 @@ namespace handrail {
 namespace {
 
 constexpr double kBeyondEnd_m = 0.1;        // of the end of the stretch
+constexpr double kLeastStretch_m = 1e-3;    // a shorter one has no direction
 constexpr double kShutLeafWithin_m = 0.25;  // from where the leaf is when it is shut
 constexpr double kLeafLookEvery_m = 0.1;
 constexpr double kSquarely = 0.7;  // |cos| between a stretch and a leaf: less meets its face, more its edge
 
-// The stretch comes to where the leaf is when it is shut.
-bool leads_through_door(const Aabb& shut_m, const Vec3& from_m, const Vec3& to_m) {
-    const Vec3 way = to_m - from_m;
-    const int looks = std::max(1, static_cast<int>(std::ceil(glm::length(way) / kLeafLookEvery_m)));
-    for (int i = 0; i <= looks; ++i) {
-        const Vec3 at = from_m + way * (static_cast<double>(i) / looks);
-        const double x = std::max({shut_m.min_m.x - at.x, 0.0, at.x - shut_m.max_m.x}),
-                     y = std::max({shut_m.min_m.y - at.y, 0.0, at.y - shut_m.max_m.y});
-        if (std::hypot(x, y) < kShutLeafWithin_m) return true;
+// The path comes to where the leaf is when it is shut.
+bool leads_through_door(const Aabb& shut_m, std::span<const Vec3> path_m) {
+    for (std::size_t leg = 1; leg < path_m.size(); ++leg) {
+        const Vec3 way = path_m[leg] - path_m[leg - 1];
+        const int looks = std::max(1, static_cast<int>(std::ceil(glm::length(way) / kLeafLookEvery_m)));
+        for (int i = 0; i <= looks; ++i) {
+            const Vec3 at = path_m[leg - 1] + way * (static_cast<double>(i) / looks);
+            const double x = std::max({shut_m.min_m.x - at.x, 0.0, at.x - shut_m.max_m.x}),
+                         y = std::max({shut_m.min_m.y - at.y, 0.0, at.y - shut_m.max_m.y});
+            if (std::hypot(x, y) < kShutLeafWithin_m) return true;
+        }
     }
     return false;
 }
@@ -40,28 +44,34 @@ bool meets_face(const WorldState& world, std::uint32_t mover, const Aabb& leaf_m
 
 }  // namespace
 
-std::optional<std::uint32_t> leaf_across(const WorldState& world, const BodySize& size, const Vec3& from_m,
-                                         const Vec3& to_m) {
-    const Vec3 way = to_m - from_m;
-    const double far_m = std::hypot(way.x, way.y) + kBeyondEnd_m;
-    const auto met = body_meets(*world.solids, from_m, size, std::atan2(way.x, way.y), far_m);
-    const int found = met ? mover_of(world, met->feature) : -1;
-    if (found < 0) return std::nullopt;
-    const auto mover = static_cast<std::uint32_t>(found);
-    const Feature* feature = world.scene->find(met->feature);
-    if (!feature || feature->kind != FeatureKind::Door || !world.scene->movers[mover].by_hand ||
-        world.thing_of_mover[mover] < 0 || shut(world, mover))
-        return std::nullopt;
-    const Aabb& leaf_m = world.scene->placed[static_cast<std::size_t>(world.thing_of_mover[mover])].model->bounds_m;
-    // Who comes from its hinge's side to the doorway has the leaf across the way before it.
-    const double free_m = std::max(0.0, met->distance_m - size.radius_m);
-    const Vec3 last_m = meets_face(world, mover, leaf_m, way) ? from_m + way * (free_m / far_m) : to_m;
-    if (leads_through_door(placed_bounds(leaf_m, world.movers.at_rest(mover)), from_m, last_m)) return std::nullopt;
-    return mover;
+std::optional<std::uint32_t> leaf_across(const WorldState& world, const BodySize& size, std::span<const Vec3> path_m) {
+    for (std::size_t i = 1; i < path_m.size(); ++i) {
+        const Vec3 &from_m = path_m[i - 1], &to_m = path_m[i];
+        const Vec3 way = to_m - from_m;
+        if (std::hypot(way.x, way.y) < kLeastStretch_m) continue;
+        const double far_m = std::hypot(way.x, way.y) + kBeyondEnd_m;
+        const auto met = body_meets(*world.solids, from_m, size, std::atan2(way.x, way.y), far_m);
+        const int found = met ? mover_of(world, met->feature) : -1;
+        if (found < 0) continue;
+        const auto mover = static_cast<std::uint32_t>(found);
+        const Feature* feature = world.scene->find(met->feature);
+        if (!feature || feature->kind != FeatureKind::Door || !world.scene->movers[mover].by_hand ||
+            world.thing_of_mover[mover] < 0 || shut(world, mover))
+            continue;
+        const Aabb& leaf_m = world.scene->placed[static_cast<std::size_t>(world.thing_of_mover[mover])].model->bounds_m;
+        // Who comes from its hinge's side to the doorway has the leaf across the way before it.
+        const double free_m = std::max(0.0, met->distance_m - size.radius_m);
+        const bool face = meets_face(world, mover, leaf_m, way);
+        std::vector<Vec3> until_m(path_m.begin(), path_m.begin() + static_cast<std::ptrdiff_t>(i));
+        if (face) until_m.push_back(from_m + way * (free_m / far_m));
+        else until_m.insert(until_m.end(), path_m.begin() + static_cast<std::ptrdiff_t>(i), path_m.end());
+        if (!leads_through_door(placed_bounds(leaf_m, world.scene->movers[mover].at(0.0)), until_m)) return mover;
+    }
+    return std::nullopt;
 }
 
-std::string leaf_ahead(const SessionContext& context, const Vec3& from_m, const Vec3& to_m) {
-    const auto mover = leaf_across(context.world, context.body.walker->size(), from_m, to_m);
+std::string leaf_ahead(const SessionContext& context, std::span<const Vec3> path_m) {
+    const auto mover = leaf_across(context.world, context.body.walker->size(), path_m);
     if (!mover) return {};
     return passage_name(context, PassageKind::Door, context.world.scene->movers[*mover].feature, 0.0);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "app/core/context/telling.h"
 #include "app/core/wayfinding/leaf_ahead.h"
@@ -17,6 +18,8 @@ namespace {
 constexpr double kFarthest_m = 40.0;  // of a leg that something ends
 constexpr double kMeets_m = 0.6;      // beyond where the body is stopped
 constexpr double kFine_m = 0.05;      // between two looks at the floor, for its risers
+constexpr double kPathEvery_m = 0.4;  // between two places of the path that is searched for leaves
+constexpr double kAhead_m = 0.01;
 constexpr double kRiser_m = 0.06;
 constexpr double kLeft_part = 0.5;  // of a step, that is nothing any more
 
@@ -49,12 +52,14 @@ struct Walked {
     BlindBody body;
     int risers = 0;
     double to_stairs_m = 0.0;
+    std::vector<Vec3> path_m;  // from where it stands, every kPathEvery_m
 };
 Walked walk(const WordFloor& floor, const LegAt& at, const DoorsOpen& open, double most_m = kFarthest_m) {
     Walked walked;
     walked.body = floor.ground.body_at(at.from_m);
     if (walked.body.span == kNothing) return walked;
-    double z = floor.ground.feet_m(walked.body).z, way_m = 0.0;
+    walked.path_m.push_back(at.from_m);
+    double z = floor.ground.feet_m(walked.body).z, way_m = 0.0, kept_m = 0.0;
     walked.paced = floor.ground.walk(
         walked.body, notch_heading_rad(at.notch), most_m, at.leg.end, open,
         [&](const BlindBody& body) {
@@ -65,9 +70,17 @@ Walked walk(const WordFloor& floor, const LegAt& at, const DoorsOpen& open, doub
                 ++walked.risers;
             }
             z = here;
+            if (way_m - kept_m > kPathEvery_m) {
+                walked.path_m.push_back(floor.ground.feet_m(body));
+                kept_m = way_m;
+            }
             return true;
         },
         kFine_m);
+    walked.path_m.push_back(floor.ground.feet_m(walked.body));
+    // What stops the body is just ahead.
+    if (walked.paced.stopped)
+        walked.path_m.push_back(walked.path_m.back() + kAhead_m * forward_of_heading(notch_heading_rad(at.notch)));
     return walked;
 }
 
@@ -131,14 +144,16 @@ SpokenLeg spoken_leg(const SessionContext& context, const WordFloor& floor, cons
         told.open = shut && context.world.scene->movers[door->mover].by_hand;
         told.by_itself = shut && !told.open;
     }
-    told.leaf = leaf_ahead(context, at.from_m, at.leg.to_m);
     if (at.leg.end == PaceEnd::Steps) {
         told.steps = std::max(1, static_cast<int>(std::lround(counted_left(floor, at))));
-        tell_flight(told, floor, walk(floor, at, open, told.steps * floor.step_m));
+        const Walked walked = walk(floor, at, open, told.steps * floor.step_m);
+        told.leaf = leaf_ahead(context, walked.path_m);
+        tell_flight(told, floor, walked);
         told.clue = leg_clue(context, floor, at.from_m, at.leg.to_m, at.notch, at.leg.door);
         return told;
     }
     const Walked walked = walk(floor, at, open);
+    told.leaf = leaf_ahead(context, walked.path_m);
     if (at.leg.end == PaceEnd::Stairs) {
         told.up = at.leg.rise_m > 0.0;
         told.risers = walked.risers >= 2 ? walked.risers : 0;

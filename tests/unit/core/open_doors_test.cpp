@@ -1,10 +1,12 @@
 // Ways past open doors in the house: a leaf that stands in a way is gone round, as it stands when one sets out and as
 // it comes to stand on the way.
+#include <array>
 #include <map>
 
 #include "app/core/wayfinding/leaf_ahead.h"
 #include "tests/support/every.h"
 #include "tests/support/map_text.h"
+#include "tests/support/word_walker.h"
 #include "tests/unit/core/way_walker.h"
 
 namespace handrail {
@@ -157,19 +159,23 @@ TEST(OpenDoors, that_are_shut_again_leave_the_ways_as_they_were) {
     EXPECT_EQ(way(), shut);
 }
 
-// A corridor 1.1 m wide whose north side has a closet, with a door that opens into the corridor, and farther east an
-// opening to a hall. The leaf of the open door leaves no room beside it.
-std::shared_ptr<const Scene> corridor_with_closet() {
+// A corridor, 1.1 m wide if nothing else is stated, whose north side has a closet, with a door that opens into the
+// corridor, and farther east an opening to a hall. The leaf of the open door leaves no room beside it where that is
+// narrow. `open`: it stands open from the beginning.
+std::shared_ptr<const Scene> corridor_with_closet(int wide_units = 36, bool open = false) {
+    const int south = 96 - wide_units;
     const std::string rooms = test::room_brushes(0, 0, 0, 320, 640, 128);
     const std::string walls =
         test::entity("func_wall", test::key("name", "wall"),
-                     test::box_brush(0, 56, 0, 320, 60, 128) + test::box_brush(0, 96, 0, 144, 104, 128) +
+                     test::box_brush(0, south - 4, 0, 320, south, 128) + test::box_brush(0, 96, 0, 144, 104, 128) +
                          test::box_brush(176, 96, 0, 256, 104, 128) + test::box_brush(288, 96, 0, 320, 104, 128) +
                          test::box_brush(144, 96, 72, 176, 104, 128) + test::box_brush(132, 104, 0, 136, 150, 128) +
                          test::box_brush(184, 104, 0, 188, 150, 128) + test::box_brush(132, 150, 0, 188, 154, 128));
-    const std::string door = test::entity(
-        "func_door", test::key("hinge", "west") + test::key("opens", "south") + test::key("name", "Closet"),
-        test::box_brush(144, 98, 0, 176, 102, 72));
+    const std::string door =
+        test::entity("func_door",
+                     test::key("hinge", "west") + test::key("opens", "south") + test::key("name", "Closet") +
+                         (open ? test::key("spawnflags", "1") : std::string()),
+                     test::box_brush(144, 98, 0, 176, 102, 72));
     const std::string base =
         test::entity("info_player_start", test::key("origin", "48 78 24") + test::key("angle", "0"));
     auto scene = read_quake_map(
@@ -209,18 +215,94 @@ TEST(OpenDoors, whose_leaf_leaves_no_way_beside_it_are_announced_and_can_be_shut
     EXPECT_EQ(p.ask(Command::RepeatLeg).find("in the way"), std::string::npos) << p.news();
 }
 
+// Whoever follows the words comes past the open leaf: beside it without a word where there is room, and by shutting it
+// where there is none.
+TEST(OpenDoors, are_passed_by_words_beside_their_leaf_or_by_shutting_it) {
+    for (const int wide_units : {34, 36, 64, 80}) {
+        SCOPED_TRACE(wide_units);
+        test::WordWalker walker(corridor_with_closet(wide_units, true));
+        for (const char* room : {"Hall", "Corridor"}) {
+            SCOPED_TRACE(room);
+            EXPECT_EQ(walker.go(room), test::WordWalker::End::Arrived) << walker.last_lines(20);
+            const std::string heard = walker.last_lines(1000);
+            const bool narrow = wide_units < 40, first = std::string(room) == "Hall";
+            EXPECT_EQ(heard.find("Closet is open and in the way. Shut it.") != std::string::npos, narrow && first)
+                << heard;
+            EXPECT_EQ(heard.find("Closet is shut") != std::string::npos, narrow && first) << heard;
+            if (!narrow) {
+                EXPECT_EQ(heard.find("Closet, open"), std::string::npos) << "met its leaf: " << heard;
+            }
+        }
+    }
+}
+
+// A door that stands open from the beginning is one like any other.
+TEST(OpenDoors, that_rest_open_are_told_as_they_stand) {
+    test::AppSession p;
+    p.app.apply(WorldEntered{make_ready(corridor_with_closet(36, true))}, 0.0);
+    p.run(0.1);
+    p.app.apply(Placed{{5.2, 4.0, 0.0}, kPi}, p.now);
+    for (const char* told : {"Closet is shut", "Closet opens", "Closet is shut"}) {
+        p.said.clear();
+        p.tap(Command::Use, 4.0);
+        EXPECT_TRUE(p.heard(told)) << told << ": " << p.news();
+        EXPECT_EQ(shut(p.app.world(), 0), std::string(told) == "Closet is shut");
+    }
+}
+
+// Two doors face each other across a corridor, and the leaf of each reaches where that of the other stands open.
+TEST(OpenDoors, on_both_sides_of_a_corridor_open_and_shut_past_each_other) {
+    const auto door = [](const char* name, const char* hinge, const char* opens, const std::string& brush) {
+        return test::entity("func_door",
+                            test::key("name", name) + test::key("hinge", hinge) + test::key("opens", opens), brush);
+    };
+    auto scene = read_quake_map(
+        test::entity("worldspawn", test::key("building", "1"),
+                     test::room_brushes(0, 0, 0, 320, 160, 96) + test::box_brush(0, 56, 0, 136, 60, 96) +
+                         test::box_brush(176, 56, 0, 320, 60, 96) + test::box_brush(0, 98, 0, 144, 102, 96) +
+                         test::box_brush(176, 98, 0, 320, 102, 96)) +
+            door("Office", "west", "south", test::box_brush(144, 99, 0, 176, 101, 80)) +
+            door("Store", "east", "north", test::box_brush(136, 57, 0, 176, 59, 80)) +
+            test::entity("info_player_start", test::key("origin", "48 78 24")),
+        "corridor.map");
+    ASSERT_TRUE(scene) << scene.error().sentence();
+    ASSERT_EQ(scene->movers.size(), 2U);
+    const auto world = std::make_shared<const Scene>(std::move(*scene));
+    for (const bool store_first : {false, true}) {
+        SCOPED_TRACE(store_first);
+        test::AppSession p;
+        p.app.apply(WorldEntered{make_ready(world)}, 0.0);
+        p.run(0.1);
+        const Vec3 at_office{5.0, 3.8, 0.0}, at_store{5.0, 1.1, 0.0};  // behind them, out of both swings
+        const auto use = [&](bool store) {
+            p.app.apply(Placed{store ? at_store : at_office, store ? 0.0 : kPi}, p.now);
+            p.said.clear();
+            p.tap(Command::Use, 6.0);
+        };
+        for (const bool opened : {true, false})
+            for (const bool store : {store_first, !store_first}) {
+                use(store);
+                const std::uint32_t mover = store ? 1 : 0;
+                EXPECT_EQ(p.app.world().movers.at(mover), p.app.world().scene->movers[mover].at(opened ? 1.0 : 0.0))
+                    << (opened ? "opens " : "shuts ") << mover << ": " << p.news();
+            }
+    }
+}
+
 // From the side of its hinge the leaf stands across the way before the doorway that the way leads through.
 TEST(OpenDoors, that_the_way_leads_through_are_in_the_way_where_one_comes_to_their_leaf_first) {
     test::AppSession p;
     open_the_closet(p);
     const BodySize size = body_size(*p.app.scene(), p.app.settings().walk.body_radius_m);
     const Vec3 doorway_m(5.0, 2.95, 0.0);
-    const auto across = leaf_across(p.app.world(), size, {3.2, 2.25, 0.0}, doorway_m);
+    const auto across = leaf_across(p.app.world(), size, std::array{Vec3{3.2, 2.25, 0.0}, doorway_m});
     ASSERT_TRUE(across.has_value());
     EXPECT_EQ(p.app.scene()->features[p.app.scene()->movers[*across].feature.value].name, "Closet");
-    EXPECT_FALSE(leaf_across(p.app.world(), size, {6.8, 2.25, 0.0}, doorway_m)) << "from its other side";
-    EXPECT_FALSE(leaf_across(p.app.world(), size, {5.0, 2.4, 0.0}, {5.0, 4.0, 0.0})) << "through it";
-    EXPECT_TRUE(leaf_across(p.app.world(), size, {3.2, 2.4, 0.0}, {7.0, 2.4, 0.0})) << "past it";
+    EXPECT_FALSE(leaf_across(p.app.world(), size, std::array{Vec3{6.8, 2.25, 0.0}, doorway_m}))
+        << "from its other side";
+    EXPECT_FALSE(leaf_across(p.app.world(), size, std::array{Vec3{5.0, 2.4, 0.0}, Vec3{5.0, 4.0, 0.0}}))
+        << "through it";
+    EXPECT_TRUE(leaf_across(p.app.world(), size, std::array{Vec3{3.2, 2.4, 0.0}, Vec3{7.0, 2.4, 0.0}})) << "past it";
 }
 
 TEST(OpenDoors, that_are_shut_on_the_way_are_told_to_be_opened_again) {
