@@ -6,8 +6,11 @@
 #include <recastnavigation/Recast.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
+#include <map>
+#include <unordered_map>
 
 #include "worlds/base/language.h"
 
@@ -19,9 +22,11 @@ enum Area : unsigned char { kOpen = 1, kNearWall, kNearEdge, kWading, kDropArea,
 constexpr double kComfortable_m = 0.2;  // of clearance beyond the body
 constexpr double kEdgeComfort_m = 0.5, kWallComfort_m = 0.3;
 constexpr double kLeastHeight_m = 0.02;  // Recast's unit of height; grows in very high worlds
-constexpr double kTile_m = 1.0;          // polygons are no larger, so that ways over their edges come near the shortest
-constexpr std::uint32_t kFineTiles = 8;
-constexpr std::size_t kMostRegions = 30'000, kMostVertices = 60'000;
+constexpr double kSquare_m = 1.0;        // polygons are no larger, so that ways over their edges come near the shortest
+constexpr std::uint32_t kLargestSquare = 8;                           // times that, in large worlds
+constexpr std::uint32_t kSquaresOfTile = 64;                          // along a side
+constexpr std::size_t kMostRegions = 30'000, kMostVertices = 60'000;  // of a tile, and regions of the whole world
+constexpr int kMostRefBits = 22;  // Detour names a polygon by its tile and its number there, and needs 10 bits itself
 constexpr int kMostPath = 16'384;
 constexpr unsigned short kOnFoot = 1, kOverLink = 2;  // flags of polygons
 
@@ -62,7 +67,7 @@ float cost_of_area(unsigned char area, RouteWish wish) {
 }
 
 // Pieces of one area inside one square, none above itself: what Recast calls regions. Their number.
-std::size_t regions_of(const WalkSpace& space, const std::vector<unsigned char>& areas, std::uint32_t tile,
+std::size_t regions_of(const WalkSpace& space, const std::vector<unsigned char>& areas, std::uint32_t side,
                        std::vector<std::uint32_t>& region) {
     region.assign(space.spans.size(), 0);
     std::size_t made = 0;
@@ -74,7 +79,7 @@ std::size_t regions_of(const WalkSpace& space, const std::vector<unsigned char>&
         ++made;
         const auto square = [&](std::uint32_t k) {
             const std::uint32_t cell = space.spans[k].cell;
-            return std::pair(cell % space.width / tile, cell / space.width / tile);
+            return std::pair(cell % space.width / side, cell / space.width / side);
         };
         piece.assign(1, s);
         region[s] = static_cast<std::uint32_t>(made);
@@ -91,6 +96,8 @@ std::size_t regions_of(const WalkSpace& space, const std::vector<unsigned char>&
     }
     return made;
 }
+
+struct TileOfMesh;
 
 }  // namespace
 
@@ -111,7 +118,7 @@ struct NavMesh::Parts {
     std::unique_ptr<dtNavMesh, Free> mesh;
     std::unique_ptr<dtNavMeshQuery, Free> query;
     int polygons = 0;
-    std::size_t bytes = 0;
+    std::size_t bytes = 0, far_links = 0;
     std::vector<dtPolyRef> refs = std::vector<dtPolyRef>(kMostPath);
     std::vector<float> straight = std::vector<float>(std::size_t{3} * kMostPath);
     std::vector<unsigned char> flags = std::vector<unsigned char>(kMostPath);
@@ -122,6 +129,7 @@ struct NavMesh::Parts {
         p[1] = static_cast<float>(own.z);
         p[2] = static_cast<float>(own.y);
     }
+    bool add(const TileOfMesh& tile);
     Vec3 to_world(const float* p) const {
         return space->origin_m + Vec3(static_cast<double>(p[0]), static_cast<double>(p[2]), static_cast<double>(p[1]));
     }
@@ -133,117 +141,251 @@ NavMesh::NavMesh(NavMesh&&) noexcept = default;
 NavMesh& NavMesh::operator=(NavMesh&&) noexcept = default;
 int NavMesh::polygons() const { return parts_->polygons; }
 std::size_t NavMesh::bytes() const { return parts_->bytes; }
+std::size_t NavMesh::far_links() const { return parts_->far_links; }
+
+namespace {
+
+// Makes the polygons of one square part of the space at a time, because Recast and Detour count with 16 bits and
+// because joining the outlines of holes takes time with the square of their number.
+class TileMaker {
+public:
+    // `side`: cells along a side of a tile, a multiple of the squares that `region` was made with.
+    TileMaker(const WalkSpace& space, const std::vector<unsigned char>& areas, const std::vector<std::uint32_t>& region,
+              std::uint32_t side)
+        : space_(space), areas_(areas), region_(region), side_(side) {
+        for (const WalkSpan& span : space.spans) highest_ = std::max(highest_, span.floor_m);
+        unit_m_ = static_cast<float>(std::max(kLeastHeight_m, static_cast<double>(highest_) / 60'000.0));
+    }
+
+    // Null polygons: the tile is too large to be made. Else they may be none.
+    struct Made {
+        std::unique_ptr<rcPolyMesh, Free> polygons;
+        bool failed = false;
+    };
+    Made make(std::uint32_t tile_x, std::uint32_t tile_y) {
+        x0_ = tile_x * side_;
+        y0_ = tile_y * side_;
+        const int wide = static_cast<int>(std::min(side_, space_.width - x0_)),
+                  deep = static_cast<int>(std::min(side_, space_.depth - y0_));
+        if (!fill(wide, deep)) return {};
+        rcCompactHeightfield field;
+        field.width = wide + 2 * kBorder;
+        field.height = deep + 2 * kBorder;
+        field.borderSize = kBorder;
+        field.spanCount = static_cast<int>(spans_.size());
+        field.walkableHeight = 1;
+        field.cs = static_cast<float>(space_.cell_m);
+        field.ch = unit_m_;
+        field.walkableClimb = static_cast<int>(std::ceil(space_.body.step_up_m / static_cast<double>(unit_m_)));
+        field.maxRegions = static_cast<unsigned short>(local_.size() + 1);
+        field.bmin[0] = (static_cast<float>(x0_) - kBorder) * field.cs;
+        field.bmin[2] = (static_cast<float>(y0_) - kBorder) * field.cs;
+        field.bmax[0] = field.bmin[0] + static_cast<float>(field.width) * field.cs;
+        field.bmax[1] = highest_ + static_cast<float>(space_.body.height_m) + 1.0F;
+        field.bmax[2] = field.bmin[2] + static_cast<float>(field.height) * field.cs;
+        // Filled here and lent to Recast: its own rasteriser takes triangles, and knows neither bodies nor slopes as
+        // walking has them.
+        field.cells = cells_.data();
+        field.spans = spans_.data();
+        field.areas = span_areas_.data();
+        std::unique_ptr<rcContourSet, Free> contours(rcAllocContourSet());
+        rcContext context(false);
+        const bool traced = contours && rcBuildContours(&context, field, 0.7F, 0, *contours, 0);
+        field.cells = nullptr;
+        field.spans = nullptr;
+        field.areas = nullptr;
+        if (!traced) return {nullptr, true};
+        std::size_t vertices = 0;
+        for (int i = 0; i < contours->nconts; ++i) vertices += static_cast<std::size_t>(contours->conts[i].nverts);
+        if (vertices > kMostVertices) return {};
+        Made made{std::unique_ptr<rcPolyMesh, Free>(rcAllocPolyMesh()), false};
+        if (!made.polygons || !rcBuildPolyMesh(&context, *contours, DT_VERTS_PER_POLYGON, *made.polygons))
+            return {nullptr, true};
+        std::fill(made.polygons->flags, made.polygons->flags + made.polygons->npolys, kOnFoot);
+        return made;
+    }
+
+private:
+    // Around each tile lie the next cells, so that its outline has corners where those of the tiles there have them.
+    static constexpr int kBorder = 1;
+
+    // The columns of the tile; false: too many regions.
+    bool fill(int wide, int deep) {
+        cells_.assign(static_cast<std::size_t>(wide + 2 * kBorder) * static_cast<std::size_t>(deep + 2 * kBorder), {});
+        spans_.clear();
+        span_areas_.clear();
+        local_.clear();
+        std::size_t cell = 0;
+        for (int y = -kBorder; y < deep + kBorder; ++y)
+            for (int x = -kBorder; x < wide + kBorder; ++x, ++cell) {
+                const std::int64_t cx = std::int64_t{x0_} + x, cy = std::int64_t{y0_} + y;
+                if (cx < 0 || cy < 0 || cx >= space_.width || cy >= space_.depth) continue;
+                const bool border = x < 0 || y < 0 || x >= wide || y >= deep;
+                const auto column = static_cast<std::size_t>(cy) * space_.width + static_cast<std::size_t>(cx);
+                cells_[cell].index = static_cast<unsigned int>(spans_.size()) & 0xffffffU;
+                cells_[cell].count = (space_.first[column + 1] - space_.first[column]) & 0xffU;
+                for (std::uint32_t s = space_.first[column]; s < space_.first[column + 1]; ++s)
+                    if (!add_span(s, x, y, wide, deep, border)) return false;
+            }
+        return true;
+    }
+
+    bool add_span(std::uint32_t s, int x, int y, int wide, int deep, bool border) {
+        const WalkSpan& from = space_.spans[s];
+        const std::uint32_t region =
+            local_.try_emplace(region_[s], static_cast<std::uint32_t>(local_.size() + 1)).first->second;
+        if (region > kMostRegions) return false;
+        rcCompactSpan span{};
+        span.y = static_cast<unsigned short>(std::lround(from.floor_m / unit_m_));
+        span.reg = static_cast<unsigned short>(region | (border ? RC_BORDER_REG : 0U));
+        span.h = 255;
+        span.con = 0;
+        // Recast counts its directions from the west, with its z for our north: west, north, east, south.
+        constexpr int kDirections[4] = {2, 1, 0, 3};
+        constexpr int kEast[4] = {-1, 0, 1, 0}, kNorth[4] = {0, 1, 0, -1};
+        for (int d = 0; d < 4; ++d) {
+            const std::uint32_t n = from.next[kDirections[d]];
+            const int to_x = x + kEast[d], to_y = y + kNorth[d];
+            const bool there =
+                n != kNothing && to_x >= -kBorder && to_y >= -kBorder && to_x < wide + kBorder && to_y < deep + kBorder;
+            rcSetCon(span, d, there ? static_cast<int>(n - space_.first[space_.spans[n].cell]) : int{RC_NOT_CONNECTED});
+        }
+        spans_.push_back(span);
+        span_areas_.push_back(areas_[s]);
+        return true;
+    }
+
+    const WalkSpace& space_;
+    const std::vector<unsigned char>& areas_;
+    const std::vector<std::uint32_t>& region_;
+    std::uint32_t side_, x0_ = 0, y0_ = 0;
+    float highest_ = 0.0F, unit_m_ = 0.0F;
+    std::vector<rcCompactCell> cells_;
+    std::vector<rcCompactSpan> spans_;
+    std::vector<unsigned char> span_areas_;
+    std::unordered_map<std::uint32_t, std::uint32_t> local_;  // regions of the tile; looked up only
+};
+
+struct TileOfMesh {
+    std::uint32_t x = 0, y = 0;
+    std::unique_ptr<rcPolyMesh, Free> polygons;
+    std::vector<std::uint32_t> links;  // that begin here
+};
+
+int bits_for(std::size_t count) { return static_cast<int>(std::bit_width(std::bit_ceil(count)) - 1); }
+
+}  // namespace
 
 Result<NavMesh> NavMesh::make(const WalkSpace& space, const std::stop_token& stop) {
     std::vector<unsigned char> areas(space.spans.size());
-    float highest = 0.0F;
-    for (std::size_t s = 0; s < areas.size(); ++s) {
-        areas[s] = area_of(space.spans[s]);
-        highest = std::max(highest, space.spans[s].floor_m);
-    }
-    auto tile = std::max<std::uint32_t>(2, static_cast<std::uint32_t>(std::lround(kTile_m / space.cell_m)));
+    for (std::size_t s = 0; s < areas.size(); ++s) areas[s] = area_of(space.spans[s]);
+    const auto finest = std::max<std::uint32_t>(2, static_cast<std::uint32_t>(std::lround(kSquare_m / space.cell_m)));
     std::vector<std::uint32_t> region;
-    rcContext context(false);
-    std::unique_ptr<rcPolyMesh, Free> polygons;
-    const std::uint32_t finest = tile;
+    std::uint32_t square = finest;
     bool plain = false;
-    for (;; tile *= 2) {
+    while (regions_of(space, areas, square, region) > kMostRegions) {
         if (stop.stop_requested()) return failed();
-        if (!plain && tile > kFineTiles * finest) {
-            // So much furniture that what is near to it makes too many pieces: only edges and liquids stay apart. Ways
-            // keep off walls all the same, by what the places themselves know.
-            plain = true;
-            tile = finest;
-            std::replace(areas.begin(), areas.end(), static_cast<unsigned char>(kNearWall),
-                         static_cast<unsigned char>(kOpen));
+        if (square < kLargestSquare * finest) {
+            square *= 2;
+            continue;
         }
-        if (tile > 4096) return failed();
-        const std::size_t count = regions_of(space, areas, tile, region);
-        if (count > kMostRegions) continue;
-
-        rcCompactHeightfield field;
-        field.width = static_cast<int>(space.width);
-        field.height = static_cast<int>(space.depth);
-        field.spanCount = static_cast<int>(space.spans.size());
-        field.walkableHeight = 1;
-        field.cs = static_cast<float>(space.cell_m);
-        field.ch = static_cast<float>(std::max(kLeastHeight_m, static_cast<double>(highest) / 60'000.0));
-        field.walkableClimb = static_cast<int>(std::ceil(space.body.step_up_m / static_cast<double>(field.ch)));
-        field.maxRegions = static_cast<unsigned short>(count + 1);
-        field.bmax[0] = static_cast<float>(space.width * space.cell_m);
-        field.bmax[1] = highest + static_cast<float>(space.body.height_m) + 1.0F;
-        field.bmax[2] = static_cast<float>(space.depth * space.cell_m);
-        // Filled here and lent to Recast: its own way there rasterises triangles, and would know nothing of bodies and
-        // slopes as walking has them.
-        std::vector<rcCompactCell> cells(static_cast<std::size_t>(space.width) * space.depth);
-        std::vector<rcCompactSpan> spans(space.spans.size());
-        for (std::size_t c = 0; c < cells.size(); ++c) {
-            cells[c].index = space.first[c] & 0xffffffU;
-            cells[c].count = (space.first[c + 1] - space.first[c]) & 0xffU;
-        }
-        for (std::size_t s = 0; s < spans.size(); ++s) {
-            const WalkSpan& from = space.spans[s];
-            spans[s].y = static_cast<unsigned short>(std::lround(from.floor_m / field.ch));
-            spans[s].reg = static_cast<unsigned short>(region[s]);
-            spans[s].h = 255;
-            spans[s].con = 0;
-            // Recast counts its directions from the west, with its z for our north: west, north, east, south.
-            constexpr int kDirections[4] = {2, 1, 0, 3};
-            for (int d = 0; d < 4; ++d) {
-                const std::uint32_t n = from.next[kDirections[d]];
-                rcSetCon(spans[s], d,
-                         n == kNothing ? RC_NOT_CONNECTED : static_cast<int>(n - space.first[space.spans[n].cell]));
-            }
-        }
-        field.cells = cells.data();
-        field.spans = spans.data();
-        field.areas = areas.data();
-        const auto give_back = [&field] {
-            field.cells = nullptr;
-            field.spans = nullptr;
-            field.areas = nullptr;
-        };
-        std::unique_ptr<rcContourSet, Free> contours(rcAllocContourSet());
-        const bool traced = contours && rcBuildContours(&context, field, 0.7F, 0, *contours, 0);
-        give_back();
-        if (!traced) return failed();
-        std::size_t vertices = 0;
-        for (int i = 0; i < contours->nconts; ++i) vertices += static_cast<std::size_t>(contours->conts[i].nverts);
-        if (vertices > kMostVertices) continue;
-        polygons.reset(rcAllocPolyMesh());
-        if (!polygons || !rcBuildPolyMesh(&context, *contours, DT_VERTS_PER_POLYGON, *polygons)) return failed();
-        break;
+        if (plain) break;
+        // So much furniture that the places near it make too many pieces: only edges and liquids stay apart. Routes
+        // still keep off walls, because each place knows its distance from them.
+        plain = true;
+        square = finest;
+        std::replace(areas.begin(), areas.end(), static_cast<unsigned char>(kNearWall),
+                     static_cast<unsigned char>(kOpen));
     }
-    if (polygons->npolys == 0) return fail(phrase("navigation.little_floor"));
-    std::fill(polygons->flags, polygons->flags + polygons->npolys, kOnFoot);
 
     auto parts = std::make_unique<Parts>();
     parts->space = &space;
+    std::vector<TileOfMesh> tiles;
+    std::size_t most_polygons = 1;
+    const auto tile_of = [&](std::uint32_t span, std::uint32_t side) {
+        const std::uint32_t cell = space.spans[span].cell;
+        return std::pair(cell % space.width / side, cell / space.width / side);
+    };
+    std::uint32_t side = square * std::max<std::uint32_t>(1, kSquaresOfTile * finest / square);
+    for (;; side = side / square / 2 * square) {
+        if (stop.stop_requested() || side == 0) return failed();
+        TileMaker maker(space, areas, region, side);
+        tiles.clear();
+        most_polygons = 1;
+        bool too_large = false;
+        for (std::uint32_t y = 0; y * side < space.depth && !too_large; ++y)
+            for (std::uint32_t x = 0; x * side < space.width && !too_large; ++x) {
+                if (stop.stop_requested()) return failed();
+                TileMaker::Made made = maker.make(x, y);
+                if (made.failed) return failed();
+                too_large = !made.polygons;
+                if (too_large || made.polygons->npolys == 0) continue;
+                tiles.push_back({x, y, std::move(made.polygons), {}});
+            }
+        if (!too_large) break;
+    }
+    if (tiles.empty()) return fail(phrase("navigation.little_floor"));
+
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> tile_at;
+    for (std::size_t t = 0; t < tiles.size(); ++t) tile_at[{tiles[t].y, tiles[t].x}] = t;
+    for (std::uint32_t i = 0; i < space.links.size(); ++i) {
+        const auto [x, y] = tile_of(space.links[i].from, side);
+        const auto [to_x, to_y] = tile_of(space.links[i].to, side);
+        const bool next = x <= to_x + 1 && to_x <= x + 1 && y <= to_y + 1 && to_y <= y + 1;
+        if (const auto found = tile_at.find({y, x}); found != tile_at.end() && next)
+            tiles[found->second].links.push_back(i);
+        if (!next) ++parts->far_links;
+    }
+    for (const TileOfMesh& tile : tiles)
+        most_polygons = std::max(most_polygons, static_cast<std::size_t>(tile.polygons->npolys) + tile.links.size());
+
+    dtNavMeshParams shape;
+    std::memset(&shape, 0, sizeof shape);
+    shape.tileWidth = shape.tileHeight = static_cast<float>(side * space.cell_m);
+    shape.maxTiles = static_cast<int>(std::bit_ceil(tiles.size()));
+    shape.maxPolys = static_cast<int>(std::bit_ceil(most_polygons));
+    if (bits_for(tiles.size()) + bits_for(most_polygons) > kMostRefBits) return failed();
+    parts->mesh.reset(dtAllocNavMesh());
+    if (!parts->mesh || dtStatusFailed(parts->mesh->init(&shape))) return failed();
+    for (const TileOfMesh& tile : tiles) {
+        if (stop.stop_requested()) return failed();
+        if (!parts->add(tile)) return failed();
+    }
+    parts->query.reset(dtAllocNavMeshQuery());
+    if (!parts->query || dtStatusFailed(parts->query->init(parts->mesh.get(), 65'535))) return failed();
+    return NavMesh(std::move(parts));
+}
+
+// Gives Detour the polygons of one tile and the links that begin on it.
+bool NavMesh::Parts::add(const TileOfMesh& tile) {
     std::vector<float> link_ends, link_radius;
     std::vector<unsigned short> link_flags;
     std::vector<unsigned char> link_areas, link_both;
     std::vector<unsigned int> link_ids;
-    for (std::size_t i = 0; i < space.links.size(); ++i) {
-        const WalkLink& link = space.links[i];
+    for (const std::uint32_t i : tile.links) {
+        const WalkLink& link = space->links[i];
         float ends[6];
-        parts->to_mesh(space.place_m(link.from), ends);
-        parts->to_mesh(space.place_m(link.to), ends + 3);
+        to_mesh(space->place_m(link.from), ends);
+        to_mesh(space->place_m(link.to), ends + 3);
         link_ends.insert(link_ends.end(), ends, ends + 6);
-        link_radius.push_back(static_cast<float>(3.0 * space.cell_m));
+        link_radius.push_back(static_cast<float>(3.0 * space->cell_m));
         link_flags.push_back(kOverLink);
         link_areas.push_back(area_of(link));
         link_both.push_back(link.both_ways ? DT_OFFMESH_CON_BIDIR : 0);
-        link_ids.push_back(static_cast<unsigned int>(i));
+        link_ids.push_back(i);
     }
+    const rcPolyMesh& made = *tile.polygons;
     dtNavMeshCreateParams params;
     std::memset(&params, 0, sizeof params);
-    params.verts = polygons->verts;
-    params.vertCount = polygons->nverts;
-    params.polys = polygons->polys;
-    params.polyAreas = polygons->areas;
-    params.polyFlags = polygons->flags;
-    params.polyCount = polygons->npolys;
-    params.nvp = polygons->nvp;
+    params.tileX = static_cast<int>(tile.x);
+    params.tileY = static_cast<int>(tile.y);
+    params.verts = made.verts;
+    params.vertCount = made.nverts;
+    params.polys = made.polys;
+    params.polyAreas = made.areas;
+    params.polyFlags = made.flags;
+    params.polyCount = made.npolys;
+    params.nvp = made.nvp;
     params.offMeshConVerts = link_ends.data();
     params.offMeshConRad = link_radius.data();
     params.offMeshConFlags = link_flags.data();
@@ -251,27 +393,24 @@ Result<NavMesh> NavMesh::make(const WalkSpace& space, const std::stop_token& sto
     params.offMeshConDir = link_both.data();
     params.offMeshConUserID = link_ids.data();
     params.offMeshConCount = static_cast<int>(link_ids.size());
-    params.walkableHeight = static_cast<float>(space.body.height_m);
+    params.walkableHeight = static_cast<float>(space->body.height_m);
     params.walkableRadius = 2.0F;  // Detour looks ahead fifty times as far when it straightens a way
-    params.walkableClimb = static_cast<float>(space.body.step_up_m);
-    std::copy(polygons->bmin, polygons->bmin + 3, params.bmin);
-    std::copy(polygons->bmax, polygons->bmax + 3, params.bmax);
-    params.cs = polygons->cs;
-    params.ch = polygons->ch;
+    params.walkableClimb = static_cast<float>(space->body.step_up_m);
+    std::copy(made.bmin, made.bmin + 3, params.bmin);
+    std::copy(made.bmax, made.bmax + 3, params.bmax);
+    params.cs = made.cs;
+    params.ch = made.ch;
     params.buildBvTree = true;
     unsigned char* data = nullptr;
     int size = 0;
-    if (!dtCreateNavMeshData(&params, &data, &size)) return failed();
-    parts->mesh.reset(dtAllocNavMesh());
-    if (!parts->mesh || dtStatusFailed(parts->mesh->init(data, size, DT_TILE_FREE_DATA))) {
+    if (!dtCreateNavMeshData(&params, &data, &size)) return false;
+    if (dtStatusFailed(mesh->addTile(data, size, DT_TILE_FREE_DATA, 0, nullptr))) {
         dtFree(data);
-        return failed();
+        return false;
     }
-    parts->query.reset(dtAllocNavMeshQuery());
-    if (!parts->query || dtStatusFailed(parts->query->init(parts->mesh.get(), 65'535))) return failed();
-    parts->polygons = polygons->npolys;
-    parts->bytes = static_cast<std::size_t>(size);
-    return NavMesh(std::move(parts));
+    polygons += made.npolys;
+    bytes += static_cast<std::size_t>(size);
+    return true;
 }
 
 std::optional<MeshPath> NavMesh::path(std::uint32_t from, std::uint32_t to, RouteWish wish, bool over_links) {

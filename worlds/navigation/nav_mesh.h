@@ -1,5 +1,6 @@
-// The walkable spans as a mesh of polygons, and shortest ways over it: Recast and Detour, which only nav_mesh.cpp
-// knows. Queries are not const because they share scratch memory: one thread at a time.
+// The walkable spans as a mesh of polygons, made tile by tile, and shortest ways over it: Recast and Detour, which only
+// nav_mesh.cpp knows. Queries are not const because they share scratch memory: one thread at a time. Making it costs
+// time and memory in proportion to the floor.
 #pragma once
 
 #include <memory>
@@ -39,6 +40,8 @@ public:
     static double cost_of(const WalkLink& link, double length_m, RouteWish wish);
     int polygons() const;
     std::size_t bytes() const;
+    // Links over which no path leads, because their ends are more than a tile (64 m) apart.
+    std::size_t far_links() const;
 
 private:
     struct Parts;

@@ -49,6 +49,8 @@ Result<std::shared_ptr<Navigation>> Navigation::over(const Scene& scene, WalkSpa
     try {
         if (Result<NavMesh> mesh = NavMesh::make(made->space_, stop))
             made->mesh_ = std::make_unique<NavMesh>(std::move(*mesh));
+        if (made->mesh_ && made->mesh_->far_links() > 0)
+            made->space_.said.push_back(phrase("navigation.far_links", {{"n", made->mesh_->far_links()}}));
     } catch (const std::bad_alloc&) {  // the rest goes on without it
     }
     if (stop.stop_requested()) return fail(phrase("navigation.given_up"), scene.source_file);
