@@ -293,6 +293,8 @@ RoomGraph rooms_of(const std::shared_ptr<const Scene>& scene, std::string& unrea
         if (!rooms.problem().empty()) left_out.push_back(rooms.problem());
         return {};
     }
+    const std::vector<std::string>& said = rooms.navigation().said();
+    left_out.insert(left_out.end(), said.begin(), said.end());
     unreachable = unreachable_words(rooms.out_of_reach());
     return std::move(rooms.graph());
 }

@@ -333,7 +333,7 @@ void PlanBuilder::add_things() {
 void PlanBuilder::add_blocks() {
     for (const PlanBlock& block : plan_.blocks) {
         if (stopped()) return;
-        const FeatureId feature = add_feature(FeatureKind::Object, "building", block.name);
+        const FeatureId feature = add_feature(FeatureKind::Object, kNeighbouringBuilding, block.name);
         for (const Ring& part : convex_parts(block.rings))
             add_solid(upright(part, block.from_m, block.to_m), SolidRole::Solid, feature);
     }

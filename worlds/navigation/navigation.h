@@ -20,7 +20,7 @@ WalkBody walk_body(const Scene& scene, double radius_m, double height_m, double 
 
 class Navigation {
 public:
-    // Fails with one sentence: no floor, too large, stopped. Where the floor gives no mesh, or there is no memory for
+    // Fails with one sentence: no floor, or stopped. Where the floor gives no mesh, or there is no memory for
     // one, ways are sought from place to place, which takes longer, and never over drops, lifts and teleporters.
     static Result<std::shared_ptr<Navigation>> make(const Scene& scene, const WalkBody& body,
                                                     const std::stop_token& stop = {});

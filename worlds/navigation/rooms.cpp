@@ -23,13 +23,16 @@
 namespace handrail {
 namespace {
 
-// The ground outside that a building brings, where a room is on it.
-const Feature* ground_at_middle(const Room& room, const WalkSpace& space, const Scene& scene) {
-    const std::uint32_t s = space.at(room.middle_m);
-    const std::uint32_t ground = s == kNothing ? kNothing : space.spans[s].ground;
+// The ground outside that a building brings, if the span is on it.
+const Feature* outer_ground_under(std::uint32_t span, const WalkSpace& space, const Scene& scene) {
+    const std::uint32_t ground = span == kNothing ? kNothing : space.spans[span].ground;
     const Feature* feature =
         ground < space.obstacle_features.size() ? scene.find(space.obstacle_features[ground]) : nullptr;
     return feature && is_outer_ground(*feature) ? feature : nullptr;
+}
+
+const Feature* ground_at_middle(const Room& room, const WalkSpace& space, const Scene& scene) {
+    return outer_ground_under(space.at(room.middle_m), space, scene);
 }
 
 constexpr double kDoorway_m = 0.35;    // clearance of the body's middle: an opening of at most 1.2 m
@@ -84,9 +87,8 @@ public:
         const auto liquid = [](const WalkSpan& s) { return s.liquid && s.door == kNothing; };
         const std::array<std::function<void()>, 11> stages{
             [&] { watershed(); },
-            [&] {
-                pieces_of([](const WalkSpan& s) { return plain(s); }, RoomKind::Room);
-            },  // on top of what was left aside
+            // On top of what was left aside.
+            [&] { pieces_of([](const WalkSpan& s) { return plain(s); }, RoomKind::Room); },
             [&] { pieces_of(stairs, RoomKind::Stairs); },
             [&] { pieces_of(liquid, RoomKind::Liquid); },
             [&] { absorb_crumbs(); },
@@ -497,6 +499,7 @@ private:
             for (const auto& [l, count] : labels)
                 if (number[l] != kNothing) sides[group][number[l]] += count;
         door_sides_ = std::move(sides);
+        if (outside_ != kNothing) outside_room_ = number[outside_];
         graph_.room_of_span = label_;
     }
 
@@ -557,7 +560,10 @@ private:
         std::vector<bool> comes_to(graph_.rooms.size(), false);
         for (std::uint32_t s = 0; s < space_.spans.size(); ++s)
             if (reached[s]) comes_to[label_[s]] = true;
-        for (std::uint32_t s = 0; s < space_.spans.size(); ++s) goal_[s] = reached[s] || !comes_to[label_[s]];
+        // The middle of the outside is on the ground, not on a path that crosses it.
+        for (std::uint32_t s = 0; s < space_.spans.size(); ++s)
+            goal_[s] = (reached[s] || !comes_to[label_[s]]) &&
+                       (label_[s] != outside_room_ || outer_ground_under(s, space_, scene_));
     }
 
     bool is_on_stated_storey(double floor_m) const {
@@ -778,8 +784,8 @@ private:
     std::vector<std::uint32_t> label_, parent_;
     std::vector<std::uint32_t> of_walls_;  // label of each span of walls_
     std::vector<RoomKind> kinds_;
-    std::vector<std::uint32_t> stated_label_;  // of each of StatedBuilding::rooms
-    std::uint32_t outside_ = kNothing;         // label of the ground that a reader added
+    std::vector<std::uint32_t> stated_label_;                     // of each of StatedBuilding::rooms
+    std::uint32_t outside_ = kNothing, outside_room_ = kNothing;  // label and room of the ground that a reader added
     std::vector<std::string> names_;
     std::map<std::uint32_t, std::map<std::uint32_t, std::size_t>> door_sides_;
     int levels_ = 1;

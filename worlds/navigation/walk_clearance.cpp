@@ -12,7 +12,8 @@ constexpr int kSampledColumns = 8'192;
 
 }  // namespace
 
-double standable_m2(const Obstacles& obstacles, const WalkBody& body, double exact_enough_m2) {
+double standable_m2(const Obstacles& obstacles, const WalkBody& body, const NearGround& ground,
+                    double exact_enough_m2) {
     // No more than the tops of all obstacles together.
     std::vector<double> so_far;
     so_far.reserve(obstacles.all.size());
@@ -49,7 +50,9 @@ double standable_m2(const Obstacles& obstacles, const WalkBody& body, double exa
         std::size_t here = 0;
         free_stretches(
             intervals, {}, body.step_up_m, [](const ColumnInterval&) { return false; },
-            [&](double, double, std::uint32_t) { ++here; });
+            [&](double, double, std::uint32_t on) {
+                here += ground.leaves_out(on, {x, y}) ? 0 : 1;
+            });
         if (!near.empty()) places += static_cast<double>(here) / static_cast<double>(near.size());
     }
     return so_far.back() * places / kSampledColumns;

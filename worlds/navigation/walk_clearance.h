@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "worlds/navigation/near_ground.h"
 #include "worlds/navigation/walk_obstacles.h"
 #include "worlds/navigation/walk_space.h"
 
@@ -66,9 +67,9 @@ void free_stretches(std::span<const ColumnInterval> intervals, std::span<const C
     bearable(top, kSky);
 }
 
-// About how much floor there is in the whole scene to stand on, reached or not: it decides how fine the columns can be.
-// Exact enough to a few percent, from a fixed number of columns where there are more obstacles than that would be
-// worth.
-double standable_m2(const Obstacles& obstacles, const WalkBody& body, double exact_enough_m2);
+// About how much floor there is in the whole scene to stand on, reached or not, without ground that is left out: it
+// decides how fine the columns can be. Exact enough to a few percent, from a fixed number of columns where there are
+// more obstacles than that would be worth.
+double standable_m2(const Obstacles& obstacles, const WalkBody& body, const NearGround& ground, double exact_enough_m2);
 
 }  // namespace handrail

@@ -23,14 +23,20 @@ bool wades(const std::vector<const Solid*>& liquids, const std::vector<std::uint
 
 }  // namespace
 
-Flood::Flood(const Scene& scene, const WalkBody& body, const Obstacles& obstacles, const std::stop_token& stop,
-             const WalkTrial* trial)
-    : scene_(scene), body_(body), obstacles_(obstacles), stop_(stop), trial_(trial), tiles_(scene, body, obstacles) {}
+Flood::Flood(const Scene& scene, const WalkBody& body, const Obstacles& obstacles, const NearGround& ground,
+             bool partly, const std::stop_token& stop, const WalkTrial* trial)
+    : scene_(scene),
+      body_(body),
+      obstacles_(obstacles),
+      stop_(stop),
+      trial_(trial),
+      partly_(partly),
+      tiles_(scene, body, obstacles, ground) {}
 
 Flood::End Flood::run() {
     seed();
     End end = spread_all();
-    if (end == End::Done && !trial_) end = reach_closed_rooms();
+    if (end == End::Done && !trial_ && !part_) end = reach_closed_rooms();
     if (end == End::Done) tiles_.drop_unreached();
     return end;
 }
@@ -52,11 +58,8 @@ Flood::End Flood::spread(std::uint32_t number) {
         const Spot spot = tiles_[number].open.back();
         tiles_[number].open.pop_back();
         Extent& extent = layers_[spot.layer];
-        if (++extent.reached > kMostSpans || tiles_.bytes() > kMostBytes) return End::TooLarge;
-        if (static_cast<double>(extent.high.x - extent.low.x + 1) *
-                static_cast<double>(extent.high.y - extent.low.y + 1) >
-            kMostCells)
-            return End::Wide;
+        full_ = full_ || ++extent.reached > most_spans(body_.cell_m) || tiles_.bytes() > kMostBytes;
+        if (!partly_ && (full_ || part_)) return End::TooLarge;
         const Tile& tile = tiles_[number];
         const Place here = tile.places[spot.place];
         const Cell cell{tile.x * WalkTiles::kTile + spot.cell % WalkTiles::kTile,
@@ -68,10 +71,11 @@ Flood::End Flood::spread(std::uint32_t number) {
             const std::size_t at = WalkTiles::local(to);
             std::uint32_t k = tiles_.step(here, tiles_[other], at, spot.layer);
             if (k != kNothing && !is_within(tiles_[other].places[k], to)) k = kNothing;
+            const bool walks = k != kNothing;
+            if (walks && !visit(spot.layer, other, k, to)) k = kNothing;
             steps.place[d] = k;
-            if (k != kNothing) {
-                tiles_[number].steps[spot.place] |= WalkTiles::step_bit(spot.layer, d);
-                visit(spot.layer, other, k, to);
+            if (walks) {
+                if (k != kNothing) tiles_[number].steps[spot.place] |= WalkTiles::step_bit(spot.layer, d);
             } else if (const std::uint32_t down = drop(here, other, to, spot.layer); down != kNothing)
                 visit(spot.layer, other, down, to);
         }
@@ -129,16 +133,24 @@ void Flood::look_beside(std::uint32_t number, const Spot& spot, const Steps& ste
     if (near_edge) tiles_[number].marks[spot.place] |= WalkTiles::kNearEdge;
 }
 
-void Flood::visit(Layer layer, std::uint32_t number, std::uint32_t place, Cell cell) {
+bool Flood::visit(Layer layer, std::uint32_t number, std::uint32_t place, Cell cell) {
     Tile& tile = tiles_[number];
-    if (tile.marks[place] & WalkTiles::kReached[layer]) return;
-    tile.marks[place] |= WalkTiles::kReached[layer];
+    if (tile.marks[place] & WalkTiles::kReached[layer]) return true;
     Extent& extent = layers_[layer];
     if (!std::exchange(extent.any, true)) extent.low = extent.high = cell;
-    extent.low = {std::min(extent.low.x, cell.x), std::min(extent.low.y, cell.y)};
-    extent.high = {std::max(extent.high.x, cell.x), std::max(extent.high.y, cell.y)};
+    const Cell low{std::min(extent.low.x, cell.x), std::min(extent.low.y, cell.y)},
+        high{std::max(extent.high.x, cell.x), std::max(extent.high.y, cell.y)};
+    const bool wide = static_cast<double>(high.x - low.x + 1) * static_cast<double>(high.y - low.y + 1) > kMostCells;
+    if (full_ || wide) {
+        part_ = true;
+        return false;
+    }
+    extent.low = low;
+    extent.high = high;
+    tile.marks[place] |= WalkTiles::kReached[layer];
     tile.open.push_back({place, static_cast<std::uint16_t>(WalkTiles::local(cell)), layer});
     if (!std::exchange(tile.waits, true)) waiting_.push_back(number);
+    return true;
 }
 
 // The nearest place to stand around there is reached.

@@ -15,20 +15,25 @@ namespace handrail {
 
 class Flood {
 public:
-    static constexpr std::size_t kMostSpans = 2'000'000;
+    // More in coarse columns, so that a large station keeps columns that its doors are wide enough for.
+    static std::size_t most_spans(double cell_m) { return cell_m > 0.15 ? 4'000'000 : 2'000'000; }
     static constexpr double kMostCells = 40e6;              // of the dense grid
     static constexpr std::size_t kMostBytes = 400'000'000;  // of tiles
 
+    // `partly`: where there is too much floor, the flood ends with what it has reached by then.
     // `trial`: see make_trial_space; null: everything is made. What is given outlives this object.
-    Flood(const Scene& scene, const WalkBody& body, const Obstacles& obstacles, const std::stop_token& stop,
-          const WalkTrial* trial = nullptr);
+    Flood(const Scene& scene, const WalkBody& body, const Obstacles& obstacles, const NearGround& ground, bool partly,
+          const std::stop_token& stop, const WalkTrial* trial = nullptr);
 
-    // Wide: too many cells between its ends, not too much floor.
-    enum class End : std::uint8_t { Done, TooLarge, Wide, Stopped };
+    // TooLarge: too much floor, or too many cells between its ends. Only if it does not go `partly`.
+    enum class End : std::uint8_t { Done, TooLarge, Stopped };
     End run();
     // After run(). False: stopped.
     bool write(WalkSpace& space);
     bool write(SpanGrid<WallSpan>& walls);
+    // True if there is more floor than was reached.
+    bool is_part() const { return part_; }
+    bool ground_left_out() const { return tiles_.ground_left_out(); }
     std::size_t reached() const { return layers_[kFurnished].reached; }
     std::size_t reached_without_furniture() const { return layers_[kWalls].reached; }
 
@@ -51,7 +56,8 @@ private:
         Cell low, high;
     };
 
-    void visit(Layer layer, std::uint32_t tile, std::uint32_t place, Cell cell);
+    // False: the flood does not go there, because there is too much floor already.
+    bool visit(Layer layer, std::uint32_t tile, std::uint32_t place, Cell cell);
     End spread_all();
     End spread(std::uint32_t tile);
     // Of walk_closed.cpp: rooms that nothing leads to, which are told as out of reach.
@@ -80,6 +86,8 @@ private:
     const Obstacles& obstacles_;
     std::stop_token stop_;
     const WalkTrial* trial_;
+    const bool partly_;
+    bool full_ = false, part_ = false;
     WalkTiles tiles_;
     std::deque<std::uint32_t> waiting_;
     std::size_t asked_ = 0;

@@ -15,7 +15,6 @@ namespace handrail {
 namespace {
 
 constexpr double kCoarsest_m = 0.4;
-constexpr double kStandable = 16.0;     // so many times as much floor as can be reached at most is still tried
 constexpr double kStairWindow_m = 0.6;  // looked at to either side
 constexpr double kStairRise_m = 0.35;   // over both of them
 
@@ -292,29 +291,72 @@ bool WalkSpace::straight(const Vec3& from_m, const Vec3& to_m,
 }
 
 std::vector<std::string> said_of(const WalkSpace& space, const WalkBody& asked) {
-    if (!(space.body.cell_m > asked.cell_m)) return {};
-    return {phrase("navigation.coarse", {{"centimetres", std::lround(space.body.cell_m * 100.0)}})};
+    std::vector<std::string> said;
+    if (space.body.cell_m > asked.cell_m)
+        said.push_back(phrase("navigation.coarse", {{"centimetres", std::lround(space.body.cell_m * 100.0)}}));
+    if (space.outdoors_m > 0.0) said.push_back(phrase("navigation.outdoors", {{"metres", space.outdoors_m}}));
+    if (space.part) said.push_back(phrase("navigation.part"));
+    return said;
 }
+
+namespace {
+
+// How fine a space is and how much of the ground outside is part of it, from the best to the least. Columns of more
+// than 20 cm are hardly fit for doors, so ground is left out before they are used.
+struct Fineness {
+    double columns;  // times as wide as requested
+    double outdoors_m;
+};
+constexpr Fineness kFineness[] = {{1, 100}, {2, 100}, {2, 25},  {4, 100}, {4, 25},
+                                  {4, 8},   {4, 0.5}, {8, 100}, {8, 25},  {8, 8}};
+
+// What can be reached, as finely as there is room for. Null: there is nothing, or it was stopped.
+struct Flooded {
+    std::unique_ptr<NearGround> ground;
+    std::unique_ptr<Flood> flood;
+    bool stopped = false;
+};
+Flooded flood_as_fine_as_can_be(const Scene& scene, WalkBody& body, const Obstacles& obstacles,
+                                const std::stop_token& stop, const WalkTrial* trial) {
+    std::vector<Fineness> tried;
+    for (const Fineness& each : kFineness)
+        if (each.columns == 1.0 || body.cell_m * each.columns <= kCoarsest_m * 1.0001) tried.push_back(each);
+    const double asked_m = body.cell_m;
+    Flooded made;
+    for (std::size_t k = 0; k < tried.size(); ++k) {
+        const bool last = k + 1 == tried.size();
+        body.cell_m = asked_m * tried[k].columns;
+        made.ground = std::make_unique<NearGround>(scene, obstacles, tried[k].outdoors_m);
+        const double most_m2 = static_cast<double>(Flood::most_spans(body.cell_m)) * body.cell_m * body.cell_m;
+        const bool looks = !last && !(trial && trial->within);
+        if (looks && !(standable_m2(obstacles, body, *made.ground, most_m2) <= most_m2)) continue;
+        made.flood = std::make_unique<Flood>(scene, body, obstacles, *made.ground, last, stop, trial);
+        const Flood::End end = made.flood->run();
+        if (end == Flood::End::TooLarge) continue;
+        if (end == Flood::End::Stopped || stop.stop_requested()) made.stopped = true;
+        if (made.stopped || made.flood->reached() == 0) made.flood.reset();
+        return made;
+    }
+    return made;  // the last one is never too large
+}
+
+void note_what_is_out(const Flooded& flooded, WalkSpace& space) {
+    if (flooded.flood->ground_left_out()) space.outdoors_m = flooded.ground->within_m();
+    space.part = flooded.flood->is_part();
+}
+
+}  // namespace
 
 Result<WalkSpace> make_trial_space(const Scene& scene, const WalkBody& body, const WalkTrial& trial,
                                    const std::stop_token& stop) {
     WalkSpace space;
     space.body = body;
     const Obstacles obstacles(scene, body, trial.within ? &trial.within->box_m : nullptr);
-    Flood::End end = Flood::End::Wide;
-    while (true) {
-        Flood flood(scene, space.body, obstacles, stop, &trial);
-        end = flood.run();
-        if ((end == Flood::End::Wide || end == Flood::End::TooLarge) && space.body.cell_m * 2.0 <= kCoarsest_m) {
-            space.body.cell_m *= 2.0;
-            continue;
-        }
-        if (end == Flood::End::Stopped) return fail(phrase("navigation.given_up"), scene.source_file);
-        if (end != Flood::End::Done) return fail(phrase("navigation.too_large"), scene.source_file);
-        if (flood.reached() == 0) return fail(phrase("navigation.no_floor"), scene.source_file);
-        if (!flood.write(space)) return fail(phrase("navigation.given_up"), scene.source_file);
-        break;
-    }
+    const Flooded made = flood_as_fine_as_can_be(scene, space.body, obstacles, stop, &trial);
+    if (!made.flood)
+        return fail(phrase(made.stopped ? "navigation.given_up" : "navigation.no_floor"), scene.source_file);
+    if (!made.flood->write(space)) return fail(phrase("navigation.given_up"), scene.source_file);
+    note_what_is_out(made, space);
     if (trial.clearance) measure_clearance(space, stop);
     thin_drops(space);
     if (trial.within) return space;
@@ -325,33 +367,18 @@ Result<WalkSpace> make_trial_space(const Scene& scene, const WalkBody& body, con
 
 Result<WalkSpace> make_walk_space(const Scene& scene, const WalkBody& body, const std::stop_token& stop) {
     const auto given_up = [&] { return fail(phrase("navigation.given_up"), scene.source_file); };
-    const auto too_large = [&] { return fail(phrase("navigation.too_large"), scene.source_file); };
     WalkSpace space;
     space.body = body;
     auto walls = std::make_shared<SpanGrid<WallSpan>>();
     {
         const Obstacles obstacles(scene, body);
         if (stop.stop_requested()) return given_up();
-        // The finest columns that all floor together is not too much for.
-        const auto most = static_cast<double>(Flood::kMostSpans);
-        const double floor_m2 = standable_m2(obstacles, body, most * body.cell_m * body.cell_m);
-        while (space.body.cell_m * 2.0 <= kCoarsest_m * 1.0001 &&
-               floor_m2 > most * space.body.cell_m * space.body.cell_m)
-            space.body.cell_m *= 2.0;
-        if (!std::isfinite(floor_m2) || floor_m2 > kStandable * most * space.body.cell_m * space.body.cell_m)
-            return too_large();
-        auto flood = std::make_unique<Flood>(scene, space.body, obstacles, stop);
-        Flood::End end = flood->run();
-        if (end == Flood::End::Wide && space.body.cell_m < kCoarsest_m) {  // little floor, but far apart
-            space.body.cell_m = kCoarsest_m;
-            flood = std::make_unique<Flood>(scene, space.body, obstacles, stop);
-            end = flood->run();
-        }
-        if (end == Flood::End::Stopped) return given_up();
-        if (end != Flood::End::Done) return too_large();
-        if (flood->reached() == 0) return fail(phrase("navigation.no_floor"), scene.source_file);
-        if (!flood->write(space)) return given_up();
-        if (flood->reached_without_furniture() > 0 && !flood->write(*walls)) return given_up();
+        const Flooded made = flood_as_fine_as_can_be(scene, space.body, obstacles, stop, nullptr);
+        if (made.stopped) return given_up();
+        if (!made.flood) return fail(phrase("navigation.no_floor"), scene.source_file);
+        if (!made.flood->write(space)) return given_up();
+        if (made.flood->reached_without_furniture() > 0 && !made.flood->write(*walls)) return given_up();
+        note_what_is_out(made, space);
     }
     space.said = said_of(space, body);
     measure_clearance(space, stop);

@@ -89,7 +89,9 @@ struct WalkSpace : SpanGrid<WalkSpan> {
     WalkBody body;
     std::vector<WalkLink> links;
     std::vector<FeatureId> obstacle_features;  // of each obstacle the feature it is, kNoFeature for the building itself
-    std::vector<std::string> said;             // sentences about what was simplified
+    std::vector<std::string> said;             // sentences about what was simplified or left out
+    double outdoors_m = 0.0;  // how far from the building ground outside is part of this, if some of it is not; else 0
+    bool part = false;        // there is more floor than could be looked at: this is what is nearest to the start
     std::shared_ptr<const SpanGrid<WallSpan>> walls;  // without furniture, for make_rooms; may be let go after that
 
     // The span of the column at that place whose floor is nearest in height; kNothing where there is none within a step
@@ -101,7 +103,8 @@ struct WalkSpace : SpanGrid<WalkSpan> {
     double cell_area_m2() const { return cell_m * cell_m; }
 };
 
-// What a listener should know of a space that was asked for with this body: that its columns are coarser.
+// What a listener should know of a space that was requested with this body: that its columns are coarser, and what is
+// left out of it.
 std::vector<std::string> said_of(const WalkSpace& space, const WalkBody& asked);
 
 // What is made of a space for a body that is only tried: where it comes to, its drops, lifts and stairs in one go. No
@@ -120,9 +123,10 @@ struct WalkTrial {
 Result<WalkSpace> make_trial_space(const Scene& scene, const WalkBody& body, const WalkTrial& trial,
                                    const std::stop_token& stop = {});
 
-// Fails with a sentence where there is nothing to walk on, where there is too much of it, and where `stop` ends it: it
-// is asked every few milliseconds. One flood gives both the space and its walls. At most 150 bytes for each span while
-// it is made.
+// Fails with a sentence if there is nothing to walk on, and if `stop` ends it: it is queried every few milliseconds. If
+// there is much floor, the columns are coarser and ground far from everything else is left out; if there is too much
+// even so, it ends with what is nearest to the start. One flood gives both the space and its walls. At most 150 bytes
+// for each span while it is made.
 Result<WalkSpace> make_walk_space(const Scene& scene, const WalkBody& body, const std::stop_token& stop = {});
 
 }  // namespace handrail

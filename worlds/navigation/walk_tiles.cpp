@@ -12,10 +12,11 @@ constexpr std::size_t kMostInColumn = 60;  // Recast counts to 62
 
 }  // namespace
 
-WalkTiles::WalkTiles(const Scene& scene, const WalkBody& body, const Obstacles& obstacles)
+WalkTiles::WalkTiles(const Scene& scene, const WalkBody& body, const Obstacles& obstacles, const NearGround& ground)
     : scene_(scene),
       body_(body),
       obstacles_(obstacles),
+      ground_(ground),
       index_(boxes_of(obstacles.all)),
       passing_index_(boxes_of(obstacles.passing)) {
     anchor_ = scene.bounds_m.empty() ? Vec3(0.0) : scene.bounds_m.min_m;
@@ -186,7 +187,9 @@ void WalkTiles::fill(Tile& tile, bool places) {
             moving(floors.data() + first_floor[cell], first_floor[cell + 1] - first_floor[cell]);
         std::size_t from = made.size();
         const auto put = [&](double floor, double ceiling, std::uint32_t ground) {
-            if (made.size() - from < kMostInColumn) made.push_back({floor, ceiling, ground, kNothing});
+            const Vec2 at = low + Vec2(cell % kTile, cell / kTile) * body_.cell_m;
+            if (ground_.leaves_out(ground, at)) ground_left_out_ = true;
+            else if (made.size() - from < kMostInColumn) made.push_back({floor, ceiling, ground, kNothing});
         };
         free_stretches(
             over, moving, body_.step_up_m, [](const Interval&) { return false; }, put);

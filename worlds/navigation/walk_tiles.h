@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "worlds/geometry/box_index.h"
+#include "worlds/navigation/near_ground.h"
 #include "worlds/navigation/walk_clearance.h"
 #include "worlds/navigation/walk_obstacles.h"
 
@@ -61,13 +62,15 @@ public:
     };
 
     // What is given by reference outlives this object.
-    WalkTiles(const Scene& scene, const WalkBody& body, const Obstacles& obstacles);
+    WalkTiles(const Scene& scene, const WalkBody& body, const Obstacles& obstacles, const NearGround& ground);
 
     // A tile stays where it is.
     Tile& operator[](std::uint32_t tile) { return *tiles_[tile]; }
     const Tile& operator[](std::uint32_t tile) const { return *tiles_[tile]; }
     std::uint32_t count() const { return static_cast<std::uint32_t>(tiles_.size()); }
     std::size_t bytes() const { return tile_bytes_; }
+    // True if ground was left out of a tile.
+    bool ground_left_out() const { return ground_left_out_; }
 
     static Cell neighbour(Cell c, int d) { return {c.x + (d == 0) - (d == 2), c.y + (d == 1) - (d == 3)}; }
     static std::size_t local(Cell c) {
@@ -122,6 +125,7 @@ private:
     const Scene& scene_;
     WalkBody body_;
     const Obstacles& obstacles_;
+    const NearGround& ground_;
     BoxIndex index_, passing_index_;
     Vec3 anchor_{0.0};
     std::unordered_map<std::uint64_t, std::uint32_t>
@@ -129,6 +133,7 @@ private:
     std::vector<std::unique_ptr<Tile>> tiles_;
     std::deque<std::uint32_t> kept_;  // tiles with columns, the oldest first
     std::size_t kept_bytes_ = 0, tile_bytes_ = 0;
+    bool ground_left_out_ = false;
     std::vector<std::uint32_t> near_;
 };
 

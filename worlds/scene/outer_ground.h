@@ -8,6 +8,9 @@ namespace handrail {
 
 inline constexpr const char* kOuterGround = "ground outside";
 
+// What a reader calls a building next to the one that is read.
+inline constexpr const char* kNeighbouringBuilding = "building";
+
 inline bool is_outer_ground(const Feature& feature) { return feature.made_name && feature.name == kOuterGround; }
 
 }  // namespace handrail

@@ -190,7 +190,8 @@ bool inflate_into(std::string& bytes, std::string_view packed) {
 
 template <class A, Is<WalkSpace> T>
 void all_but_spans(A& a, T& space) {
-    a(space.origin_m, space.cell_m, space.width, space.depth, space.body, space.links, space.obstacle_features);
+    a(space.origin_m, space.cell_m, space.width, space.depth, space.body, space.links, space.obstacle_features,
+      space.outdoors_m, space.part);
 }
 
 // Empty: not to be kept.

@@ -77,7 +77,7 @@ void RoomsOfWorld::find(const std::stop_token& stop) {
         navigation_.reset();
         graph_ = {};
         out_of_reach_.clear();
-        problem_ = phrase("navigation.too_large");
+        problem_ = phrase("navigation.no_memory");
     }
     done_ = true;
     done_.notify_all();

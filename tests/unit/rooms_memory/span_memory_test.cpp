@@ -81,39 +81,37 @@ TEST(SpanMemory, is_at_most_150_bytes_for_each_place_to_stand_at_the_peak) {
     RecordProperty("bytes_for_each_place", std::to_string(bytes_each(spans)));
 }
 
-// A flat exported in millimetres and read in metres, and one floor that goes on for ever.
-TEST(SpanMemory, is_hardly_taken_for_worlds_that_are_too_large_for_ways) {
+// A flat exported in millimetres and read in metres: 60 by 40 km of floor.
+TEST(SpanMemory, is_bounded_in_a_world_that_is_too_large_to_be_looked_at_whole) {
+    if (kSmall) GTEST_SKIP() << "too large for a sanitizer";
     (void)phrase("direction.ahead");  // the texts of the language are there before anything is counted
-    for (const auto& [wide, deep] : {std::pair{60'000, 40'000}, std::pair{188'000, 188'000}}) {
-        std::string mesh;
-        // Walls from room to room, a chair in each.
-        auto box = [&, points = 0](double x0, double y0, double x1, double y1, double z1) mutable {
-            for (const double z : {0.0, z1})
-                for (const auto& [x, y] : {std::pair{x0, y0}, std::pair{x1, y0}, std::pair{x1, y1}, std::pair{x0, y1}})
-                    mesh += fmt::format("v {} {} {}\n", x, y, z);
-            for (const auto& f : {std::array{1, 2, 3, 4}, std::array{5, 6, 7, 8}, std::array{1, 2, 6, 5},
-                                  std::array{2, 3, 7, 6}, std::array{3, 4, 8, 7}, std::array{4, 1, 5, 8}})
-                mesh += fmt::format("f {} {} {} {}\n", points + f[0], points + f[1], points + f[2], points + f[3]);
-            points += 8;
-        };
-        mesh += "o floor\n";
-        box(0, 0, wide, deep, 200);
-        for (int x = 0; x < 5; ++x) {
-            mesh += fmt::format("o wall {}\n", x);
-            box(x * wide / 5.0, 0, x * wide / 5.0 + 100, deep - 1000, 2800);
-        }
-        const Result<Scene> scene = read_obj(mesh, "flat.obj");
-        ASSERT_TRUE(scene);
-        const std::size_t before = held;
-        most_held = before;
-        const auto made = Navigation::make(*scene, WalkBody{});
-        ASSERT_FALSE(made);
-        EXPECT_EQ(made.error().message, "This world is too large for routes to be planned through it.");
-        EXPECT_LT(most_held - before, std::size_t{1} << 20);
+    std::string mesh;
+    auto box = [&, points = 0](double x0, double y0, double x1, double y1, double z1) mutable {
+        for (const double z : {0.0, z1})
+            for (const auto& [x, y] : {std::pair{x0, y0}, std::pair{x1, y0}, std::pair{x1, y1}, std::pair{x0, y1}})
+                mesh += fmt::format("v {} {} {}\n", x, y, z);
+        for (const auto& f : {std::array{1, 2, 3, 4}, std::array{5, 6, 7, 8}, std::array{1, 2, 6, 5},
+                              std::array{2, 3, 7, 6}, std::array{3, 4, 8, 7}, std::array{4, 1, 5, 8}})
+            mesh += fmt::format("f {} {} {} {}\n", points + f[0], points + f[1], points + f[2], points + f[3]);
+        points += 8;
+    };
+    mesh += "o floor\n";
+    box(0, 0, 60'000, 40'000, 200);
+    for (int x = 0; x < 5; ++x) {
+        mesh += fmt::format("o wall {}\n", x);
+        box(12'000.0 * x, 0, 12'000.0 * x + 100, 39'000, 2'800);
     }
+    const Result<Scene> scene = read_obj(mesh, "flat.obj");
+    ASSERT_TRUE(scene);
+    const std::size_t before = held;
+    most_held = before;
+    const auto made = Navigation::make(*scene, WalkBody{});
+    ASSERT_TRUE(made) << made.error().message;
+    EXPECT_TRUE((*made)->space().part);
+    EXPECT_LT(most_held - before, std::size_t{700} << 20);
 }
 
-TEST(SpanMemory, that_is_not_there_is_a_world_too_large_for_ways_and_nothing_worse) {
+TEST(SpanMemory, that_is_not_there_is_said_and_nothing_worse_happens) {
     const auto scene =
         std::make_shared<const Scene>(*read_quake_map(test::office_world(test::office_size(300)).map, "office.map"));
     for (const Executor* executor : {&at_once(), &on_threads()})
@@ -123,7 +121,7 @@ TEST(SpanMemory, that_is_not_there_is_a_world_too_large_for_ways_and_nothing_wor
             while (!rooms.ready()) std::this_thread::yield();
             room_for = ~std::size_t{0};
             EXPECT_FALSE(rooms.found());
-            EXPECT_EQ(rooms.problem(), "This world is too large for routes to be planned through it.");
+            EXPECT_EQ(rooms.problem(), "There is not enough memory to find rooms and routes in this world.");
         }
     RoomsOfWorld rooms(scene, WalkBody{}, at_once());
     EXPECT_TRUE(rooms.ready());
