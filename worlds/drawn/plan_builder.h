@@ -47,6 +47,8 @@ private:
     void add_things();
     void add_ways();
     void join_ways(const std::vector<FeatureId>& features, const std::vector<std::uint32_t>& rooms);
+    void join_doors_with_ways(const std::vector<std::uint32_t>& rooms);
+    void open_ways_to_the_ground(const std::vector<std::uint32_t>& rooms);
     std::vector<Ring> add_strips(const PlanWay& way, FeatureId feature);
     void state_way(const PlanWay& way, const std::vector<Ring>& parts);
     void add_blocks();

@@ -1,12 +1,9 @@
 // Doors, stairs, lifts and ways of a building from plans: what one moves along.
 #include <algorithm>
 #include <array>
-#include <map>
-#include <set>
 
 #include "worlds/drawn/plan_builder.h"
 #include "worlds/drawn/upright.h"
-#include "worlds/geometry/box_index.h"
 #include "worlds/geometry/clip.h"
 
 #include "worlds/scene/surfaces.h"
@@ -18,7 +15,7 @@ constexpr double kLeafThick_m = 0.04, kClear_m = 0.005, kLeafTravel_s = 1.0, kTw
 constexpr double kStepThick_m = 0.3, kRail_m = 1.0, kRailThick_m = 0.08, kFloorThick_m = 0.2;
 constexpr double kLiftSpeed_m_per_s = 0.75, kLiftDoorWait_s = 5.0, kDoorWait_s = 3.0, kStandingRoom_m = 1.8;
 constexpr double kNearDoor_m = 1.5, kAtGround_m = 0.6, kCabinClear_m = 0.03, kLeastCabin_m = 0.7;
-constexpr double kLeastRise_m = 0.5, kStepRise_m = 0.17, kSameFloor_m = 0.3;
+constexpr double kLeastRise_m = 0.5, kStepRise_m = 0.17;
 
 bool is_stairs(PlanSpaceKind kind) { return kind == PlanSpaceKind::Stairs || kind == PlanSpaceKind::Escalator; }
 
@@ -325,83 +322,6 @@ void PlanBuilder::add_ways() {
         state_way(way, parts);
     }
     join_ways(features, rooms);
-}
-
-// Ways lead into each other where they meet, and stairs from what meets one end to what meets the other. A way also
-// meets the area in which it ends, or beside which it ends.
-void PlanBuilder::join_ways(const std::vector<FeatureId>& features, const std::vector<std::uint32_t>& rooms) {
-    using Point = std::array<long long, 3>;
-    std::map<Point, std::vector<std::uint32_t>> rooms_at_point;
-    const auto key = [](const Vec2& p, double floor_m) {
-        return Point{std::llround(p.x * 1e3), std::llround(p.y * 1e3), std::llround(floor_m * 1e2)};
-    };
-    const auto meet = [&](const Vec2& p, double floor_m, std::uint32_t room) {
-        std::vector<std::uint32_t>& here = rooms_at_point[key(p, floor_m)];
-        if (std::find(here.begin(), here.end(), room) == here.end()) here.push_back(room);
-    };
-    std::vector<std::size_t> areas;
-    std::vector<Aabb> boxes;
-    for (std::size_t w = 0; w < rooms.size(); ++w) {
-        const PlanWay& way = plan_.ways[w];
-        if (rooms[w] == kNotStated) continue;
-        for (std::size_t i = 0; i < way.line.size(); ++i) meet(way.line[i], way.floor_m[i], rooms[w]);
-        for (const Ring& ring : way.further)
-            for (const Vec2& p : ring) meet(p, way.floor_m[0], rooms[w]);
-        if (!way.area) continue;
-        Aabb box;
-        for (const Vec2& p : way.line) box.include(Vec3(p, way.floor_m[0]));
-        areas.push_back(w);
-        boxes.push_back(grown(box, kSameFloor_m));
-    }
-    const BoxIndex index(boxes);
-    std::vector<std::uint32_t> near;
-    for (const PlanWay& way : plan_.ways)
-        for (const std::size_t end : {std::size_t{0}, way.line.size() - 1}) {
-            if (way.area) break;
-            const Vec3 at(way.line[end], way.floor_m[end]);
-            index.find({at, at}, near);
-            std::sort(near.begin(), near.end());
-            for (const std::uint32_t a : near) {
-                const std::vector<Ring> rings = rings_of_way(plan_.ways[areas[a]]);
-                if (inside(rings, way.line[end]) || lies_on(rings, way.line[end]))
-                    meet(way.line[end], way.floor_m[end], rooms[areas[a]]);
-            }
-        }
-    std::set<std::pair<std::uint32_t, std::uint32_t>> told;
-    for (const PlanWay& way : plan_.ways)
-        for (std::size_t i = 0; i < way.line.size() && !way.steps; ++i) {
-            const std::vector<std::uint32_t>& here = rooms_at_point[key(way.line[i], way.floor_m[i])];
-            for (std::size_t k = 1; k < here.size(); ++k) {
-                if (!told.emplace(here[0], here[k]).second) continue;
-                StatedPortal portal;
-                portal.kind = StatedPortalKind::Opening;
-                portal.rooms = {here[0], here[k]};
-                portal.place_m = Vec3(way.line[i], way.floor_m[i]);
-                portal.width_m = way.width_m;
-                portal.by_boundaries = true;
-                stated_->portals.push_back(std::move(portal));
-            }
-        }
-    for (std::size_t w = 0; w < features.size(); ++w) {
-        const PlanWay& way = plan_.ways[w];
-        if (!way.steps) continue;
-        StatedPortal portal;
-        portal.kind = StatedPortalKind::Stairs;
-        portal.name = way.name.empty() ? way.id : way.name;
-        portal.guid = way.id;
-        portal.feature = features[w];
-        for (const std::size_t end : {std::size_t{0}, way.line.size() - 1})
-            if (const auto found = rooms_at_point.find(key(way.line[end], way.floor_m[end]));
-                found != rooms_at_point.end())
-                portal.rooms.insert(portal.rooms.end(), found->second.begin(), found->second.end());
-        std::sort(portal.rooms.begin(), portal.rooms.end());
-        portal.rooms.erase(std::unique(portal.rooms.begin(), portal.rooms.end()), portal.rooms.end());
-        portal.place_m = Vec3(way.line.front(), way.floor_m.front());
-        portal.width_m = way.width_m;
-        portal.height_m = std::abs(way.floor_m.back() - way.floor_m.front());
-        portal.by_boundaries = true;
-        stated_->portals.push_back(std::move(portal));
-    }
 }
 
 // The rectangles that the floor of the way covers.

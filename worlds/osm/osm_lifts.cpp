@@ -1,6 +1,7 @@
-// Lifts that an OpenStreetMap file draws as one node in the rooms of several levels.
+// Lifts and stairs as mappers draw them: as one node in the rooms of several levels, or with an outline on each level.
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "worlds/base/language.h"
 #include "worlds/osm/osm_levels.h"
@@ -27,6 +28,43 @@ bool holds_square(const PlanSpace& space, const Vec2& at) {
 }
 
 }  // namespace
+
+// Makes one of the outlines of stairs, or of a lift, that are drawn on each level separately, one above the other.
+void OsmPlan::stack_outlines() {
+    std::vector<std::size_t> order(outlines_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return outlines_[a].levels.front() < outlines_[b].levels.front();
+    });
+    struct Stack {
+        std::size_t outline = 0;
+        std::string kind;
+        std::vector<Ring> rings;
+        Vec2 middle{0.0};
+    };
+    std::vector<Stack> stacks;
+    std::vector<bool> stacked(outlines_.size(), false);
+    for (const std::size_t i : order) {
+        Outline& upper = outlines_[i];
+        Stack made{i, kind_of_space(*upper.tags), in_degrees(upper.rings)};
+        if (made.kind != "stairs" && made.kind != "lift") continue;
+        for (const Vec2& p : made.rings[0]) made.middle += p / static_cast<double>(made.rings[0].size());
+        const auto below = std::find_if(stacks.begin(), stacks.end(), [&](const Stack& stack) {
+            const double step = upper.levels.front() - outlines_[stack.outline].levels.back();
+            return stack.kind == made.kind && step > 0.0 && step <= 1.0 && inside(stack.rings, made.middle) &&
+                   inside(made.rings, stack.middle);
+        });
+        if (below == stacks.end()) {
+            stacks.push_back(std::move(made));
+            continue;
+        }
+        std::vector<double>& levels = outlines_[below->outline].levels;
+        levels.insert(levels.end(), upper.levels.begin(), upper.levels.end());
+        stacked[i] = true;
+    }
+    std::size_t at = 0;
+    std::erase_if(outlines_, [&](const Outline&) { return stacked[at++]; });
+}
 
 // Makes a cabin with a door to the room round it on each level. False: there is no space for it.
 bool OsmPlan::add_lift_at(std::int64_t node, std::size_t rooms) {

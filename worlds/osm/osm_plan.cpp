@@ -19,15 +19,6 @@ constexpr double kStorey_m = 3.0, kLeastStorey_m = 2.5, kMostStorey_m = 6.0;
 constexpr double kFarthest_m = 20'000.0, kBesideOutline_m = 0.3, kBesideCorner_m = 0.05;
 constexpr std::size_t kMostOutlines = 60'000, kMostCornersOfOne = 2'000;
 
-bool is_space(const OsmTags& tags) {
-    const std::string_view indoor = tags["indoor"];
-    if (indoor == "room" || indoor == "corridor" || indoor == "area" || indoor == "level") return indoor != "level";
-    if (tags.is("highway", "elevator") || tags.is("stairs", "yes")) return true;
-    if (indoor == "yes" && tags.has("room")) return true;
-    const std::string_view part = tags["buildingpart"];
-    return part == "room" || part == "corridor" || part == "hall" || part == "verticalpassage";
-}
-
 void note_id(std::string& ids, const std::string& id) {
     if (ids.size() < 60) ids += (ids.empty() ? "" : ", ") + id;
 }
@@ -91,13 +82,14 @@ Result<FloorPlan> OsmPlan::build(const std::string& file_name) {
     find_outlines();
     if (outlines_.size() > kMostOutlines) return fail(phrase("osm.too_large"), file_name);
     if (const Result<void> chosen = choose_building(file_name); !chosen) return tl::unexpected(chosen.error());
+    stack_outlines();
     set_origin();
     lay_levels();
     add_spaces();
     add_doors();
     add_lift_nodes();
     add_walls_and_things();
-    if (!rooms_are_joined()) add_ways();
+    add_ways(rooms_are_joined());
     if (plan_.spaces.empty() && plan_.ways.empty()) return fail(phrase("osm.nothing"), file_name);
     add_blocks();
     tell("osm.open_outlines", open_, open_ids_);
@@ -304,6 +296,7 @@ Result<void> OsmPlan::choose_building(const std::string& file_name) {
 
 // The middle of what is read, so that a metre is a metre there.
 void OsmPlan::set_origin() {
+    bool around_building = false;
     Vec2 least{1e300}, most{-1e300};
     const auto include = [&](const Vec2& p) { least = glm::min(least, p), most = glm::max(most, p); };
     for (const Outline& outline : outlines_)
@@ -313,13 +306,31 @@ void OsmPlan::set_origin() {
         const std::string kind = kind_of_space(*outline.tags);
         return kind != "lift" && kind != "stairs" && kind != "escalator";
     });
+    // Of several buildings one is read with its surroundings; a single one stands for the whole file.
+    const auto with_rooms = std::count_if(buildings_.begin(), buildings_.end(),
+                                          [](const Building& building) { return building.spaces > 0; });
+    if (!options_.building.empty() || (rooms && with_rooms > 1)) around_building = true;
     if (!rooms)
         for (const OsmWay& way : data_.ways)
             if ((way.tags.has("highway") || is_platform(way.tags)) && all_known(way.nodes))
                 for (const Ring& line : in_degrees({way.nodes}))
                     for (const Vec2& p : line) include(p);
+    for (const OsmArea& area : data_.areas) {
+        bool broken = false;
+        if (rooms || !is_walked(area.tags)) continue;
+        for (const std::vector<std::int64_t>& ring : rings_of(area, broken)) {
+            if (!all_known(ring)) continue;
+            const std::vector<Ring> outline = in_degrees({ring});
+            std::for_each(outline[0].begin(), outline[0].end(), include);
+        }
+    }
     if (least.x > most.x) return;
     plane_ = LocalPlane(0.5 * (least + most));
+    if (!around_building || chosen_ == kNone) return;
+    for (Ring ring : buildings_[chosen_].rings) {
+        for (Vec2& p : ring) p = plane_.place_m(p);
+        surroundings_of_.push_back(std::move(ring));
+    }
 }
 
 Vec2 OsmPlan::place_of(std::int64_t node) const {

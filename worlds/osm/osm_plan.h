@@ -49,6 +49,7 @@ private:
     bool all_known(const std::vector<std::int64_t>& nodes) const;
     std::vector<Ring> in_degrees(const std::vector<std::vector<std::int64_t>>& rings) const;
     Result<void> choose_building(const std::string& file_name);
+    void stack_outlines();
     void set_origin();
     Vec2 place_of(std::int64_t node) const;
     std::vector<Ring> placed(const std::vector<std::vector<std::int64_t>>& rings) const;
@@ -59,11 +60,12 @@ private:
     void add_walls_and_things();
     void add_lift_nodes();
     bool add_lift_at(std::int64_t node, std::size_t rooms);
-    void add_ways();
+    void add_ways(bool rooms_are_joined);
+    bool is_within_rooms(const Walked& walked) const;
     std::vector<Walked> find_walked();
     PlanWay way_of(const Walked& walked, const std::unordered_map<std::int64_t, double>& height_m) const;
     void name_ways(const std::vector<Walked>& walked);
-    void add_levels(const std::vector<Walked>& walked);
+    void add_levels(const std::vector<Walked>& walked, const std::unordered_map<std::int64_t, double>& height_m);
     bool is_lift_node(std::int64_t node) const;
     void add_blocks();
     bool rooms_are_joined() const;
@@ -75,6 +77,7 @@ private:
     std::vector<Outline> outlines_;
     std::vector<Building> buildings_;
     std::size_t chosen_ = kNone;
+    std::vector<Ring> surroundings_of_;  // outlines; ways far from all of them are left out. Empty: none is
     LocalPlane plane_;
     std::unordered_map<std::int64_t, std::vector<std::size_t>> spaces_of_;  // of a node; looked up only
     int open_ = 0, incomplete_ = 0, without_level_ = 0, odd_levels_ = 0, doors_alone_ = 0;

@@ -6,6 +6,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 #include "worlds/drawn/upright.h"
+#include "worlds/geometry/box_index.h"
 #include "worlds/osm/osm_levels.h"
 #include "worlds/osm/osm_plan.h"
 #include "worlds/osm/osm_words.h"
@@ -14,7 +15,7 @@ namespace handrail {
 namespace {
 
 constexpr double kWay_m = 2.0, kSteps_m = 1.6, kMostWay_m = 20.0, kFarthestWay_m = 2'000.0, kSameFloor_m = 0.3,
-                 kBeside_m = 0.3;
+                 kBeside_m = 0.3, kSurroundings_m = 100.0, kLook_m = 10.0;
 
 bool is_escalator(const OsmTags& tags) {
     return tags.is("highway", "steps") && tags.has("conveying") && !tags.is("conveying", "no");
@@ -49,20 +50,66 @@ bool OsmPlan::is_lift_node(std::int64_t node) const {
     return found != data_.nodes.end() && found->second.tags.is("highway", "elevator");
 }
 
-// Reports the ways that lack places, and leaves out those far from the middle.
+namespace {
+
+// Answers whether places are near any of these outlines.
+class Surroundings {
+public:
+    explicit Surroundings(const std::vector<Ring>& rings) : rings_(rings), index_(boxes_of(rings)) {}
+
+    // True if one of the lines comes near.
+    bool hold_one_of(const std::vector<Ring>& lines) const {
+        for (const Ring& line : lines)
+            for (std::size_t i = 0; i < line.size(); ++i) {
+                if (is_near(line[i])) return true;
+                if (i == 0) continue;
+                const double length_m = glm::length(line[i] - line[i - 1]);
+                for (double at_m = kLook_m; at_m < length_m; at_m += kLook_m)
+                    if (is_near(line[i - 1] + (line[i] - line[i - 1]) * (at_m / length_m))) return true;
+            }
+        return false;
+    }
+
+private:
+    static std::vector<Aabb> boxes_of(const std::vector<Ring>& rings) {
+        std::vector<Aabb> boxes;
+        for (const Ring& ring : rings) {
+            Aabb box;
+            for (const Vec2& p : ring) box.include(Vec3(p, 0.0));
+            boxes.push_back(grown(box, kSurroundings_m));
+        }
+        return boxes;
+    }
+    bool is_near(const Vec2& at) const {
+        std::vector<std::uint32_t> found;
+        index_.find({Vec3(at, 0.0), Vec3(at, 0.0)}, found);
+        return std::any_of(found.begin(), found.end(), [&](std::uint32_t r) {
+            return inside({rings_[r]}, at) || distance_to_outline({rings_[r]}, at) <= kSurroundings_m;
+        });
+    }
+
+    const std::vector<Ring>& rings_;
+    BoxIndex index_;
+};
+
+}  // namespace
+
+// Reports the ways that lack places, and those that are left out because they are far away.
 std::vector<OsmPlan::Walked> OsmPlan::find_walked() {
     std::vector<Walked> walked;
-    int cut_ways = 0;
+    int cut_ways = 0, far_ways = 0;
+    const Surroundings surroundings(surroundings_of_);
     const auto take = [&](Walked made) {
         const std::vector<Ring> lines = placed(made.lines);
         const bool near = std::all_of(lines.begin(), lines.end(), [](const Ring& line) {
             return std::all_of(line.begin(), line.end(),
                                [](const Vec2& p) { return glm::length(p) <= kFarthestWay_m; });
         });
-        if (near) walked.push_back(std::move(made));
+        if (near && (surroundings_of_.empty() || surroundings.hold_one_of(lines))) walked.push_back(std::move(made));
+        else ++far_ways;
     };
     for (const OsmWay& way : data_.ways) {
-        if (!is_walked(way.tags)) continue;
+        if (!is_walked(way.tags) || (way.closed() && is_space(way.tags))) continue;
         if (way.nodes.size() < 2 || !all_known(way.nodes)) {
             ++cut_ways;
             continue;
@@ -74,7 +121,7 @@ std::vector<OsmPlan::Walked> OsmPlan::find_walked() {
         take(std::move(made));
     }
     for (const OsmArea& area : data_.areas) {
-        if (!is_walked(area.tags) || area.tags.is("highway", "steps") || area.tags.has("indoor")) continue;
+        if (!is_walked(area.tags) || area.tags.is("highway", "steps") || is_space(area.tags)) continue;
         bool broken = false;
         Walked made{phrase("osm.relation", {{"id", std::to_string(area.id)}}), &area.tags, rings_of(area, broken)};
         made.area = true;
@@ -88,17 +135,25 @@ std::vector<OsmPlan::Walked> OsmPlan::find_walked() {
         take(std::move(made));
     }
     if (cut_ways > 0) plan_.left_out.push_back(phrase("osm.cut_ways", {{"n", cut_ways}}));
+    if (far_ways > 0)
+        plan_.left_out.push_back(phrase("osm.far_ways", {{"n", far_ways}, {"metres", std::lround(kSurroundings_m)}}));
     return walked;
 }
 
-// A level that has only ways is a storey too.
-void OsmPlan::add_levels(const std::vector<Walked>& walked) {
+// A level that has only ways is a storey too, if a way keeps a place at its height. A footway that only slopes up to it
+// does not make one.
+void OsmPlan::add_levels(const std::vector<Walked>& walked, const std::unordered_map<std::int64_t, double>& height_m) {
     std::vector<PlanLevel> levels = plan_.levels;
     for (const Walked& way : walked) {
         const double number = way.levels().front();
         const bool known =
             std::any_of(levels.begin(), levels.end(), [&](const PlanLevel& level) { return level.number == number; });
-        if (!way.steps() && !known)
+        const auto is_at_level = [&](std::int64_t node) {
+            const auto at = height_m.find(node);
+            return at == height_m.end() || at->second == number * plan_.storey_m;
+        };
+        const bool stays = way.area || std::any_of(way.lines[0].begin(), way.lines[0].end(), is_at_level);
+        if (!way.steps() && !known && stays)
             levels.push_back({number, phrase("plan.level", {{"number", number}}), number * plan_.storey_m});
     }
     std::sort(levels.begin(), levels.end(), [](const PlanLevel& a, const PlanLevel& b) { return a.number < b.number; });
@@ -190,9 +245,36 @@ void OsmPlan::name_ways(const std::vector<Walked>& walked) {
     }
 }
 
-// Lines and areas that people walk on: each at its level, and from level to level where its ends say so.
-void OsmPlan::add_ways() {
-    const std::vector<Walked> walked = find_walked();
+// True if its middle is in a room of its level.
+bool OsmPlan::is_within_rooms(const Walked& walked) const {
+    const Ring line = placed(walked.lines)[0];
+    Vec2 middle{0.0};
+    if (walked.area)
+        for (const Vec2& p : line) middle += p / static_cast<double>(line.size());
+    else middle = 0.5 * (line[(line.size() - 1) / 2] + line[line.size() / 2]);
+    const std::vector<double> levels = walked.levels();
+    return std::any_of(plan_.spaces.begin(), plan_.spaces.end(), [&](const PlanSpace& space) {
+        return std::any_of(space.levels.begin(), space.levels.end(),
+                           [&](std::size_t level) {
+                               return std::find(levels.begin(), levels.end(), plan_.levels[level].number) !=
+                                      levels.end();
+                           }) &&
+               inside(space.rings, middle);
+    });
+}
+
+// Lines and areas that people walk on: each at its level, and from level to level where its ends say so. If the rooms
+// are joined by doors, those that lie within rooms add nothing.
+void OsmPlan::add_ways(bool rooms_are_joined) {
+    if (rooms_are_joined && surroundings_of_.empty()) {
+        for (const PlanSpace& space : plan_.spaces)
+            surroundings_of_.insert(surroundings_of_.end(), space.rings.begin(), space.rings.end());
+        for (const OsmWay& way : data_.ways)
+            if (is_platform(way.tags) && all_known(way.nodes) && !way.nodes.empty())
+                surroundings_of_.push_back(placed({way.nodes})[0]);
+    }
+    std::vector<Walked> walked = find_walked();
+    if (rooms_are_joined) std::erase_if(walked, [&](const Walked& way) { return is_within_rooms(way); });
     if (walked.empty()) return;
     std::unordered_map<std::int64_t, double> height_m;  // of the nodes of level ways; looked up only
     // Areas first: they are flat, so the lines that end on them climb to them.
@@ -212,8 +294,9 @@ void OsmPlan::add_ways() {
     }
     for (const Walked& way : walked) plan_.ways.push_back(way_of(way, height_m));
     name_ways(walked);
-    add_levels(walked);
-    plan_.guessed.push_back(phrase("osm.along_ways", {{"n", plan_.ways.size()}}));
+    add_levels(walked, height_m);
+    plan_.guessed.push_back(
+        phrase(rooms_are_joined ? "osm.outdoor_ways" : "osm.along_ways", {{"n", plan_.ways.size()}}));
 }
 
 }  // namespace handrail

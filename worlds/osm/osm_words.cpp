@@ -55,7 +55,8 @@ std::string kind_of_space(const OsmTags& tags) {
     const bool toilets = tags.is("amenity", "toilets") || tags.is("room", "toilets") || tags.is("room", "toilet");
     if (toilets) return male == female ? "toilets" : male ? "toilets_men" : "toilets_women";
     if (tags.has("conveying") && !tags.is("conveying", "no")) return "escalator";
-    if (tags.is("stairs", "yes") || tags.is("room", "stairs") || tags.is("highway", "steps") ||
+    if (tags.is("stairs", "yes") || tags.is("room", "stairs") || tags.is("indoor", "stairs") ||
+        tags.is("highway", "steps") ||
         (tags.is("buildingpart", "verticalpassage") && tags.is("buildingpart:verticalpassage", "stairway")))
         return "stairs";
     if (tags.is("highway", "elevator") || tags.is("room", "elevator") || tags.is("indoor", "elevator") ||
@@ -116,6 +117,16 @@ std::vector<std::string> facts_of(const OsmTags& tags) {
 double number_in(std::string_view value) {
     double number = 0.0;
     return parse_finite(value.substr(0, value.find_first_not_of("0123456789.")), number) ? number : 0.0;
+}
+
+bool is_space(const OsmTags& tags) {
+    const std::string_view indoor = tags["indoor"];
+    if (indoor == "room" || indoor == "corridor" || indoor == "area" || indoor == "level") return indoor != "level";
+    if (tags.is("highway", "elevator") || tags.is("stairs", "yes")) return true;
+    if (indoor == "elevator" || indoor == "stairs") return true;
+    if (indoor == "yes" && tags.has("room")) return true;
+    const std::string_view part = tags["buildingpart"];
+    return part == "room" || part == "corridor" || part == "hall" || part == "verticalpassage";
 }
 
 bool is_platform(const OsmTags& tags) {

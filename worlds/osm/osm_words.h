@@ -24,6 +24,8 @@ std::vector<std::string> facts_of(const OsmTags& tags);
 // The number at the front of a value: 2.5 of "2.5 m"; 0 if there is none.
 double number_in(std::string_view value);
 // A platform of a railway, a tram or a bus.
+// A room, corridor, staircase or lift that is drawn with an outline.
+bool is_space(const OsmTags& tags);
 bool is_platform(const OsmTags& tags);
 // People walk along it, or on it.
 bool is_walked(const OsmTags& tags);

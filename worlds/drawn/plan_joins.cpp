@@ -1,0 +1,137 @@
+// What ways outside rooms join, as the plan states it: each other, stairs, doors and the ground.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "worlds/drawn/plan_builder.h"
+#include "worlds/drawn/upright.h"
+#include "worlds/geometry/box_index.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kMeetFloor_m = 0.3, kEndsBeforeDoor_m = 1.5, kOnGround_m = 0.6;
+
+}  // namespace
+
+// Ways lead into each other where they meet, and stairs from what meets one end to what meets the other. A way also
+// meets the area in which it ends, or beside which it ends.
+void PlanBuilder::join_ways(const std::vector<FeatureId>& features, const std::vector<std::uint32_t>& rooms) {
+    using Point = std::array<long long, 3>;
+    std::map<Point, std::vector<std::uint32_t>> rooms_at_point;
+    const auto key = [](const Vec2& p, double floor_m) {
+        return Point{std::llround(p.x * 1e3), std::llround(p.y * 1e3), std::llround(floor_m * 1e2)};
+    };
+    const auto meet = [&](const Vec2& p, double floor_m, std::uint32_t room) {
+        std::vector<std::uint32_t>& here = rooms_at_point[key(p, floor_m)];
+        if (std::find(here.begin(), here.end(), room) == here.end()) here.push_back(room);
+    };
+    std::vector<std::size_t> areas;
+    std::vector<Aabb> boxes;
+    for (std::size_t w = 0; w < rooms.size(); ++w) {
+        const PlanWay& way = plan_.ways[w];
+        if (rooms[w] == kNotStated) continue;
+        for (std::size_t i = 0; i < way.line.size(); ++i) meet(way.line[i], way.floor_m[i], rooms[w]);
+        for (const Ring& ring : way.further)
+            for (const Vec2& p : ring) meet(p, way.floor_m[0], rooms[w]);
+        if (!way.area) continue;
+        Aabb box;
+        for (const Vec2& p : way.line) box.include(Vec3(p, way.floor_m[0]));
+        areas.push_back(w);
+        boxes.push_back(grown(box, kMeetFloor_m));
+    }
+    const BoxIndex index(boxes);
+    std::vector<std::uint32_t> near;
+    for (const PlanWay& way : plan_.ways)
+        for (const std::size_t end : {std::size_t{0}, way.line.size() - 1}) {
+            if (way.area) break;
+            const Vec3 at(way.line[end], way.floor_m[end]);
+            index.find({at, at}, near);
+            std::sort(near.begin(), near.end());
+            for (const std::uint32_t a : near) {
+                const std::vector<Ring> rings = rings_of_way(plan_.ways[areas[a]]);
+                if (inside(rings, way.line[end]) || distance_to_outline(rings, way.line[end]) < kMeetFloor_m)
+                    meet(way.line[end], way.floor_m[end], rooms[areas[a]]);
+            }
+        }
+    std::set<std::pair<std::uint32_t, std::uint32_t>> told;
+    for (const PlanWay& way : plan_.ways)
+        for (std::size_t i = 0; i < way.line.size() && !way.steps; ++i) {
+            const std::vector<std::uint32_t>& here = rooms_at_point[key(way.line[i], way.floor_m[i])];
+            for (std::size_t k = 1; k < here.size(); ++k) {
+                if (!told.emplace(here[0], here[k]).second) continue;
+                StatedPortal portal;
+                portal.kind = StatedPortalKind::Opening;
+                portal.rooms = {here[0], here[k]};
+                portal.place_m = Vec3(way.line[i], way.floor_m[i]);
+                portal.width_m = way.width_m;
+                portal.by_boundaries = true;
+                stated_->portals.push_back(std::move(portal));
+            }
+        }
+    for (std::size_t w = 0; w < features.size(); ++w) {
+        const PlanWay& way = plan_.ways[w];
+        if (!way.steps) continue;
+        StatedPortal portal;
+        portal.kind = StatedPortalKind::Stairs;
+        portal.name = way.name.empty() ? way.id : way.name;
+        portal.guid = way.id;
+        portal.feature = features[w];
+        for (const std::size_t end : {std::size_t{0}, way.line.size() - 1})
+            if (const auto found = rooms_at_point.find(key(way.line[end], way.floor_m[end]));
+                found != rooms_at_point.end())
+                portal.rooms.insert(portal.rooms.end(), found->second.begin(), found->second.end());
+        std::sort(portal.rooms.begin(), portal.rooms.end());
+        portal.rooms.erase(std::unique(portal.rooms.begin(), portal.rooms.end()), portal.rooms.end());
+        portal.place_m = Vec3(way.line.front(), way.floor_m.front());
+        portal.width_m = way.width_m;
+        portal.height_m = std::abs(way.floor_m.back() - way.floor_m.front());
+        portal.by_boundaries = true;
+        stated_->portals.push_back(std::move(portal));
+    }
+    join_doors_with_ways(rooms);
+    open_ways_to_the_ground(rooms);
+}
+
+// A door that leads outside joins its room with the way that ends in front of it.
+void PlanBuilder::join_doors_with_ways(const std::vector<std::uint32_t>& rooms) {
+    for (StatedPortal& portal : stated_->portals) {
+        if (portal.kind != StatedPortalKind::Door || portal.rooms.size() != 1) continue;
+        double nearest_m = kEndsBeforeDoor_m;
+        std::uint32_t found = kNotStated;
+        for (std::size_t w = 0; w < rooms.size(); ++w) {
+            const PlanWay& way = plan_.ways[w];
+            for (std::size_t i = 0; i < way.line.size() && rooms[w] != kNotStated; ++i) {
+                const double off_m = glm::length(way.line[i] - Vec2(portal.place_m));
+                if (off_m >= nearest_m || std::abs(way.floor_m[i] - portal.place_m.z) > kMeetFloor_m) continue;
+                nearest_m = off_m;
+                found = rooms[w];
+            }
+        }
+        if (found == kNotStated) continue;
+        portal.rooms.push_back(found);
+        std::sort(portal.rooms.begin(), portal.rooms.end());
+    }
+}
+
+// A way that lies on the ground is open to it, even if nothing else leads there.
+void PlanBuilder::open_ways_to_the_ground(const std::vector<std::uint32_t>& rooms) {
+    std::vector<bool> led_to(stated_->rooms.size(), false);
+    for (const StatedPortal& portal : stated_->portals)
+        for (const std::uint32_t room : portal.rooms) led_to[room] = true;
+    for (std::size_t w = 0; w < rooms.size(); ++w) {
+        const PlanWay& way = plan_.ways[w];
+        if (rooms[w] == kNotStated || led_to[rooms[w]] || std::abs(way.floor_m[0] - ground_m_) > kOnGround_m) continue;
+        StatedPortal portal;
+        portal.kind = StatedPortalKind::Opening;
+        portal.rooms = {rooms[w]};
+        portal.place_m = Vec3(way.line.front(), way.floor_m.front());
+        portal.width_m = way.width_m;
+        portal.by_boundaries = true;
+        stated_->portals.push_back(std::move(portal));
+    }
+}
+
+}  // namespace handrail
