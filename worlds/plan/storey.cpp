@@ -8,6 +8,7 @@
 #include "worlds/navigation/room_outlines.h"
 #include "worlds/plan/room_borders.h"
 #include "worlds/scene/outer_ground.h"
+#include "worlds/scene/stated_building.h"
 
 namespace handrail {
 namespace {
@@ -21,8 +22,9 @@ constexpr double kThingFrom_m = 0.25, kLeastThing_m = 0.05;
 constexpr double kPartitionThin_m = 0.2;
 constexpr double kPaneThin_m = 0.12, kPaneLong_m = 0.4, kPaneHigh_m = 1.2;
 constexpr double kStep_m = 0.6;
-constexpr int kBesideSteps = 8;       // of 5 cm, that a gap may lie beside where rooms meet
-constexpr double kWidestGap_m = 4.0;  // between its jambs; what is wider is no gap in a wall
+constexpr double kLongestTread_m = 1.5;  // of wide solid steps; what is longer is a stage
+constexpr int kBesideSteps = 8;          // of 5 cm, that a gap may lie beside where rooms meet
+constexpr double kWidestGap_m = 4.0;     // between its jambs; what is wider is no gap in a wall
 
 // Squares on which the openings between rooms are looked for, and at most how many of them side by side.
 constexpr double kSquare_m = 0.05, kMostSquares = 2000.0;
@@ -94,6 +96,7 @@ public:
         take_rooms();
         take_portals();
         take_walls();
+        if (!made_.rooms.empty()) drop_spaces_under_steps();
         take_things();  // some of them close windows
         take_low_roofs();
         if (!made_.rooms.empty()) close_rooms();
@@ -180,9 +183,12 @@ private:
             }
         if (area <= 0.0) return made_.rooms.clear();
         made_.floor_m = floor / area;
+        if (scene_.stated) made_.name = stated_storey_name(*scene_.stated, made_.floor_m);
         const double margin = space_.body.radius_m + (made_.upper ? kAroundUpper_m : kAround_m);
         made_.min_m = low - Vec2(margin);
         made_.max_m = high + Vec2(margin);
+        const Vec2 size = made_.max_m - made_.min_m;
+        square_m_ = std::max(kSquare_m, std::max(size.x, size.y) / kMostSquares);
         take_floor();
         find_hidden();
         put_middles_on_floor();
@@ -322,6 +328,50 @@ private:
         return span != kNothing && std::abs(space_.place_m(span).z - top_m) < 0.1;
     }
 
+    std::optional<double> floor_m_at(const Vec3& at) const {
+        const std::uint32_t span = space_.at(at);
+        return span == kNothing ? std::nullopt : std::optional<double>(space_.place_m(span).z);
+    }
+
+    // Whoever walks up a ramp or a flight of solid steps walks through the cut without meeting it.
+    bool climbed(const ConvexSolid& solid, const PlanOutline& outline) const {
+        constexpr double kSameFloor_m = 0.15;
+        for (const Polygon& face : solid.faces) {
+            std::vector<Vec2> crossing;
+            for (std::size_t i = 0; i < face.points_m.size(); ++i) {
+                const Vec3 &a = face.points_m[i], &b = face.points_m[(i + 1) % face.points_m.size()];
+                if ((a.z > cut_m()) == (b.z > cut_m())) continue;
+                const double t = (cut_m() - a.z) / (b.z - a.z);
+                crossing.emplace_back(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y));
+            }
+            if (crossing.size() != 2) continue;
+            const Vec2 middle = 0.5 * (crossing[0] + crossing[1]);
+            const auto floor = floor_m_at(Vec3(middle.x, middle.y, cut_m()));
+            if (floor && std::abs(*floor - cut_m()) < kSameFloor_m) return true;
+        }
+        Vec2 middle(0.0);
+        for (const Vec2& p : outline) middle += p / static_cast<double>(outline.size());
+        const double top_m = solid.bounds_m.max_m.z;
+        const std::uint32_t span = space_.at(Vec3(middle.x, middle.y, top_m));
+        if (span == kNothing || std::abs(space_.place_m(span).z - top_m) > kSameFloor_m) return false;
+        const std::uint32_t room = graph_.room_of_span[span];
+        return (room != kNothing && graph_.rooms[room].kind == RoomKind::Stairs) ||
+               (narrowest_m(outline) <= kLongestTread_m && leads_below_cut(span));
+    }
+
+    // Whether one walks straight down from there to below the cut, over one tread.
+    bool leads_below_cut(std::uint32_t from) const {
+        const auto cells = static_cast<int>(std::ceil(kLongestTread_m / std::sqrt(space_.cell_area_m2())));
+        for (const std::size_t way : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}}) {
+            std::uint32_t span = from;
+            for (int i = 0; i < cells && span != kNothing; ++i) {
+                span = space_.spans[span].next[way];
+                if (span != kNothing && space_.place_m(span).z < cut_m()) return true;
+            }
+        }
+        return false;
+    }
+
     // What of a solid stops a body that walks on the storey's floor; empty where it does not.
     PlanOutline stopping(const ConvexSolid& solid) const {
         const double bottom_m = solid.bounds_m.min_m.z, top_m = solid.bounds_m.max_m.z;
@@ -336,8 +386,9 @@ private:
     void take_walls() {
         for (const Solid& solid : scene_.solids) {
             if (solid.role != SolidRole::Solid || !is_structure(scene_, solid.feature)) continue;
-            if (PlanOutline outline = stopping(solid.shape); !outline.empty())
-                made_.walls_m.push_back(std::move(outline));
+            PlanOutline outline = stopping(solid.shape);
+            if (outline.empty()) continue;
+            (climbed(solid.shape, outline) ? climbed_m_ : made_.walls_m).push_back(std::move(outline));
         }
         for (const MeshTriangle& triangle : scene_.triangles)
             if (is_structure(scene_, triangle.feature))
@@ -473,9 +524,28 @@ private:
 
     // --- openings as the route graph has them
 
+    // Balconies belong to the ground outside, whose storey is another than theirs: they are no exits.
+    void take_exits(const std::map<std::uint32_t, std::uint32_t>& mine) {
+        std::set<std::pair<std::uint32_t, std::uint32_t>> known;
+        for (const Portal& portal : graph_.portals)
+            for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+                const auto here = mine.find(portal.rooms[side]);
+                const std::uint32_t there = portal.rooms[1 - side];
+                if (here == mine.end() || mine.contains(there) || graph_.rooms[there].level == level_ ||
+                    portal.one_way || portal.kind == PassageKind::Drop || portal.kind == PassageKind::Teleporter ||
+                    made_.rooms[here->second].outside || on_outer_ground(there) || !is_seen(portal) ||
+                    graph_.rooms[there].kind == RoomKind::Stairs ||
+                    made_.rooms[here->second].kind == RoomKind::Stairs || !known.insert({here->second, there}).second)
+                    continue;
+                made_.exits.push_back(
+                    {portal.kind, here->second, graph_.rooms[there].name, {portal.place_m.x, portal.place_m.y}});
+            }
+    }
+
     void take_portals() {
         std::map<std::uint32_t, std::uint32_t> mine;
         for (std::uint32_t i = 0; i < made_.rooms.size(); ++i) mine[made_.rooms[i].room] = i;
+        take_exits(mine);
         for (const Portal& portal : graph_.portals) {
             const auto a = mine.find(portal.rooms[0]), b = mine.find(portal.rooms[1]);
             if (a == mine.end() || b == mine.end() || a->second == b->second || !is_seen(portal)) continue;
@@ -567,8 +637,6 @@ private:
 
     // What stands between two rooms and lets no body pass is a wall, unless the route graph leads through there.
     void close_rooms() {
-        const Vec2 size = made_.max_m - made_.min_m;
-        square_m_ = std::max(kSquare_m, std::max(size.x, size.y) / kMostSquares);
         RoomGrid walls = grid_of_walls();
         for (bool more = true; more;) {
             RoomGrid grid = walls;
@@ -605,6 +673,35 @@ private:
                 const StoreyRoom& room = made_.rooms[border.rooms[0]];
                 if (room.shut && room.kind == RoomKind::Niche) kept[border.rooms[0]] = kNothing;
             }
+        drop_rooms(std::move(kept));
+    }
+
+    // Nobody comes to the space under a ramp, whose floor meets that before the ramp since its steps are no walls.
+    void drop_spaces_under_steps() {
+        if (climbed_m_.empty()) return;
+        std::vector<PlanOutline> steps;
+        for (const PlanOutline& outline : climbed_m_) {
+            PlanBox around = box_around(outline);
+            around.half_m += Vec2(kLongestTread_m);
+            const std::array<Vec2, 4> corners = around.corners_m();
+            steps.emplace_back(corners.begin(), corners.end());
+        }
+        RoomGrid grid = grid_of_walls();
+        spread_rooms(grid);
+        std::vector<std::uint32_t> kept(made_.rooms.size(), 0);
+        for (const RoomBorder& border : borders_of(grid)) {
+            if (border.rooms[1] == outside()) continue;
+            const bool shut[2] = {made_.rooms[border.rooms[0]].shut, made_.rooms[border.rooms[1]].shut};
+            if (shut[0] != shut[1] &&
+                std::any_of(border.squares.begin(), border.squares.end(),
+                            [&](std::size_t square) { return inside_any(steps, middle_of_square(grid, square)); }))
+                kept[border.rooms[shut[0] ? 0 : 1]] = kNothing;
+        }
+        drop_rooms(std::move(kept));
+    }
+
+    // `kept`: of every room 0, or kNothing if it is dropped.
+    void drop_rooms(std::vector<std::uint32_t> kept) {
         std::uint32_t count = 0;
         for (std::uint32_t& place : kept) place = place == kNothing ? kNothing : count++;
         if (count == 0 || count == kept.size()) return;
@@ -614,6 +711,7 @@ private:
         for (std::uint32_t& room : made_.floor.room) room = room == kNothing ? kNothing : kept[room];
         for (std::uint32_t& room : made_.hidden) room = kept[room];
         for (StoreyStairs& stairs : made_.stairs_of_others) stairs.room = kept[stairs.room];
+        for (StoreyExit& exit : made_.exits) exit.room = kept[exit.room];
         for (StoreyPortal& portal : made_.portals)
             for (std::uint32_t& room : portal.rooms) room = kept[room];
     }
@@ -773,6 +871,7 @@ private:
     std::set<std::uint32_t> upper_;
     std::vector<double> floor_height_m_;        // of StoreyFloor::room
     std::set<std::uint32_t> trodden_, moving_;  // features
+    std::vector<PlanOutline> climbed_m_;        // that would be walls, if nobody walked up them there
     std::vector<Barrier> barriers_;
     double square_m_ = kSquare_m;
     Storey made_;

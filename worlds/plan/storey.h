@@ -58,6 +58,15 @@ struct StoreyStairs {
     std::vector<std::vector<Vec2>> loops_m;
 };
 
+// How a room is joined to one on another storey, without a flight of stairs that the plan shows: a lift, a ramp, steps
+// that belong to the rooms at their ends. Falls are not among them.
+struct StoreyExit {
+    PassageKind kind = PassageKind::Opening;
+    std::uint32_t room = 0;  // a place in Storey::rooms
+    std::string to;          // the other room, in the language spoken
+    Vec2 place_m{0.0};
+};
+
 struct StoreyBase {
     Vec2 place_m{0.0};
     double heading_rad = 0.0;
@@ -77,6 +86,7 @@ struct Storey {
     bool upper = false;
     std::vector<std::uint32_t> hidden;  // places in `rooms`: parts of them are above others, on the second plan
     std::string world;
+    std::string name;             // what the file calls the storey; may be empty
     double floor_m = 0.0;         // mean height of its rooms
     Vec2 min_m{0.0}, max_m{0.0};  // what is shown; the ground around a building does not widen it
     std::vector<StoreyRoom> rooms;
@@ -89,6 +99,7 @@ struct Storey {
     std::vector<StoreyGap> gaps;
     std::vector<StoreyStairs> stairs_of_others;  // flights that belong to another storey and begin or end here
     std::vector<StoreyPortal> portals;
+    std::vector<StoreyExit> exits;
     std::optional<StoreyBase> base;
     int moving = 0;  // things free to move, which are not among `things`: they may stand elsewhere tomorrow
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "worlds/base/text.h"
 #include "worlds/geometry/exposed_surface.h"
 
 namespace handrail {
@@ -21,6 +22,19 @@ bool holds(const StatedRoom& room, const Vec3& at_m) {
                 inside = !inside;
         }
     return inside;
+}
+
+std::string stated_storey_name(const StatedBuilding& building, double floor_m) {
+    // There are steps between the rooms of one storey.
+    constexpr double kSameFloor_m = 0.6;
+    std::string name;
+    double nearest_m = kSameFloor_m;
+    for (const StatedStorey& storey : building.storeys)
+        if (const double off_m = std::abs(storey.floor_m - floor_m); storey.rooms > 0 && off_m < nearest_m) {
+            nearest_m = off_m;
+            name = one_line(storey.name);
+        }
+    return name;
 }
 
 Vec2 outline_size_m(const StatedRoom& room) {

@@ -89,6 +89,8 @@ bool holds(const StatedRoom& room, const Vec3& at_m);
 Vec2 outline_size_m(const StatedRoom& room);
 // True when stairs all but fill the room and its name says nothing of stairs, in English or German.
 bool is_oddly_named(const StatedRoom& room);
+// What the file calls the storey with its floor at a height, in one line; empty if it names none there.
+std::string stated_storey_name(const StatedBuilding& building, double floor_m);
 // How many rooms the largest group has whose members are joined by portals.
 int largest_connected(const StatedBuilding& building);
 

@@ -14,23 +14,9 @@
 namespace handrail {
 namespace {
 
-constexpr double kSameFloor_m = 0.6;  // steps between the rooms of one storey
-
 bool is_room_of_storey(const Scene& scene, const Room& room) {
     if (scene.stated && !scene.stated->rooms.empty()) return !room.map_name.empty();
     return room.kind == RoomKind::Room;
-}
-
-std::string stated_name_at(const Scene& scene, double floor_m) {
-    std::string name;
-    double nearest_m = kSameFloor_m;
-    if (!scene.stated) return name;
-    for (const StatedStorey& storey : scene.stated->storeys)
-        if (const double off_m = std::abs(storey.floor_m - floor_m); storey.rooms > 0 && off_m < nearest_m) {
-            nearest_m = off_m;
-            name = one_line(storey.name);
-        }
-    return name;
 }
 
 }  // namespace
@@ -47,7 +33,7 @@ std::vector<StoreyOfRooms> storeys_of(const Scene& scene, const RoomGraph& graph
         std::nth_element(floors.begin(), middle, floors.end());
         storey.level = level;
         storey.floor_m = *middle;
-        storey.file_name = stated_name_at(scene, storey.floor_m);
+        if (scene.stated) storey.file_name = stated_storey_name(*scene.stated, storey.floor_m);
         storeys.push_back(std::move(storey));
     }
     return storeys;

@@ -201,6 +201,37 @@ TEST(StoreyPlan, has_no_room_on_a_ledge_outside_that_nothing_leads_to) {
     EXPECT_EQ(floor_at(plans.storeys[0], {4.5, 4.6}), kNothing);
 }
 
+// A hall with wide steps along its middle, 0.2 m high and 1 m deep, up to a gallery of 2 m with walls to either side.
+Scene hall_with_wide_steps(double first_step_m) {
+    SceneBuilder build;
+    const auto wall = [&](double x0, double y0, double x1, double y1) {
+        build.box({x0, y0, 0.0}, {x1, y1, 5.0}, "wall", SolidRole::Solid, {}, FeatureKind::Wall);
+    };
+    build.box({-0.2, -0.2, -0.2}, {20.2, 4.2, 0.0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
+    wall(-0.2, -0.2, 0.0, 4.2);
+    wall(20.0, -0.2, 20.2, 4.2);
+    wall(0.0, -0.2, 20.0, 0.0);
+    wall(0.0, 4.0, 20.0, 4.2);
+    for (int i = 0; i < 9; ++i) {
+        const double x = 6.0 + i, top = first_step_m + 0.2 * i;
+        build.box({x, 0.0, top - 0.15}, {x + 1.0, 4.0, top}, "", SolidRole::Solid, {}, FeatureKind::Floor);
+    }
+    build.box({15.0, 0.0, 0.0}, {20.0, 4.0, first_step_m + 1.8}, "", SolidRole::Solid, {}, FeatureKind::Floor);
+    build.start({3.0, 2.0, 0.0}, 0.0);
+    return std::move(build.scene());
+}
+
+TEST(StoreyPlan, has_no_wall_across_wide_steps_that_lead_up_through_the_cut) {
+    const auto wall_on_steps = [](const Plans& plans) {
+        const Storey& storey = plans.storeys.at(0);
+        for (double x = 6.1; x < 15.0; x += 0.1)
+            if (walled(storey, {x, 2.0})) return true;
+        return false;
+    };
+    EXPECT_FALSE(wall_on_steps(plans_of(hall_with_wide_steps(0.2))));
+    EXPECT_TRUE(wall_on_steps(plans_of(hall_with_wide_steps(1.0)))) << "nobody climbs the first of these";
+}
+
 // Every door that joins rooms is free of walls from jamb to jamb, and no window is.
 void is_sound(const Plans& plans, const std::string& world) {
     for (const Storey& storey : plans.storeys) {
