@@ -59,6 +59,12 @@ void Places::take(const std::vector<Vec2>& loop_mm) {
         }
 }
 
+bool Places::is_free(const Vec2& at_mm) const {
+    if (at_mm.x < low_mm_.x || at_mm.y < low_mm_.y || at_mm.x > high_mm_.x || at_mm.y > high_mm_.y) return false;
+    const int x = static_cast<int>(at_mm.x / kInkPixel_mm), y = static_cast<int>(at_mm.y / kInkPixel_mm);
+    return taken_.holds(x, y) && !taken_.black[taken_.at(x, y)];
+}
+
 bool Places::fits(const PlanBox& box_mm) const {
     const Vec2 across(-box_mm.along.y, box_mm.along.x);
     const auto steps = [](double half) { return std::max(1, static_cast<int>(std::ceil(2.0 * half / 0.5))); };
@@ -67,9 +73,7 @@ bool Places::fits(const PlanBox& box_mm) const {
         for (int j = 0; j <= ny; ++j) {
             const Vec2 at = box_mm.middle_m + box_mm.along * (box_mm.half_m.x * (2.0 * i / nx - 1.0)) +
                             across * (box_mm.half_m.y * (2.0 * j / ny - 1.0));
-            if (at.x < low_mm_.x || at.y < low_mm_.y || at.x > high_mm_.x || at.y > high_mm_.y) return false;
-            const int x = static_cast<int>(at.x / kInkPixel_mm), y = static_cast<int>(at.y / kInkPixel_mm);
-            if (!taken_.holds(x, y) || taken_.black[taken_.at(x, y)]) return false;
+            if (!is_free(at)) return false;
         }
     return true;
 }
@@ -86,7 +90,9 @@ std::optional<Vec2> Places::nearest_fit(const Vec2& from_mm, double reach_mm,
             for (int j = -ring; j <= ring; j += std::abs(i) == ring ? 1 : std::max(1, 2 * ring)) {
                 const Vec2 off = Vec2(i, j) * kStep_mm;
                 const double far = glm::length(off);
-                if (far >= least || !allowed(from_mm + off) || !fits(box_at(from_mm + off))) continue;
+                // First what is cheap: of a hall that is larger than the page most places are off the page.
+                if (far >= least || !is_free(from_mm + off) || !allowed(from_mm + off) || !fits(box_at(from_mm + off)))
+                    continue;
                 least = far;
                 best = from_mm + off;
             }

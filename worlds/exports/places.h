@@ -37,6 +37,8 @@ public:
     std::optional<PlanBox> largest_fit(const PlanBox& box_mm, double least_half_mm) const;
 
 private:
+    bool is_free(const Vec2& at_mm) const;
+
     Ink taken_;
     double clear_mm_ = 0.0;
     Vec2 low_mm_{0.0}, high_mm_{0.0};
