@@ -279,13 +279,15 @@ Ink narrow_white(const Ink& ink, double gap_mm) {
 int hollow_out(Ink& ink, double thick_mm, double border_mm, double least_mm) {
     const double half = 0.5 * thick_mm / kInkPixel_mm, border = border_mm / kInkPixel_mm;
     const Ink hollows = near_black(opposite(near_black(opposite(ink), half + 1.0, false)), half - border, true);
+    const Ink wide = opposite(near_black(opposite(ink), half * std::sqrt(2.0) + 1.0, false));
     const InkPieces pieces = pieces_of(hollows);
-    int made = 0;
     std::vector<bool> long_enough(pieces.pixels.size(), false);
-    for (std::size_t piece = 1; piece < long_enough.size(); ++piece) {
+    for (std::size_t piece = 1; piece < long_enough.size(); ++piece)
         long_enough[piece] = pieces.extent[piece] * kInkPixel_mm >= least_mm;
-        made += long_enough[piece] ? 1 : 0;
-    }
+    for (std::size_t i = 0; i < wide.black.size(); ++i)
+        if (wide.black[i]) long_enough[pieces.of[i]] = true;
+    long_enough[0] = false;
+    const auto made = static_cast<int>(std::count(long_enough.begin(), long_enough.end(), true));
     for (std::size_t i = 0; i < ink.black.size(); ++i)
         if (long_enough[pieces.of[i]]) ink.black[i] = 0;
     return made;

@@ -77,8 +77,9 @@ struct InkPieces {
 };
 InkPieces pieces_of(const Ink& ink);
 
-// Black over `thick_mm` becomes hollow, with a border of `border_mm`; hollows shorter than `least_mm` stay black, so
-// that none lies where two walls merely meet. How many there were.
+// Black over `thick_mm` becomes hollow, with a border of `border_mm`. Hollows shorter than `least_mm` stay black unless
+// they are wider than where two walls of that thickness cross, so that none is where walls merely meet. How many there
+// were.
 int hollow_out(Ink& ink, double thick_mm, double border_mm, double least_mm);
 
 // Fills in where black meets black in a corner alone, so that pieces touch along sides or not at all.

@@ -140,6 +140,10 @@ TEST(HollowOut, leaves_a_border_and_no_pit_where_walls_meet) {
     fill(cross, Loops{box(5, 17, 35, 22.5)}, true);
     fill(cross, Loops{box(17, 5, 22.5, 35)}, true);
     EXPECT_EQ(hollow_out(cross, 6.0, 1.5, 15.0), 0);
+    Ink pillar(40.0, 40.0);
+    fill(pillar, Loops{box(5, 5, 14, 14)}, true);
+    EXPECT_EQ(hollow_out(pillar, 6.0, 1.5, 15.0), 1);
+    EXPECT_FALSE(pillar.black[pillar.at(95, 95)]) << "wider than where walls cross";
 }
 
 }  // namespace ink_test
