@@ -9,6 +9,7 @@
 #include "worlds/exports/openings.h"
 #include "worlds/exports/places.h"
 #include "worlds/exports/wall_ink.h"
+#include "worlds/navigation/walk_space.h"
 
 namespace handrail {
 namespace {
@@ -102,12 +103,20 @@ private:
         walls_ = ink_of_walls(storey_, on_plate_, made_.wide_mm, made_.deep_mm, look);
         mend_openings(walls_.ink, storey_, on_plate_, look);
         keep_off_the_rim();
-        part_corners(walls_.ink);
         rooms_ = rooms_on(walls_.ink, storey_, on_plate_);
+        fill_cavities();
+        part_corners(walls_.ink);
         for (PlateArea& area : areas_of(traced_mm(walls_.ink))) raised_.push_back({std::move(area), um(kWall_mm)});
         places_ = Places(walls_.ink, kFree_mm, Vec2(2.0), Vec2(made_.wide_mm - 2.0, made_.deep_mm - 2.0));
         beside_things_ = places_;
         for (const StoreyThing& thing : storey_.things) beside_things_.take(corners_of(on_plate_(thing.box)));
+    }
+
+    // Where nobody can walk between walls, as between two leaves of one, the plate is solid: that is one wall under the
+    // fingers, and stronger.
+    void fill_cavities() {
+        for (std::size_t i = 0; i < rooms_.room.size(); ++i)
+            if (rooms_.room[i] == kNothing) walls_.ink.black[i] = 1;
     }
 
     // A wall that is made thicker where the plan is cut off must not reach over the plate's rim.

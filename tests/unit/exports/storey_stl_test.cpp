@@ -165,6 +165,33 @@ TEST(StoreyPlate, has_walls_things_signs_and_an_open_door_at_their_heights) {
     EXPECT_TRUE(plate->signs[0].on_sheet && plate->signs[1].on_sheet);
 }
 
+// Whether a face as high as the walls covers a place.
+bool is_wall_at(const StoreyPlate& plate, const Vec2& at_um) {
+    return std::any_of(plate.triangles.begin(), plate.triangles.end(), [&](const SolidTriangle& triangle) {
+        std::vector<Vec2> corners;
+        for (const auto& corner : triangle.corners_um)
+            if (corner[2] == 6000) corners.emplace_back(corner[0], corner[1]);
+        return corners.size() == 3 && within_loop(corners, at_um);
+    });
+}
+
+TEST(StoreyPlate, is_solid_between_the_leaves_of_a_wall) {
+    // The wall between the rooms has two leaves with 0.3 m between them, as far as the doorway.
+    Storey storey = two_rooms();
+    storey.walls_m.push_back({{6.5, 0.0}, {6.7, 0.0}, {6.7, 1.5}, {6.5, 1.5}});
+    storey.walls_m.push_back({{6.2, 1.4}, {6.5, 1.4}, {6.5, 1.5}, {6.2, 1.5}});
+    storey.rooms[1].loops_m = {{{6.95, 0.25}, {8.95, 0.25}, {8.95, 3.75}, {6.95, 3.75}}};
+    lay_floor(storey);
+    const Result<StoreyPlate> plate = storey_plate(storey, BrailleTable::EnUebG1);
+    ASSERT_TRUE(plate);
+    const auto on_plate = [&](double x, double y) {
+        return (Vec2(x, y) - storey.min_m) * (1e6 / plate->one_to) + Vec2(5000.0);
+    };
+    EXPECT_TRUE(is_wall_at(*plate, on_plate(6.1, 0.7)));
+    EXPECT_TRUE(is_wall_at(*plate, on_plate(6.35, 0.7)));
+    EXPECT_FALSE(is_wall_at(*plate, on_plate(7.5, 0.7)));
+}
+
 TEST(StoreyPlate, refuses_in_a_sentence_what_is_too_large) {
     Storey storey = two_rooms();
     storey.max_m = {3000.0, 40.0};
