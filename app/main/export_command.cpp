@@ -92,7 +92,9 @@ Result<std::vector<SwellSheet>> sheets_around(const std::string& name, const Sto
             if (room.elsewhere) continue;
             names.push_back(room.name);
             if (lower_ascii(room.name) != lower_ascii(name)) continue;
-            Result<std::vector<SwellSheet>> sheets = swell_sheets(*storey, wish);
+            SheetWish wished = wish;
+            if (storey->upper) wished.plate_signs.clear();
+            Result<std::vector<SwellSheet>> sheets = swell_sheets(*storey, wished);
             if (!sheets) return sheets;
             const Vec2& at = room.middle_m;
             std::erase_if(*sheets, [&](const SwellSheet& sheet) {
@@ -112,7 +114,9 @@ Result<std::vector<SwellSheet>> sheets_of(const StoreyPlans& plans, const SheetW
     if (arguments.sheets) {
         Result<std::vector<SwellSheet>> sheets = swell_sheets(plans.storey, wish);
         if (!sheets || !plans.upper) return sheets;
-        Result<std::vector<SwellSheet>> more = swell_sheets(*plans.upper, wish);
+        SheetWish without_plate = wish;
+        without_plate.plate_signs.clear();  // the plate shows the lower floors
+        Result<std::vector<SwellSheet>> more = swell_sheets(*plans.upper, without_plate);
         if (!more) return more;
         std::move(more->begin(), more->end(), std::back_inserter(*sheets));
         return sheets;
@@ -198,22 +202,19 @@ Result<ToldOfSheets> add_swell(const fs::path& path, const StoreyPlans& plans, c
     return told;
 }
 
-Result<void> add_stl(const fs::path& path, const Storey& storey, BrailleTable table, std::vector<MadeFile>& files,
-                     std::vector<std::string>& simplified) {
-    const Result<StoreyPlate> plate = storey_plate(storey, table);
-    if (!plate) return tl::unexpected(plate.error());
-    files.push_back({path, stl_of(plate->triangles),
+void add_stl(const fs::path& path, const Storey& storey, const StoreyPlate& plate, std::vector<MadeFile>& files,
+             std::vector<std::string>& simplified) {
+    files.push_back({path, stl_of(plate.triangles),
                      phrase("export.wrote_stl", {{"file", path.string()},
-                                                 {"one_to", plate->one_to},
-                                                 {"x", plate->wide_mm},
-                                                 {"y", plate->deep_mm},
-                                                 {"things", plate->drawn.size()}})});
+                                                 {"one_to", plate.one_to},
+                                                 {"x", plate.wide_mm},
+                                                 {"y", plate.deep_mm},
+                                                 {"things", plate.drawn.size()}})});
     if (!storey.hidden.empty())
         simplified.push_back(
             phrase("export.of_plate", {{"sentence", phrase("export.hidden", {{"names", hidden_names(storey)}})}}));
-    for (const std::string& sentence : plate->simplified)
+    for (const std::string& sentence : plate.simplified)
         simplified.push_back(phrase("export.of_plate", {{"sentence", sentence}}));
-    return {};
 }
 
 Result<void> add_card(const fs::path& path, const std::vector<CardWay>& ways, BrailleTable table,
@@ -247,7 +248,7 @@ int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream
         err << error.sentence() << '\n';
         return status;
     };
-    const Result<SheetWish> wishes = wishes_of(arguments);
+    Result<SheetWish> wishes = wishes_of(arguments);
     if (!wishes) return failed(wishes.error(), 2);
     const Result<fs::path> given = world_given(arguments.world);
     if (!given) return failed(given.error(), 1);
@@ -271,6 +272,14 @@ int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream
     std::vector<std::string> simplified;
     progress.at(phrase("progress.sheets"));
     bool broken = false;
+    std::optional<StoreyPlate> plate;
+    if (arguments.stl) {
+        Result<StoreyPlate> made = storey_plate(*storey, wishes->table);
+        if (!made) return failed(made.error(), 1);
+        for (const RoomSign& sign : made->signs)
+            wishes->plate_signs.push_back(sign.on_sheet ? sign.sign : std::string());
+        plate = std::move(*made);
+    }
     if (arguments.swell) {
         const StoreyPlans plans{*storey, upper_part_of(*scene, rooms.graph(), space, *storey)};
         Result<ToldOfSheets> told = add_swell(*arguments.swell, plans, *wishes, arguments, files);
@@ -278,9 +287,7 @@ int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream
         simplified = std::move(told->simplified);
         broken = told->broken;
     }
-    if (arguments.stl)
-        if (const Result<void> made = add_stl(*arguments.stl, *storey, wishes->table, files, simplified); !made)
-            return failed(made.error(), 1);
+    if (plate) add_stl(*arguments.stl, *storey, *plate, files, simplified);
     if (arguments.route_card) {
         progress.at(phrase("progress.ways"));
         const Result<CardWays> ways = card_ways(scene, rooms.graph(), rooms.navigation(), *storey,

@@ -13,6 +13,12 @@ namespace {
 constexpr double kHalfDoor_mm = 3.3, kBesidePortal_mm = 2.0, kBesidePortal_m = 0.5;
 constexpr double kLeastLeak_mm = 0.3;  // narrower ones are the pixels' own
 
+Vec2 middle_of(const RoomGrid& grid, std::size_t square) {
+    return Vec2(static_cast<double>(square % static_cast<std::size_t>(grid.wide)) + 0.5,
+                static_cast<double>(square / static_cast<std::size_t>(grid.wide)) + 0.5) *
+           kInkPixel_mm;
+}
+
 bool joins(const StoreyPortal& portal, const RoomBorder& border) {
     return std::min(portal.rooms[0], portal.rooms[1]) == border.rooms[0] &&
            std::max(portal.rooms[0], portal.rooms[1]) == border.rooms[1];
@@ -46,11 +52,7 @@ public:
     }
 
 private:
-    Vec2 middle(std::size_t square) const {
-        return Vec2(static_cast<double>(square % static_cast<std::size_t>(grid_.wide)) + 0.5,
-                    static_cast<double>(square / static_cast<std::size_t>(grid_.wide)) + 0.5) *
-               kInkPixel_mm;
-    }
+    Vec2 middle(std::size_t square) const { return middle_of(grid_, square); }
 
     double reach_mm(const StoreyPortal& portal) const {
         return std::max(0.5 * portal.width_m * on_paper_.mm_per_m, kHalfDoor_mm) +
@@ -118,6 +120,23 @@ OpeningCheck check_openings(const RoomGrid& rooms, const Storey& storey, const O
     return Checker(rooms, storey, on_paper).check();
 }
 
+std::vector<std::uint32_t> rooms_with_open_edges(const RoomGrid& rooms, const Storey& storey, double least_mm,
+                                                 const std::function<bool(const Vec2&)>& shown) {
+    const auto outside = static_cast<std::uint32_t>(storey.rooms.size());
+    std::vector<double> edge_mm(storey.rooms.size(), 0.0);
+    for (const RoomBorder& border : borders_of(rooms)) {
+        if (border.rooms[1] != outside) continue;
+        for (const std::size_t square : border.squares)
+            if (rooms.room[square] != outside && shown(middle_of(rooms, square)))
+                edge_mm[border.rooms[0]] += kInkPixel_mm;
+    }
+    std::vector<std::uint32_t> open;
+    for (std::uint32_t room = 0; room < edge_mm.size(); ++room)
+        if (edge_mm[room] >= least_mm && !storey.rooms[room].outside && storey.rooms[room].kind != RoomKind::Stairs)
+            open.push_back(room);
+    return open;
+}
+
 MendedOpenings mend_openings(Ink& walls, const Storey& storey, const OnPaper& on_paper, const WallLook& look) {
     MendedOpenings mended;
     constexpr double kReach_mm = 25.0;
@@ -136,7 +155,7 @@ MendedOpenings mend_openings(Ink& walls, const Storey& storey, const OnPaper& on
     const OpeningCheck found = check_openings(walls, storey, on_paper);
     for (const WrongOpening& leak : found.leaking) {
         for (const Vec2& at : leak.squares_mm) fill_disc(walls, at, 0.5 * look.line_mm);
-        ++mended.closed;
+        mended.closed.push_back(leak.rooms);
     }
     for (const WrongOpening& closed : found.lacking) {
         const auto a = nearest(closed.rooms[0], closed.at_mm), b = nearest(closed.rooms[1], closed.at_mm);
@@ -146,7 +165,7 @@ MendedOpenings mend_openings(Ink& walls, const Storey& storey, const OnPaper& on
         fill(walls, std::vector<std::vector<Vec2>>{corners_of(way)}, false);
         ++mended.opened;
     }
-    if (mended.opened + mended.closed > 0) join_near(walls, look.clear_mm);
+    if (mended.opened > 0 || !mended.closed.empty()) join_near(walls, look.clear_mm);
     return mended;
 }
 

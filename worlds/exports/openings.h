@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "worlds/exports/wall_ink.h"
@@ -30,10 +31,16 @@ OpeningCheck check_openings(const Ink& walls, const Storey& storey, const OnPape
 // The same of rooms_on for that drawing.
 OpeningCheck check_openings(const RoomGrid& rooms, const Storey& storey, const OnPaper& on_paper);
 
+// Rooms whose floor ends without a wall before the outside, along `least_mm` or more of what is shown. Places in
+// Storey::rooms. `rooms`: see rooms_on.
+std::vector<std::uint32_t> rooms_with_open_edges(const RoomGrid& rooms, const Storey& storey, double least_mm,
+                                                 const std::function<bool(const Vec2&)>& shown);
+
 // Opens what lacks, as wide as `look` has doors, and closes what leaks: places too narrow or too low for a body, and
-// what joining lines has closed. What is too near to a mended place is joined. How many of each there were.
+// what joining lines has closed. What is too near to a mended place is joined.
 struct MendedOpenings {
-    std::size_t opened = 0, closed = 0;
+    std::size_t opened = 0;
+    std::vector<std::array<std::uint32_t, 2>> closed;  // between these places in Storey::rooms
 };
 MendedOpenings mend_openings(Ink& walls, const Storey& storey, const OnPaper& on_paper, const WallLook& look);
 

@@ -16,8 +16,9 @@ struct PaperSize {
 inline constexpr PaperSize kA4{210.0, 297.0}, kA3{297.0, 420.0};
 
 inline constexpr double kSheetMargin_mm = 12.0, kSheetHead_mm = 14.0, kSheetFoot_mm = 12.0;
-inline constexpr double kPartHead_mm = 9.0, kPartFoot_mm = 8.0;  // more of them, for marks and numbers of sheets
-inline constexpr double kShared_mm = 35.0;                       // of neighbouring sheets: more than a sign needs
+// More of them: the title may have a second line, and there are marks and numbers of sheets.
+inline constexpr double kPartHead_mm = 17.0, kPartFoot_mm = 8.0;
+inline constexpr double kShared_mm = 35.0;  // of neighbouring sheets: more than a sign needs
 inline constexpr int kMostSheets = 40;
 inline constexpr std::array kSheetScales{20.0,  25.0,  30.0,  40.0,  50.0,  60.0,  75.0,  90.0,  100.0,
                                          110.0, 125.0, 150.0, 175.0, 200.0, 225.0, 250.0, 275.0, 300.0,

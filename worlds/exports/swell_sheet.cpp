@@ -13,6 +13,7 @@
 #include "worlds/exports/names.h"
 #include "worlds/exports/openings.h"
 #include "worlds/exports/places.h"
+#include "worlds/exports/sheet_title.h"
 #include "worlds/exports/wall_ink.h"
 #include "worlds/navigation/walk_space.h"
 
@@ -24,9 +25,10 @@ using Loops = std::vector<std::vector<Vec2>>;
 constexpr double kMargin_mm = kSheetMargin_mm;
 // Kept a little over what is promised, for lines are traced to a tenth of a millimetre.
 constexpr double kClear_mm = kLeastGap_mm + 0.2;
-constexpr double kHollowFrom_mm = 6.0, kHollowLong_mm = 15.0, kLeastPiece_mm = 4.0, kLeastStair_mm = 3.0;
+constexpr double kHollowFrom_mm = 6.0, kHollowLong_mm = 9.0, kLeastPiece_mm = 4.0, kLeastStair_mm = 3.0;
 
 constexpr double kMark_mm = 4.0;
+constexpr double kLeastEdge_m = 2.0;  // of a floor without a wall that is worth a word
 
 double whole_scale(const Vec2& size_m, const Vec2& room_mm) {
     for (const double one_to : kSheetScales)
@@ -53,7 +55,7 @@ public:
         draw_stairs();
         draw_base();
         if (const Result<void> signs = draw_signs(); !signs) return tl::unexpected(signs.error());
-        if (const Result<void> letters = draw_letters(); !letters) return tl::unexpected(letters.error());
+        if (const Result<void> letters = draw_short_signs(); !letters) return tl::unexpected(letters.error());
         draw_things();
         if (const Result<void> head = draw_frame(); !head) return tl::unexpected(head.error());
         made_.on_paper = on_paper_;
@@ -66,8 +68,14 @@ public:
 private:
     Result<void> lay_out(const PaperSize& paper) {
         const Vec2 size_m = storey_.max_m - storey_.min_m;
-        const double upright = whole_scale(size_m, room_on_page(paper, false, false)),
-                     across = whole_scale(size_m, room_on_page(paper, true, false));
+        // A title of two lines takes its place from the plan.
+        const auto room_below_title = [&](bool across) {
+            const auto title = title_lines(storey_, std::nullopt, table_, across ? paper.long_mm : paper.short_mm);
+            const double more_mm = title && title->size() > 1 ? kBrailleLine_mm : 0.0;
+            return room_on_page(paper, across, false) - Vec2(0.0, more_mm);
+        };
+        const Vec2 room_upright = room_below_title(false), room_across = room_below_title(true);
+        const double upright = whole_scale(size_m, room_upright), across = whole_scale(size_m, room_across);
         if (upright == 0.0 && across == 0.0)
             return fail(phrase("export.too_large", {{"x", size_m.x}, {"y", size_m.y}}));
         const bool turned = upright == 0.0 || (across != 0.0 && across < upright);
@@ -76,10 +84,10 @@ private:
         on_paper_.mm_per_m = 1000.0 / made_.one_to;
         made_.plan.width_mm = turned ? paper.long_mm : paper.short_mm;
         made_.plan.height_mm = turned ? paper.short_mm : paper.long_mm;
-        on_paper_.shift_mm = Vec2(kMargin_mm, kMargin_mm + kSheetFoot_mm) +
-                             0.5 * (room_on_page(paper, turned, false) - size_m * on_paper_.mm_per_m);
+        const Vec2 room = turned ? room_across : room_upright;
         low_mm_ = {kMargin_mm, kMargin_mm + kSheetFoot_mm};
-        high_mm_ = {made_.plan.width_mm - kMargin_mm, made_.plan.height_mm - kMargin_mm - kSheetHead_mm};
+        high_mm_ = low_mm_ + room;
+        on_paper_.shift_mm = low_mm_ + 0.5 * (room - size_m * on_paper_.mm_per_m);
         present_.assign(storey_.rooms.size(), true);
         return {};
     }
@@ -142,8 +150,16 @@ private:
         mended_ = mend_openings(walls_.ink, storey_, on_paper_, look);
         cut_to_sheet();
         hollow_ = hollow_out(walls_.ink, kHollowFrom_mm, kWallLine_mm, kHollowLong_mm);
-        made_.plan.shapes.push_back({traced_mm(walls_.ink), kWallPart});
         rooms_ = rooms_on(walls_within_part(), storey_, on_paper_);
+        const RoomGrid whole = made_.part ? rooms_on(walls_.ink, storey_, on_paper_) : rooms_;
+        for (const std::uint32_t room :
+             rooms_with_open_edges(whole, storey_, kLeastEdge_m * on_paper_.mm_per_m,
+                                   [&](const Vec2& mm) { return shown(on_paper_.world(mm)); }))
+            edges_.push_back(storey_.rooms[room].name);
+        rungs_ = stair_rungs(storey_, on_paper_, rooms_, Places(walls_.ink, kClear_mm, low_mm_, high_mm_), walls_.ink,
+                             kThinLine_mm, kClear_mm, kLeastStair_mm);
+        cut_to_sheet();
+        made_.plan.shapes.push_back({traced_mm(walls_.ink), kWallPart});
         places_ = Places(walls_.ink, kClear_mm, low_mm_, high_mm_);
         beside_things_ = places_;
         for (const StoreyThing& thing : storey_.things) beside_things_.take(corners_of(on_paper_(thing.box)));
@@ -160,6 +176,10 @@ private:
     void draw_stairs() {
         stairs_ = stair_lines(storey_, on_paper_, rooms_, places_, kThinLine_mm, kClear_mm, kLeastStair_mm);
         for (const PlanBox& line : stairs_.lines) draw({corners_of(line)});
+        const auto add = [](auto& all, const auto& more) { all.insert(all.end(), more.begin(), more.end()); };
+        add(stairs_.lines, rungs_.lines);
+        add(stairs_.drawn, rungs_.drawn);
+        add(stairs_.of_others, rungs_.of_others);
     }
 
     std::optional<BaseArrow> arrow_in(const Places& places) const {
@@ -217,10 +237,13 @@ private:
         const StairInk stairs =
             stair_lines(storey_, on_paper_, rooms_, others, kThinLine_mm, kClear_mm, kLeastStair_mm);
         const auto arrow = arrow_in(others);
-        if (stairs.lines.empty() && !arrow) return {};
+        if (stairs.lines.empty() && rungs_.lines.empty() && !arrow) return {};
         if (arrow) others.take(arrow->loop_mm);
         return for_unsigned([&](std::size_t room, const BrailleCells& cells) {
-            if (std::find(stairs.drawn.begin(), stairs.drawn.end(), room) != stairs.drawn.end()) return;
+            const auto has_lines = [&](const StairInk& ink) {
+                return std::find(ink.drawn.begin(), ink.drawn.end(), room) != ink.drawn.end();
+            };
+            if (has_lines(stairs) || has_lines(rungs_)) return;
             const Vec2 half = 0.5 * braille_size_mm(cells.size());
             if (place_of_sign(storey_, room, on_paper_, rooms_, others, others, half, sign_boxes_)) return;
             if (const auto place = place_of(room, cells, places_)) draw_sign(room, cells, *place);
@@ -233,10 +256,17 @@ private:
         });
     }
 
-    // Where two cells have no room one may have: a letter of the name, else another that no room of the sheet has. Its
+    // A sign with a number has three cells or more. Two letters may fit instead, which no room of the storey has.
+    std::string free_pair(std::size_t room) const {
+        std::set<std::string> used(letters_.begin(), letters_.end());
+        for (const RoomSign& sign : room_signs(storey_)) used.insert(sign.sign);
+        return letters_[room].size() == 2 ? letters_[room] : free_letters(storey_.rooms[room].name, used);
+    }
+
+    // If two cells have no room one may have: a letter of the name, else another that no room of the sheet has. Its
     // letter on a sheet made before comes first. "a" is a single dot, and no sign.
     std::string free_letter(std::size_t room) const {
-        std::string wished = letters_[room];
+        std::string wished = letters_[room].size() == 1 ? letters_[room] : std::string();
         for (const char c : storey_.rooms[room].name)
             if (const int low = std::tolower(static_cast<unsigned char>(c)); low > 'a' && low <= 'z')
                 wished += static_cast<char>(low);
@@ -245,18 +275,30 @@ private:
         return free == std::string::npos ? std::string() : wished.substr(free, 1);
     }
 
-    Result<void> draw_letters() {
+    // Draws a shorter sign than the room's own if there is room for it.
+    Result<bool> draw_short(std::size_t room, const std::string& sign) {
+        const Result<BrailleCells> cells = braille_signs(sign, table_);
+        if (!cells) return tl::unexpected(cells.error());
+        const auto place =
+            !sign.empty() && cells->size() == sign.size() ? place_of(room, *cells, places_) : std::nullopt;
+        if (!place) return false;
+        draw_sign(room, *cells, *place);
+        made_.signs[room].sign = letters_[room] = sign;
+        return true;
+    }
+
+    Result<void> draw_short_signs() {
         for (std::size_t i = 0; i < storey_.rooms.size(); ++i) {
             if (!present_[i] || made_.signs[i].on_sheet || is_left_to_key(i) || is_known_by_lines(i)) continue;
-            const std::string letter = free_letter(i);
-            if (letter.empty()) continue;
-            const Result<BrailleCells> cells = braille_signs(letter, table_);
-            if (!cells) return tl::unexpected(cells.error());
-            const auto place = cells->size() == 1 ? place_of(i, *cells, places_) : std::nullopt;
-            if (!place) continue;
-            draw_sign(i, *cells, *place);
-            made_.signs[i].sign = letters_[i] = letter;
-            taken_letters_ += letter;
+            const Result<BrailleCells> own = braille_signs(made_.signs[i].sign, table_);
+            if (!own) return tl::unexpected(own.error());
+            Result<bool> drawn = own->size() > 2 ? draw_short(i, free_pair(i)) : Result<bool>(false);
+            if (drawn && !*drawn) {
+                const std::string letter = free_letter(i);
+                drawn = draw_short(i, letter);
+                if (drawn && *drawn) taken_letters_ += letter;
+            }
+            if (!drawn) return tl::unexpected(drawn.error());
         }
         return {};
     }
@@ -270,19 +312,21 @@ private:
     // is.
     void find_by_doors() {
         for (const std::uint32_t flight : stairs_.drawn) made_.signs[flight].by_lines = true;
-        std::vector<std::set<std::string>> leads_to(storey_.rooms.size());
+        std::vector<std::set<std::string>> leads_to(storey_.rooms.size()), all(storey_.rooms.size());
         for (const StoreyPortal& portal : storey_.portals) {
             if (!shown(portal.place_m)) continue;
             for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
                 const RoomSign& other = made_.signs[portal.rooms[1 - side]];
+                all[portal.rooms[side]].insert(other.name);
                 if (other.is_known()) leads_to[portal.rooms[side]].insert(other.name);
             }
         }
         const auto has_no_sign = [&](std::size_t i) { return present_[i] && !made_.signs[i].is_known(); };
         const std::vector<RoomSign> signs = made_.signs;
         for (std::size_t i = 0; i < storey_.rooms.size(); ++i) {
-            if (!has_no_sign(i) || leads_to[i].empty()) continue;
-            bool alone = true;
+            if (!has_no_sign(i)) continue;
+            made_.signs[i].leads_to.assign(all[i].begin(), all[i].end());
+            bool alone = !leads_to[i].empty();
             for (std::size_t j = 0; j < storey_.rooms.size(); ++j)
                 alone = alone && (j == i || !present_[j] || signs[j].is_known() || leads_to[j] != leads_to[i] ||
                                   are_flights(i, j));
@@ -313,50 +357,20 @@ private:
         }
     }
 
-    std::string title_of(const std::string& name) const {
-        if (!made_.part)
-            return phrase("export.sheet_title",
-                          {{"world", name}, {"upper", upper()}, {"storey", storey_.number}, {"count", storey_.count}});
-        return phrase("export.part_title", {{"world", name},
-                                            {"upper", upper()},
-                                            {"storey", storey_.number},
-                                            {"count", storey_.count},
-                                            {"sheet", made_.part->number}});
-    }
-
-    // A world with a long name keeps the first words of it, and the title its storey.
-    Result<BrailleCells> title_cells(std::size_t width) const {
-        std::string name = storey_.world;
-        for (;;) {
-            Result<BrailleCells> cells = braille_of(name.empty() ? short_title() : title_of(name), table_);
-            if (!cells || cells->size() <= width) return cells;
-            if (name.empty()) return braille_lines(*cells, width, 0).front();
-            // By words, and within the only one by letters.
-            std::size_t shorter = name.find_last_of(' ');
-            if (shorter == std::string::npos) shorter = name.size() - 1;
-            while (shorter > 0 && (static_cast<unsigned char>(name[shorter]) & 0xC0U) == 0x80U) --shorter;
-            name.resize(shorter);
-        }
-    }
-
-    // Without the name of the world.
-    std::string short_title() const {
-        return made_.part ? phrase("export.part_title_short",
-                                   {{"upper", upper()}, {"storey", storey_.number}, {"sheet", made_.part->number}})
-                          : phrase("export.sheet_title_short",
-                                   {{"upper", upper()}, {"storey", storey_.number}, {"count", storey_.count}});
-    }
-    const char* upper() const { return storey_.upper ? "yes" : "no"; }
+    std::optional<int> number() const { return made_.part ? std::optional(made_.part->number) : std::nullopt; }
 
     // Name of the sheet, north, and a bar to measure by.
     Result<void> draw_frame() {
         SheetPage& page = made_.plan;
-        page.title = title_of(storey_.world);
+        page.title = sheet_title(storey_, number());
         const double top = page.height_mm - kMargin_mm, right = page.width_mm - kMargin_mm;
-        const auto width = static_cast<std::size_t>((right - kMargin_mm - 20.0) / kBrailleCell_mm);
-        const Result<BrailleCells> title = title_cells(width);
+        const auto title = title_lines(storey_, number(), table_, page.width_mm);
         if (!title) return tl::unexpected(title.error());
-        lay_braille(page, *title, Vec2(kMargin_mm, top) + Vec2(0.5, -0.5) * kBrailleDot_mm, ++parts_);
+        Vec2 first_dot = Vec2(kMargin_mm, top) + Vec2(0.5, -0.5) * kBrailleDot_mm;
+        for (const BrailleCells& line : *title) {
+            lay_braille(page, line, first_dot, ++parts_);
+            first_dot.y -= kBrailleLine_mm;
+        }
         page.shapes.push_back(
             {{{{right - kLeastSymbol_mm, top - 10.0}, {right, top - 10.0}, {right - 0.5 * kLeastSymbol_mm, top}}},
              ++parts_});
@@ -461,12 +475,58 @@ private:
             said.push_back(phrase("export.pieces_left_out", {{"count", walls_.pieces_left_out}}));
         if (walls_.wider > 0)
             said.push_back(phrase("export.doors_wider", {{"count", walls_.wider}, {"mm", kLeastSymbol_mm}}));
-        if (mended_.closed > 0) said.push_back(phrase("export.closed", {{"count", mended_.closed}}));
+        if (!mended_.closed.empty()) {
+            std::vector<std::string> closed;
+            for (const auto& rooms : mended_.closed) closed.push_back(both(rooms));
+            said.push_back(phrase("export.closed", {{"names", names_list(closed)}}));
+        }
+        if (const std::vector<std::string> flights = undrawn_flights(); !flights.empty())
+            said.push_back(phrase("export.stairs_left_out", {{"names", names_list(flights)}}));
+        if (!edges_.empty()) said.push_back(phrase("export.edges", {{"names", names_list(edges_)}}));
         if (!base_.empty()) said.push_back(base_);
         keep_promises();
         if (!shrunk_.empty()) said.push_back(phrase("export.shrunk", {{"names", names_list(shrunk_)}}));
         if (!left_out_.empty()) said.push_back(phrase("export.left_out", {{"names", names_list(left_out_)}}));
         if (storey_.moving > 0) said.push_back(phrase("export.moving", {{"count", storey_.moving}}));
+    }
+
+    // Flights on the sheet that have no line and no sign, each by the room in which it is. Flights above each other
+    // share their lines.
+    std::vector<std::string> undrawn_flights() const {
+        std::vector<std::string> names;
+        for (std::size_t i = 0; i < storey_.rooms.size(); ++i)
+            if (storey_.rooms[i].kind == RoomKind::Stairs && present_[i] && !made_.signs[i].on_sheet &&
+                !is_known_by_lines(i))
+                names.push_back(storey_.rooms[i].name);
+        for (std::uint32_t i = 0; i < storey_.stairs_of_others.size(); ++i) {
+            const StoreyStairs& flight = storey_.stairs_of_others[i];
+            if (flight.loops_m.empty() ||
+                std::find(stairs_.of_others.begin(), stairs_.of_others.end(), i) != stairs_.of_others.end())
+                continue;
+            const Vec2 middle = box_around(convex_hull(flight.loops_m.front())).middle_m;
+            const bool above = std::any_of(storey_.rooms.begin(), storey_.rooms.end(), [&](const StoreyRoom& room) {
+                return room.kind == RoomKind::Stairs && middle.x >= room.min_m.x && middle.y >= room.min_m.y &&
+                       middle.x <= room.max_m.x && middle.y <= room.max_m.y;
+            });
+            if (shown(middle) && !above) names.push_back(storey_.rooms[flight.room].name);
+        }
+        return names;
+    }
+
+    // Routes to other storeys that are neither a flight with lines nor a fall.
+    std::vector<std::string> exits() const {
+        std::vector<std::string> names;
+        for (const StoreyExit& exit : storey_.exits)
+            if (shown(exit.place_m))
+                names.push_back(phrase("export.exit", {{"one", storey_.rooms[exit.room].name},
+                                                       {"other", exit.to},
+                                                       {"lift", exit.kind == PassageKind::Lift ? "yes" : "no"}}));
+        return names;
+    }
+
+    std::string both(const std::array<std::uint32_t, 2>& rooms) const {
+        return phrase("export.two_rooms",
+                      {{"one", storey_.rooms[rooms[0]].name}, {"other", storey_.rooms[rooms[1]].name}});
     }
 
     // What a sheet promises, looked at on the sheet that came out.
@@ -485,14 +545,10 @@ private:
             made_.broken.push_back(phrase("export.too_near"));
         std::vector<std::string> lacking, leaking;
         const OpeningCheck openings = check_openings(rooms_, storey_, on_paper_);
-        const auto both = [&](const WrongOpening& wrong) {
-            return phrase("export.two_rooms",
-                          {{"one", storey_.rooms[wrong.rooms[0]].name}, {"other", storey_.rooms[wrong.rooms[1]].name}});
-        };
         for (const WrongOpening& wrong : openings.lacking)
-            if (shown(on_paper_.world(wrong.at_mm))) lacking.push_back(both(wrong));
+            if (shown(on_paper_.world(wrong.at_mm))) lacking.push_back(both(wrong.rooms));
         for (const WrongOpening& wrong : openings.leaking)
-            if (shown(on_paper_.world(wrong.at_mm))) leaking.push_back(both(wrong));
+            if (shown(on_paper_.world(wrong.at_mm))) leaking.push_back(both(wrong.rooms));
         if (!lacking.empty()) made_.broken.push_back(phrase("export.lacking", {{"names", names_list(lacking)}}));
         if (!leaking.empty()) made_.broken.push_back(phrase("export.leaking", {{"names", names_list(leaking)}}));
     }
@@ -532,6 +588,8 @@ private:
                 rooms.push_back(storey_.rooms[storey_.stairs_of_others[flight].room].name);
             add(phrase("export.key_stairs_of_others", {{"names", names_list(rooms)}}));
         }
+        if (const std::vector<std::string> names = exits(); !names.empty())
+            add(phrase("export.key_exits", {{"names", names_list(names)}}));
         if (!storey_.hidden.empty()) add(phrase("export.key_hidden", {{"names", hidden_names(storey_)}}));
         if (storey_.upper) add(phrase("export.key_upper"));
         if (!made_.drawn.empty()) add(phrase("export.key_things"));
@@ -553,11 +611,16 @@ private:
         for (const std::size_t i : order) {
             const RoomSign& sign = made_.signs[i];
             const std::string name = capitalised(sign.name);
-            std::string line = sign.on_sheet            ? name + "."
-                               : is_known_by_lines(i)   ? phrase("export.key_room_by_lines", {{"name", name}})
-                               : !sign.doors_to.empty() ? phrase("export.key_room_by_doors",
-                                                                 {{"name", name}, {"names", names_list(sign.doors_to)}})
-                                                        : phrase("export.key_room_unsigned", {{"name", name}});
+            const std::vector<std::string>& doors = sign.doors_to.empty() ? sign.leads_to : sign.doors_to;
+            std::string line = sign.on_sheet          ? name + "."
+                               : is_known_by_lines(i) ? phrase("export.key_room_by_lines", {{"name", name}})
+                               : !doors.empty()
+                                   ? phrase("export.key_room_by_doors", {{"name", name}, {"names", names_list(doors)}})
+                               : storey_.rooms[i].shut ? phrase("export.key_room_shut", {{"name", name}})
+                                                       : phrase("export.key_room_unsigned", {{"name", name}});
+            if (i < wish_.plate_signs.size() && !wish_.plate_signs[i].empty() &&
+                !(sign.on_sheet && sign.sign == wish_.plate_signs[i]))
+                line += " " + phrase("export.key_room_on_plate", {{"sign", wish_.plate_signs[i]}});
             if (!in_room[i].empty())
                 line += " " + phrase("export.key_room_things", {{"names", names_list(in_room[i])}});
             made_.key_line_of_room[i] = text.size();
@@ -583,8 +646,9 @@ private:
     Places beside_things_;  // and where no thing will stand
     int hollow_ = 0;
     MendedOpenings mended_;
+    std::vector<std::string> edges_;  // rooms that end in the open
     RoomGrid rooms_;
-    StairInk stairs_;
+    StairInk stairs_, rungs_;  // in the end all of them; those that reach into walls
     bool base_drawn_ = false;
     std::uint32_t base_room_ = kNothing;
     std::string base_;
@@ -599,31 +663,6 @@ std::string hidden_names(const Storey& storey) {
     std::vector<std::string> names;
     for (const std::uint32_t room : storey.hidden) names.push_back(storey.rooms[room].name);
     return names_list(names);
-}
-
-std::vector<RoomSign> room_signs(const Storey& storey) {
-    std::set<std::string> used;
-    std::vector<RoomSign> signs;
-    for (const StoreyRoom& room : storey.rooms) {
-        std::string letters, number;
-        for (const char c : room.name)
-            if (std::isalpha(static_cast<unsigned char>(c)) && static_cast<unsigned char>(c) < 0x80)
-                letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-        for (std::size_t i = room.name.size(); i > 0 && std::isdigit(static_cast<unsigned char>(room.name[i - 1])); --i)
-            number.insert(number.begin(), room.name[i - 1]);
-        if (letters.empty()) letters = "x";
-        std::vector<std::string> wished;
-        if (!number.empty() && number.size() <= 3) wished.push_back(letters.substr(0, 1) + number);
-        for (std::size_t i = 1; i < letters.size(); ++i) wished.push_back({letters[0], letters[i]});
-        std::string sign;
-        for (const std::string& wish : wished)
-            if (sign.empty() && used.insert(wish).second) sign = wish;
-        for (int i = 1; sign.empty(); ++i)
-            if (const std::string wish = letters.substr(0, 1) + std::to_string(i); used.insert(wish).second)
-                sign = wish;
-        signs.push_back({sign, room.name});
-    }
-    return signs;
 }
 
 Result<void> write_key(SwellSheet& sheet, BrailleTable table) {

@@ -16,6 +16,7 @@
 
 #include "worlds/exports/braille.h"
 #include "worlds/exports/braille_page.h"
+#include "worlds/exports/room_signs.h"
 #include "worlds/exports/sheet.h"
 #include "worlds/exports/sheet_parts.h"
 #include "worlds/exports/wall_ink.h"
@@ -31,37 +32,21 @@ struct SheetWish {
     PaperSize paper = kA4;
     BrailleTable table = BrailleTable::EnUebG1;
     bool coarse = false;  // no things, and no signs of rooms under kCoarseRoom_m2: the key alone names those
+    std::vector<std::string> plate_signs = {};  // of a plate whose key this is, by place in Storey::rooms; may be empty
 };
 inline constexpr double kCoarseRoom_m2 = 6.0;
 
-// How a room is called on the sheet.
-struct RoomSign {
-    std::string sign;  // two letters, or a letter and a number; of one storey no two are alike
-    std::string name;
-    bool on_sheet = false;  // else the key alone names it: there was no room for the sign
-    Vec2 at_mm{0.0};        // its middle there
-    Vec2 half_mm{0.0};      // and what it covers on either side of that
-    // Where it has no sign: the signed rooms that its doors lead to, if no other room without a sign has the same.
-    std::vector<std::string> doors_to{};
-
-    bool by_lines = false;  // stairs, whose lines are on the sheet
-
-    bool is_known() const { return on_sheet || by_lines || !doors_to.empty(); }
-};
 inline constexpr int kWallPart = 1;  // SheetShape::part of all walls
 
 // The rooms that the storey's second plan shows; see Storey::hidden.
 std::string hidden_names(const Storey& storey);
-
-// In the order of Storey::rooms. First letter and a later one of the name; where it ends in a number, that.
-std::vector<RoomSign> room_signs(const Storey& storey);
 
 struct SwellSheet {
     SheetPage plan;
     std::vector<SheetPage> key;           // pages of braille: what signs and lines mean, and what was simplified
     std::vector<std::string> key_text;    // the same in print, a line each
     std::vector<std::string> simplified;  // sentences
-    std::vector<RoomSign> signs;          // see room_signs; one letter where two cells have no room
+    std::vector<RoomSign> signs;          // see room_signs; two letters or one where these have no room
     double one_to = 0.0;                  // 75: a scale of 1 to 75
     OnPaper on_paper;                     // where a place of the world is on the plan
     std::vector<std::string> drawn;       // names of the things that stand on it
@@ -78,8 +63,8 @@ inline constexpr std::size_t kNoKeyLine = static_cast<std::size_t>(-1);
 // Upright or across, whichever is larger. Fails with one sentence where the storey is larger than a sheet at 1 to 1000,
 // where there is nothing to draw, and where braille cannot be had.
 Result<SwellSheet> swell_sheet(const Storey& storey, const SheetWish& wish);
-// One of several. `letters`: of every room the one letter that it has as its sign on sheets made before, or none; those
-// of this sheet are added.
+// One of several. `letters`: of every room the shorter sign that it has on sheets made before, or none; those of this
+// sheet are added.
 Result<SwellSheet> swell_sheet(const Storey& storey, const SheetWish& wish, const SheetPart& part,
                                std::vector<std::string>& letters);
 // Makes the pages of the key of its lines, simplifications and broken promises.

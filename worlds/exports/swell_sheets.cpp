@@ -62,7 +62,7 @@ private:
                !(wish_.coarse && storey_.rooms[room].area_m2 < kCoarseRoom_m2);
     }
 
-    // Signs with a number have more than two cells.
+    // Two letters stand in for a sign with a number, which has more cells.
     std::vector<double> for_whole_signs() const {
         std::vector<double> needed(storey_.rooms.size(), 0.0);
         std::map<std::size_t, std::vector<double>> of_cells;
@@ -70,8 +70,9 @@ private:
         for (std::size_t i = 0; i < needed.size(); ++i) {
             const Result<BrailleCells> cells = braille_signs(signs[i].sign, wish_.table);
             if (!cells) continue;  // the sheets say so
-            std::vector<double>& known = of_cells[cells->size()];
-            if (known.empty()) known = scales_needed(storey_, scales_, needed_mm(cells->size()));
+            const std::size_t most = std::min<std::size_t>(cells->size(), 2);
+            std::vector<double>& known = of_cells[most];
+            if (known.empty()) known = scales_needed(storey_, scales_, needed_mm(most));
             needed[i] = known[i];
         }
         return needed;

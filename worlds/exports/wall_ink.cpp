@@ -1,7 +1,7 @@
 #include "worlds/exports/wall_ink.h"
 
 #include <algorithm>
-#include <functional>
+#include <array>
 
 #include "worlds/base/language.h"
 #include "worlds/navigation/walk_space.h"
@@ -143,50 +143,107 @@ std::uint32_t room_on(const RoomGrid& rooms, const Vec2& at_mm) {
     return rooms.holds(x, y) ? rooms.room[rooms.at(x, y)] : kNothing;
 }
 
-// Lines across one flight, where their middle is allowed; how many.
-std::size_t lines_across(const std::vector<std::vector<Vec2>>& loops_m, const OnPaper& on_paper,
-                         const std::function<bool(const Vec2&)>& allowed, Places& places, double line_mm,
-                         double clear_mm, double least_mm, std::vector<PlanBox>& lines) {
+// Where the lines across a flight could be, each as long as the flight is wide.
+std::vector<PlanBox> lines_across(const std::vector<std::vector<Vec2>>& loops_m, const OnPaper& on_paper,
+                                  double line_mm, double clear_mm) {
     std::vector<Vec2> all;
     for (const auto& loop : on_paper(loops_m)) all.insert(all.end(), loop.begin(), loop.end());
+    std::vector<PlanBox> lines;
     const PlanOutline hull = convex_hull(std::move(all));
-    if (hull.empty()) return 0;
+    if (hull.empty()) return lines;
     const PlanBox box = box_around(hull);
-    const double pitch_mm = line_mm + clear_mm + 0.2;  // a little over, or a line would not fit beside the last
-    std::size_t drawn = 0;
-    for (double at = -box.half_m.x; at <= box.half_m.x + 1e-9; at += pitch_mm) {
-        PlanBox line{box.middle_m + box.along * at,
-                     Vec2(-box.along.y, box.along.x),
-                     {box.half_m.y + 0.2 * on_paper.mm_per_m, 0.5 * line_mm}};
-        if (!allowed(line.middle_m)) continue;
-        while (line.half_m.x >= 0.5 * least_mm && !places.fits(line)) line.half_m.x -= 0.25;
-        if (line.half_m.x < 0.5 * least_mm) continue;
-        places.take(corners_of(line));
-        lines.push_back(line);
-        ++drawn;
-    }
-    return drawn;
+    const double pitch_mm = line_mm + clear_mm + 0.2;  // a little over, or a line would not fit next to the last
+    for (double at = -box.half_m.x; at <= box.half_m.x + 1e-9; at += pitch_mm)
+        lines.push_back({box.middle_m + box.along * at,
+                         Vec2(-box.along.y, box.along.x),
+                         {box.half_m.y + 0.2 * on_paper.mm_per_m, 0.5 * line_mm}});
+    return lines;
 }
 
-}  // namespace
-
-StairInk stair_lines(const Storey& storey, const OnPaper& on_paper, const RoomGrid& rooms, Places& places,
-                     double line_mm, double clear_mm, double least_mm) {
+// Calls `draw(line)` for the lines of every flight. It returns whether it drew the line.
+template <class Draw>
+StairInk lines_of_flights(const Storey& storey, const OnPaper& on_paper, const RoomGrid& rooms, double line_mm,
+                          double clear_mm, Draw draw) {
     StairInk ink;
-    const auto draw = [&](const std::vector<std::vector<Vec2>>& loops_m, auto allowed) {
-        return lines_across(loops_m, on_paper, allowed, places, line_mm, clear_mm, least_mm, ink.lines) > 0;
+    const auto draw_flight = [&](const std::vector<std::vector<Vec2>>& loops_m, auto allowed) {
+        const std::size_t before = ink.lines.size();
+        for (PlanBox line : lines_across(loops_m, on_paper, line_mm, clear_mm))
+            if (allowed(line.middle_m) && draw(line)) ink.lines.push_back(line);
+        return ink.lines.size() > before;
     };
     for (std::uint32_t i = 0; i < storey.rooms.size(); ++i)
-        if (storey.rooms[i].kind == RoomKind::Stairs && draw(storey.rooms[i].loops_m, [](const Vec2&) { return true; }))
+        if (storey.rooms[i].kind == RoomKind::Stairs &&
+            draw_flight(storey.rooms[i].loops_m, [](const Vec2&) { return true; }))
             ink.drawn.push_back(i);
     for (std::uint32_t i = 0; i < storey.stairs_of_others.size(); ++i) {
         const StoreyStairs& flight = storey.stairs_of_others[i];
         const auto in_well = [&](const Vec2& at) {
             return room_on(rooms, at) == flight.room && floor_at(storey, on_paper.world(at)) == kNothing;
         };
-        if (draw(flight.loops_m, in_well)) ink.of_others.push_back(i);
+        if (draw_flight(flight.loops_m, in_well)) ink.of_others.push_back(i);
     }
     return ink;
+}
+
+bool black_at(const Ink& ink, const Vec2& mm) {
+    const int x = static_cast<int>(std::floor(mm.x / kInkPixel_mm)),
+              y = static_cast<int>(std::floor(mm.y / kInkPixel_mm));
+    return ink.holds(x, y) && ink.black[ink.at(x, y)];
+}
+
+// Makes a line that has no room between walls reach into them; false if it is too short then, or too near to something
+// before or behind it.
+bool reaches_walls(PlanBox& line, const Ink& walls, double clear_mm, double least_mm) {
+    if (black_at(walls, line.middle_m)) return false;
+    const double half = line.half_m.x;
+    std::array<double, 2> end{};
+    for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+        const Vec2 way = side == 0 ? line.along : -line.along;
+        double free = 0.0;
+        while (free <= half + clear_mm && !black_at(walls, line.middle_m + way * free)) free += kInkPixel_mm;
+        constexpr double kIntoWall_mm = 0.3;
+        end[side] = free <= half + clear_mm ? free + kIntoWall_mm : half;
+    }
+    line.middle_m += line.along * (0.5 * (end[0] - end[1]));
+    line.half_m.x = 0.5 * (end[0] + end[1]);
+    if (2.0 * line.half_m.x < least_mm) return false;
+    const Vec2 across(-line.along.y, line.along.x);
+    constexpr double kBesideWall_mm = 0.8;  // the walls that it reaches into may slant
+    for (double aside = -line.half_m.y - clear_mm; aside <= line.half_m.y + clear_mm; aside += kInkPixel_mm)
+        for (double at = -line.half_m.x + kBesideWall_mm; at <= line.half_m.x - kBesideWall_mm; at += kInkPixel_mm)
+            if (black_at(walls, line.middle_m + line.along * at + across * aside)) return false;
+    return true;
+}
+
+bool contains(const std::vector<std::uint32_t>& places, std::uint32_t place) {
+    return std::find(places.begin(), places.end(), place) != places.end();
+}
+
+}  // namespace
+
+StairInk stair_lines(const Storey& storey, const OnPaper& on_paper, const RoomGrid& rooms, Places& places,
+                     double line_mm, double clear_mm, double least_mm) {
+    return lines_of_flights(storey, on_paper, rooms, line_mm, clear_mm, [&](PlanBox& line) {
+        while (line.half_m.x >= 0.5 * least_mm && !places.fits(line)) line.half_m.x -= 0.25;
+        if (line.half_m.x < 0.5 * least_mm) return false;
+        places.take(corners_of(line));
+        return true;
+    });
+}
+
+StairInk stair_rungs(const Storey& storey, const OnPaper& on_paper, const RoomGrid& rooms, Places free, Ink& walls,
+                     double line_mm, double clear_mm, double least_mm) {
+    const StairInk lines = stair_lines(storey, on_paper, rooms, free, line_mm, clear_mm, least_mm);
+    Storey narrow = storey;
+    for (std::uint32_t i = 0; i < narrow.rooms.size(); ++i)
+        if (contains(lines.drawn, i)) narrow.rooms[i].kind = RoomKind::Room;
+    for (std::uint32_t i = 0; i < narrow.stairs_of_others.size(); ++i)
+        if (contains(lines.of_others, i)) narrow.stairs_of_others[i].loops_m.clear();
+    return lines_of_flights(narrow, on_paper, rooms, line_mm, clear_mm, [&](PlanBox& line) {
+        if (!reaches_walls(line, walls, clear_mm, least_mm)) return false;
+        fill(walls, Loops{corners_of(line)}, true);
+        return true;
+    });
 }
 
 ThingFit fit_of_thing(const StoreyThing& thing, const OnPaper& on_paper, const Places& places, double least_mm) {
@@ -247,8 +304,9 @@ std::optional<Vec2> place_of_sign(const Storey& storey, std::size_t room, const 
         return p.x >= low.x && p.y >= low.y && p.x <= high.x && p.y <= high.y && room_on(rooms, p) == room;
     };
     const auto in_room = [&](const Vec2& p) {
-        const std::vector<Vec2> corners = corners_of(box_at(p));
-        return is_mine(p) && std::all_of(corners.begin(), corners.end(), is_mine) &&
+        if (!is_mine(p)) return false;
+        const std::array<Vec2, 4> corners = box_at(p).corners_m();
+        return std::all_of(corners.begin(), corners.end(), is_mine) &&
                !in_doorway(storey, on_paper, box_at(p), mine.outside ? kBeforeHouse_mm : kBeforeDoor_mm) &&
                !is_near_any(box_at(p), others, kBetweenSigns_mm);
     };

@@ -54,6 +54,11 @@ struct StairInk {
 StairInk stair_lines(const Storey& storey, const OnPaper& on_paper, const RoomGrid& rooms, Places& places,
                      double line_mm, double clear_mm, double least_mm);
 
+// Flights too narrow for lines between their walls have lines that reach into the walls, like rungs of a ladder. Draws
+// these. `free`: where lines of others would fit.
+StairInk stair_rungs(const Storey& storey, const OnPaper& on_paper, const RoomGrid& rooms, Places free, Ink& walls,
+                     double line_mm, double clear_mm, double least_mm);
+
 // What of a thing's box is free; nothing where it, or what is free of it, is smaller than `least_mm`. What people find
 // their way by (landmarks) counts as that large at least.
 struct ThingFit {

@@ -48,7 +48,7 @@ TEST(Openings, are_found_where_a_wall_lacks_and_where_a_door_is_closed) {
     // And mended.
     EXPECT_EQ(mend_openings(shut.walls.ink, closed, shut.on_paper, kLook).opened, 1U);
     EXPECT_TRUE(check_openings(shut.walls.ink, closed, shut.on_paper).lacking.empty());
-    EXPECT_EQ(mend_openings(leaks.walls.ink, open, leaks.on_paper, kLook).closed, 1U);
+    EXPECT_EQ(mend_openings(leaks.walls.ink, open, leaks.on_paper, kLook).closed.size(), 1U);
     EXPECT_TRUE(check_openings(leaks.walls.ink, open, leaks.on_paper).leaking.empty());
 }
 

@@ -16,18 +16,6 @@
 namespace handrail::test {
 namespace swell_sheet_test {
 
-// Where a place of the world lies on the sheet, from two corners of what is shown.
-struct OnSheet {
-    const Storey& storey;
-    const SwellSheet& sheet;
-    Vec2 operator()(const Vec2& world_m) const {
-        // Header and footer are not alike, so the middle of the map is not that of the page.
-        const Vec2 size = (storey.max_m - storey.min_m) * (1000.0 / sheet.one_to);
-        const Vec2 room(sheet.plan.width_mm - 24.0, sheet.plan.height_mm - 24.0 - 26.0);
-        return Vec2(12.0, 24.0) + 0.5 * (room - size) + (world_m - storey.min_m) * (1000.0 / sheet.one_to);
-    }
-};
-
 // Every sign is in its room with all its corners, and off the doorways.
 void stand_in_their_rooms(const Storey& storey, const SwellSheet& sheet, const std::string& what) {
     Ink walls(sheet.plan.width_mm, sheet.plan.height_mm);
@@ -90,7 +78,7 @@ void is_fit_for_fingers(const Storey& storey, const SwellSheet& sheet, const std
         EXPECT_TRUE(drawn || key.find(thing.name) != std::string::npos) << what << " lost " << thing.name;
     }
     const Ink ink = ink_of(sheet.plan);
-    const OnSheet on_sheet{storey, sheet};
+    const OnPaper& on_sheet = sheet.on_paper;
     for (const PlanOutline& window : storey.windows_m) {
         const PlanBox box = box_around(window);
         for (const double part : {-0.9, -0.4, 0.0, 0.4, 0.9})
@@ -151,23 +139,34 @@ TEST(SwellSheet, of_two_rooms_has_their_signs_the_table_and_an_open_door) {
     EXPECT_NE(sheet->plan.text.find("ki  Kitchen."), std::string::npos) << sheet->plan.text;
     // Of the door 25 mm are free.
     const Ink ink = ink_of(sheet->plan);
-    const OnSheet on_sheet{storey, *sheet};
+    const OnPaper& on_sheet = sheet->on_paper;
     EXPECT_TRUE(black_at(ink, on_sheet({6.1, 1.4})));
     for (const double y : {1.55, 2.0, 2.45}) EXPECT_FALSE(black_at(ink, on_sheet({6.1, y})));
 }
 
-// The braille in the head of a sheet, as BRF has it.
+// The braille in the head of a sheet, as BRF has it: its lines with a blank between them.
 std::string head_of(const SwellSheet& sheet) {
-    BrailleCells cells(60, 0);
-    const Vec2 first(12.0 + 0.5 * kBrailleDot_mm, sheet.plan.height_mm - 12.0 - 0.5 * kBrailleDot_mm);
-    for (const SheetDot& dot : sheet.plan.dots) {
-        const Vec2 off = dot.at_mm - first;
-        if (off.y < -6.0) continue;
-        const auto cell = static_cast<std::size_t>((off.x + 1.0) / kBrailleCell_mm);
-        const int column = off.x - static_cast<double>(cell) * kBrailleCell_mm > 1.0 ? 3 : 0;
-        cells.at(cell) |= static_cast<std::uint8_t>(1 << (column + static_cast<int>(std::lround(-off.y / 2.5))));
+    std::string head;
+    for (const double line_mm : {0.0, kBrailleLine_mm}) {
+        BrailleCells cells(60, 0);
+        const Vec2 first(12.0 + 0.5 * kBrailleDot_mm, sheet.plan.height_mm - 12.0 - 0.5 * kBrailleDot_mm - line_mm);
+        for (const SheetDot& dot : sheet.plan.dots) {
+            const Vec2 off = dot.at_mm - first;
+            if (off.y < -6.0 || off.y > 1.0) continue;
+            const auto cell = static_cast<std::size_t>((off.x + 1.0) / kBrailleCell_mm);
+            const int column = off.x - static_cast<double>(cell) * kBrailleCell_mm > 1.0 ? 3 : 0;
+            cells.at(cell) |= static_cast<std::uint8_t>(1 << (column + static_cast<int>(std::lround(-off.y / 2.5))));
+        }
+        std::string line = brf_of(cells);
+        line.erase(line.find_last_not_of(' ') + 1);
+        head += (head.empty() || line.empty() ? "" : " ") + line;
     }
-    return brf_of(cells);
+    return head;
+}
+
+std::string brf_for(const std::string& text) {
+    const Result<BrailleCells> cells = braille_of(text, BrailleTable::EnUebG1);
+    return cells ? brf_of(*cells) : cells.error().sentence();
 }
 
 TEST(SwellSheet, keeps_the_storey_in_its_title_however_long_the_name_is) {
@@ -175,14 +174,37 @@ TEST(SwellSheet, keeps_the_storey_in_its_title_however_long_the_name_is) {
     storey.number = 2;
     storey.count = 3;
     for (const std::string name : {"Test", "A house with a garden in which there is room for more than a name",
-                                   "Donaudampfschifffahrtsgesellschaftsverwaltungsgebäude"}) {
+                                   "Donaudampfschifffahrtsgesellschaftsverwaltungsgebäude am Donaudampfschiffhafen"}) {
         storey.world = name;
         const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
         ASSERT_TRUE(sheet);
-        const Result<BrailleCells> end = braille_of("storey 2 of 3", BrailleTable::EnUebG1);
-        ASSERT_TRUE(end);
-        EXPECT_NE(head_of(*sheet).find(brf_of(*end)), std::string::npos) << name << ": " << head_of(*sheet);
+        EXPECT_NE(head_of(*sheet).find(brf_for("storey 2 of 3")), std::string::npos) << name << ": " << head_of(*sheet);
     }
+}
+
+TEST(SwellSheet, wraps_its_title_and_keeps_as_much_of_a_long_name_as_two_lines_have) {
+    const auto head = [](const std::string& world, const Vec2& max_m) {
+        Storey storey = two_rooms();
+        storey.world = world;
+        storey.max_m = max_m;
+        const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
+        return sheet ? head_of(*sheet) : sheet.error().sentence();
+    };
+    const Vec2 upright(9.7, 14.0);
+    EXPECT_EQ(head("House with a garden", upright), brf_for("House with a garden, storey 1 of 1"));
+    EXPECT_EQ(head("AGRIP Tutorial 05: Pickups, Ramps and Switches", upright),
+              brf_for("AGRIP Tutorial 05..., storey 1 of 1"));
+}
+
+TEST(SwellSheet, calls_its_storey_what_the_file_and_the_names_of_rooms_call_it) {
+    Storey storey = two_rooms();
+    storey.name = "Level 1";
+    storey.number = 3;
+    storey.count = 5;
+    const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
+    ASSERT_TRUE(sheet);
+    EXPECT_EQ(head_of(*sheet), brf_for("Test, Level 1"));
+    EXPECT_EQ(sheet->key_text.at(0), "Test, Level 1, storey 3 of 5");
 }
 
 TEST(SwellSheet, of_an_upper_storey_shows_the_stairs_that_arrive) {
@@ -401,6 +423,16 @@ TEST(SwellSheet, gives_a_small_room_one_letter_and_says_where_a_smaller_one_lead
     const Result<SwellSheet> alike = sheet_of(both, 72.0);
     ASSERT_TRUE(alike && !alike->broken.empty());
     EXPECT_EQ(alike->broken[0], "There is no room for the signs of these rooms: Room 12; Room 13.");
+    EXPECT_NE(alike->plan.text.find("Room 12: not labelled on the plan. It leads to: Kitchen."), std::string::npos)
+        << alike->plan.text;
+    EXPECT_NE(alike->plan.text.find("Room 13: not labelled on the plan. It leads to: Kitchen."), std::string::npos);
+    both.portals.clear();
+    both.gaps.clear();
+    for (StoreyRoom& room : both.rooms) room.shut = true;
+    const Result<SwellSheet> shut = sheet_of(both, 72.0);
+    ASSERT_TRUE(shut);
+    EXPECT_NE(shut->plan.text.find("Room 12: not labelled on the plan. No route leads there."), std::string::npos)
+        << shut->plan.text;
 }
 
 TEST(SwellSheets, show_once_more_and_larger_what_is_too_small_for_its_sign) {
@@ -463,7 +495,7 @@ TEST(SwellSheet, makes_doors_wide_enough_for_a_finger_and_tells) {
     const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
     ASSERT_TRUE(sheet);
     const Ink ink = ink_of(sheet->plan);
-    const OnSheet on_sheet{storey, *sheet};
+    const OnPaper& on_sheet = sheet->on_paper;
     const Vec2 door = on_sheet({6.1, 2.0});
     for (const double off : {-3.0, -1.5, 0.0, 1.5, 3.0}) EXPECT_FALSE(black_at(ink, door + Vec2(0.0, off))) << off;
     ASSERT_FALSE(sheet->simplified.empty());
@@ -519,9 +551,118 @@ TEST(RoomSigns, are_two_letters_each_and_never_alike) {
     std::set<std::string> signs;
     for (const RoomSign& sign : room_signs(storey)) {
         EXPECT_TRUE(signs.insert(sign.sign).second) << sign.sign;
-        EXPECT_TRUE(std::regex_match(sign.sign, std::regex("[a-z]([a-z]|[0-9]+)"))) << sign.sign;
+        EXPECT_TRUE(std::regex_match(sign.sign, std::regex("[a-z][a-z]|[a-z]?[0-9]+"))) << sign.sign;
     }
     EXPECT_TRUE(signs.contains("r1") && signs.contains("r2") && signs.contains("ki") && signs.contains("ko"));
+    EXPECT_TRUE(signs.contains("12"));
+}
+
+TEST(RoomSigns, have_no_number_but_the_only_one_of_the_name_and_never_run_out) {
+    Storey storey = two_rooms();
+    storey.rooms.resize(1);
+    for (int i = 0; i < 900; ++i) {
+        storey.rooms.push_back(storey.rooms[0]);
+        storey.rooms.back().name = "Cellar " + std::to_string(i % 30 + 1) + "-" + std::to_string(i / 30 + 1);
+    }
+    std::set<std::string> signs;
+    for (const RoomSign& sign : room_signs(storey)) {
+        EXPECT_TRUE(signs.insert(sign.sign).second) << sign.sign;
+        EXPECT_TRUE(std::regex_match(sign.sign, std::regex("[a-z]{2,3}"))) << sign.sign << " for " << sign.name;
+    }
+}
+
+TEST(RoomSigns, do_not_have_the_number_of_the_storey) {
+    Storey storey = two_rooms();
+    storey.number = 4;
+    storey.name = "Level 3";
+    storey.rooms[0].name = "hall, west, storey 4";
+    storey.rooms[1].name = "Stairs, Level 3";
+    const std::vector<RoomSign> signs = room_signs(storey);
+    EXPECT_EQ(signs[0].sign, "ha");
+    EXPECT_EQ(signs[1].sign, "st");
+}
+
+TEST(SwellSheet, gives_two_letters_to_a_room_whose_number_has_no_room) {
+    if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for our house";
+    Storey storey = many_rooms(8, 10);
+    for (std::size_t i = 0; i < storey.rooms.size(); ++i) storey.rooms[i].name = "Office " + std::to_string(101 + i);
+    const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
+    ASSERT_TRUE(sheet);
+    for (const RoomSign& sign : sheet->signs) {
+        EXPECT_TRUE(sign.on_sheet) << sign.name;
+        EXPECT_TRUE(std::regex_match(sign.sign, std::regex("[a-z]{2}"))) << sign.sign << " for " << sign.name;
+    }
+    is_fit_for_fingers(storey, *sheet, "offices");
+}
+
+bool says(const SwellSheet& sheet, const std::string& text) { return sheet.plan.text.find(text) != std::string::npos; }
+
+TEST(SwellSheet, draws_the_stairs_between_narrow_walls_from_wall_to_wall) {
+    if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for our house";
+    // 3 m between the walls are 8.6 mm: lines that keep away from both would be too short.
+    Storey storey = two_rooms();
+    storey.rooms[1].kind = RoomKind::Stairs;
+    storey.max_m = {90.0, 30.0};
+    const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
+    ASSERT_TRUE(sheet && sheet->one_to == 350.0);
+    EXPECT_TRUE(says(*sheet, "Room 12: drawn in thin lines, not labelled.")) << sheet->plan.text;
+    EXPECT_TRUE(says(*sheet, "Thin parallel lines are stairs."));
+    const Ink ink = ink_of(sheet->plan);
+    int lines = 0;
+    for (double y = 0.1; y < 3.9; y += 0.02)
+        lines += black_at(ink, sheet->on_paper({7.7, y})) && !black_at(ink, sheet->on_paper({7.7, y - 0.02})) ? 1 : 0;
+    EXPECT_GE(lines, 2);
+    is_fit_for_fingers(storey, *sheet, "narrow stairs");
+}
+
+TEST(SwellSheet, says_which_stairs_have_no_lines) {
+    Storey storey = two_rooms();
+    storey.stairs_of_others.push_back({0, {{{1.0, 1.0}, {2.0, 1.0}, {2.0, 3.0}, {1.0, 3.0}}}});
+    const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
+    ASSERT_TRUE(sheet);
+    EXPECT_TRUE(says(*sheet, "Stairs without lines, for lack of space: Kitchen.")) << sheet->plan.text;
+}
+
+TEST(SwellSheet, says_where_it_goes_to_other_storeys) {
+    Storey storey = two_rooms();
+    storey.exits.push_back({PassageKind::Opening, 0, "Cellar", {1.0, 1.0}});
+    storey.exits.push_back({PassageKind::Lift, 1, "Attic", {8.0, 1.0}});
+    const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
+    ASSERT_TRUE(sheet);
+    EXPECT_TRUE(says(*sheet, "Routes to other storeys: from Kitchen to Cellar; from Room 12 to Attic by lift."))
+        << sheet->plan.text;
+}
+
+TEST(SwellSheet, says_between_which_rooms_it_is_drawn_closed) {
+    Storey storey = two_rooms();
+    storey.portals.clear();
+    storey.gaps.clear();
+    const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
+    ASSERT_TRUE(sheet);
+    EXPECT_TRUE(says(*sheet, "Drawn closed, because nobody can walk through, between: Kitchen and Room 12."))
+        << sheet->plan.text;
+}
+
+TEST(SwellSheet, says_which_floors_end_without_a_wall) {
+    Storey storey = two_rooms();
+    storey.walls_m.erase(storey.walls_m.begin() + 1);  // the north wall
+    const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
+    ASSERT_TRUE(sheet);
+    EXPECT_TRUE(says(*sheet, "Floors that end without a wall are not outlined in: Kitchen; Room 12."))
+        << sheet->plan.text;
+    const Result<SwellSheet> walled = swell_sheet(two_rooms(), {kA4, BrailleTable::EnUebG1});
+    ASSERT_TRUE(walled);
+    EXPECT_FALSE(says(*walled, "without a wall")) << walled->plan.text;
+}
+
+TEST(SwellSheet, explains_the_signs_of_its_plate_where_they_are_others) {
+    Storey storey = two_rooms();
+    storey.max_m = {57.0, 30.0};
+    const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1, false, {"ki", "r12"}});
+    ASSERT_TRUE(sheet);
+    EXPECT_TRUE(says(*sheet, "ki  Kitchen.\n")) << sheet->plan.text;
+    EXPECT_NE(sheet->signs[1].sign, "r12");
+    EXPECT_TRUE(says(*sheet, "Room 12. On the plate: r12.\n")) << sheet->plan.text;
 }
 
 TEST(SwellSheet, speaks_german_where_that_is_spoken) {
