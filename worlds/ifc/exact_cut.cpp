@@ -3,9 +3,6 @@
 // CGAL would check at the start of any program that links this whether the processor rounds up and down. Valgrind does
 // not, and the tests compare volumes anyway.
 #define CGAL_DISABLE_ROUNDING_MATH_CHECK
-#include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -216,11 +213,10 @@ public:
     }
 
 private:
-    using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
-    using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+    using Side = CGAL::Side_of_triangle_mesh<Mesh, Kernel>;
     const Mesh& mesh_;
-    Tree tree_;
-    CGAL::Side_of_triangle_mesh<Mesh, Kernel, CGAL::Default, Tree> side_;
+    Side::AABB_tree tree_;
+    Side side_;
 };
 
 struct ExactSoup {
