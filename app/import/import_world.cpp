@@ -57,7 +57,7 @@ std::optional<FileState> state_of(const fs::path& path, std::uint64_t least_byte
 // starts.
 std::string name_in_cache(const FileState& file, const ReadOptions& options, const fs::path& path) {
     Sha256 sum;
-    sum.add_counted(fmt::format("{:x} {} {} {} {} {} {}", kReaderVersion, file.sha256, options.map_metres_per_unit,
+    sum.add_counted(fmt::format("{:x} {} {} {} {} {} {}", kWorldsVersion, file.sha256, options.map_metres_per_unit,
                                 options.obj_metres_per_unit, options.unit_is_known, options.guess_materials,
                                 options.solid_meshes));
     for (const std::string& text : {options.building, path.filename().string(), spoken_language()})

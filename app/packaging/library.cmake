@@ -1,8 +1,5 @@
 # The core as a library: for C++ static libraries and headers, found by find_package(handrail); for C libhandrail.so with
 # one header. docs/library.md describes both.
-
-set(core)
-set(core_folders "")
 foreach(name base geometry scene settings ifc drawn osm imdf words readers render compile dynamics device servo)
   list(APPEND core handrail_${name})
   get_target_property(folder handrail_${name} HANDRAIL_FOLDER)
@@ -28,16 +25,14 @@ install(CODE "
   include(\"${CMAKE_CURRENT_SOURCE_DIR}/install_headers.cmake\")" COMPONENT development)
 
 # The library that other programs load: the same objects, of which only the functions of the header are visible.
-if(NOT HANDRAIL_SANITIZE AND NOT HANDRAIL_FUZZER)
-  add_library(handrail_shared SHARED EXCLUDE_FROM_ALL $<TARGET_OBJECTS:handrail_c>)
-  set_target_properties(handrail_shared PROPERTIES OUTPUT_NAME handrail VERSION ${PROJECT_VERSION} SOVERSION 0 LINKER_LANGUAGE CXX
-    LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib EXPORT_NAME c)
-  target_include_directories(handrail_shared INTERFACE $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/haptic/c> $<INSTALL_INTERFACE:include>)
-  target_link_libraries(handrail_shared PRIVATE $<TARGET_PROPERTY:handrail_c,LINK_LIBRARIES>)
-  target_link_options(handrail_shared PRIVATE LINKER:--version-script=${CMAKE_CURRENT_SOURCE_DIR}/libhandrail.map LINKER:--no-undefined)
-  set_target_properties(handrail_shared PROPERTIES LINK_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/libhandrail.map)
-  install(TARGETS handrail_shared EXPORT handrail_c
-    LIBRARY DESTINATION lib COMPONENT library OPTIONAL NAMELINK_COMPONENT development)
-  install(EXPORT handrail_c NAMESPACE handrail:: DESTINATION ${config_folder} FILE handrailCTargets.cmake COMPONENT development)
-  install(FILES ${CMAKE_SOURCE_DIR}/haptic/c/handrail.h DESTINATION include COMPONENT development)
-endif()
+add_library(handrail_shared SHARED EXCLUDE_FROM_ALL $<TARGET_OBJECTS:handrail_c>)
+set_target_properties(handrail_shared PROPERTIES OUTPUT_NAME handrail VERSION ${PROJECT_VERSION} SOVERSION 0 LINKER_LANGUAGE CXX
+  LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib EXPORT_NAME c)
+target_include_directories(handrail_shared INTERFACE $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/haptic/c> $<INSTALL_INTERFACE:include>)
+target_link_libraries(handrail_shared PRIVATE $<TARGET_PROPERTY:handrail_c,LINK_LIBRARIES>)
+target_link_options(handrail_shared PRIVATE LINKER:--version-script=${CMAKE_CURRENT_SOURCE_DIR}/libhandrail.map LINKER:--no-undefined)
+set_target_properties(handrail_shared PROPERTIES LINK_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/libhandrail.map)
+install(TARGETS handrail_shared EXPORT handrail_c
+  LIBRARY DESTINATION lib COMPONENT library OPTIONAL NAMELINK_COMPONENT development)
+install(EXPORT handrail_c NAMESPACE handrail:: DESTINATION ${config_folder} FILE handrailCTargets.cmake COMPONENT development)
+install(FILES ${CMAKE_SOURCE_DIR}/haptic/c/handrail.h DESTINATION include COMPONENT development)

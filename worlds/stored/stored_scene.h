@@ -11,8 +11,8 @@
 
 namespace handrail {
 
-// Another number whenever a source of the readers, of what a Scene is made of, or of what is said has changed.
-extern const std::uint64_t kReaderVersion;
+// Changes with every source in worlds and every text that the program says. The keys of the cache contain it.
+extern const std::uint64_t kWorldsVersion;
 
 std::string stored(const Scene& scene);
 // Fails in one sentence for bytes that are none of a Scene, or of one that does not hold together.

@@ -237,7 +237,7 @@ bool belong_to(const Scene& scene, const WalkBody& asked, const WalkSpace& space
 
 std::string ways_key(const Scene& scene, const WalkBody& body) {
     Packer pack;
-    archive::count(pack, kWaysVersion);
+    archive::count(pack, kWorldsVersion);
     pack(body);
     Sha256 sum;
     sum.add_counted(pack.take());

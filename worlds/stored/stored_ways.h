@@ -15,10 +15,7 @@
 
 namespace handrail {
 
-// Another number whenever a source of the walkable space, of rooms, or of what a Scene is made of has changed.
-extern const std::uint64_t kWaysVersion;
-
-// SHA-256, in hex, of what they are found from: the scene, the body as it was requested, and the version above.
+// SHA-256, in hex, of what they are found from: the scene, the body as it was requested, and kWorldsVersion.
 std::string ways_key(const Scene& scene, const WalkBody& body);
 
 struct FoundWays {
