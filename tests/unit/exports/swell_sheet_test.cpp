@@ -334,9 +334,9 @@ TEST(SwellSheets, say_that_one_is_not_enough_and_are_several_that_keep_what_they
                 const SheetPart& other = *(*sheets)[static_cast<std::size_t>(next.number - 1)].part;
                 const auto& back = other.next[kBack[side]];
                 EXPECT_EQ(std::count_if(back.begin(), back.end(),
-                                        [&](const NextSheet& one) {
-                                            return one.number == sheet.part->number && one.shared_m == next.shared_m &&
-                                                   one.along_m == next.along_m;
+                                        [&](const NextSheet& seen) {
+                                            return seen.number == sheet.part->number &&
+                                                   seen.shared_m == next.shared_m && seen.along_m == next.along_m;
                                         }),
                           1);
             }

@@ -119,7 +119,9 @@ TEST(PartsOfIfc, keep_the_wall_behind_a_niche_whatever_fills_it) {
         const bool leads_through = filling == "IFCDOOR";  // nobody could pass it, so a way is cut free and reported
         EXPECT_EQ(in_a_solid(scene, {1.05, 0.1, 1.2}), true);
         EXPECT_EQ(in_a_solid(scene, {1.5, 0.1, 1.2}), !leads_through);
-        if (filling != "IFCWINDOW") EXPECT_FALSE(in_a_solid(scene, {1.05, 0.2, 1.2}));  // else the pane
+        if (filling != "IFCWINDOW") {
+            EXPECT_FALSE(in_a_solid(scene, {1.05, 0.2, 1.2}));  // else the pane
+        }
     }
 }
 
@@ -718,9 +720,10 @@ TEST(MissingParts, of_open_skins_and_lost_faces_are_named) {
                  ",$");
         const Scene scene = hut.scene();
         ASSERT_EQ(honest_report(scene).parts_missing, damaged ? 1 : 0);
-        if (damaged)
+        if (damaged) {
             EXPECT_THAT(check_words(scene, honest_report(scene).check[0]),
                         testing::HasSubstr("lacks faces that are damaged or have too many corners; their number is 1"));
+        }
     }
 }
 

@@ -261,8 +261,12 @@ TEST(WordRoute, ends_within_the_outline_that_the_file_states_of_a_room) {
     std::size_t in = 0;
     for (std::uint32_t s = 0; s < goal.size(); ++s) {
         const Vec3 at_m = space.place_m(s);
-        if (goal[s]) EXPECT_GT(at_m.y, 6.0) << at_m.x;
-        if (stands_inside(graph, space, scene, at_m, 0)) EXPECT_GT(at_m.y, 6.0) << at_m.x;
+        if (goal[s]) {
+            EXPECT_GT(at_m.y, 6.0) << at_m.x;
+        }
+        if (stands_inside(graph, space, scene, at_m, 0)) {
+            EXPECT_GT(at_m.y, 6.0) << at_m.x;
+        }
         in += goal[s];
     }
     EXPECT_GT(in, 100U);

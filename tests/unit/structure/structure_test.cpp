@@ -281,14 +281,28 @@ TEST(Files, that_persons_name_are_read_in_one_place_only) {
     EXPECT_TRUE(std::regex_search(std::string("std::ifstream in(path);"), by_itself));
 }
 
+// gtest's macros contain an if, so g++ warns of an ambiguous else unless there is one.
+TEST(Sources, brace_a_check_under_an_if_without_else) {
+    const std::regex bare(R"(\n *if \([^\n]*\)\s+(EXPECT|ASSERT)_[^;]*;[^\n]*\n(?! *else\b))");
+    for (const std::string& file : test::project_files()) {
+        if (!is_source(file) || !file.starts_with("tests/")) continue;
+        const std::string text = test::content_of(kRoot / file);
+        std::smatch found;
+        EXPECT_FALSE(std::regex_search(text, found, bare)) << file << ":" << found.str();
+    }
+    EXPECT_TRUE(std::regex_search(std::string("{\n    if (a) EXPECT_TRUE(b);\n}\n"), bare));
+    EXPECT_FALSE(std::regex_search(std::string("{\n    if (a) EXPECT_TRUE(b);\n    else EXPECT_TRUE(c);\n}\n"), bare));
+}
+
 // Debian's fmt is in the precompiled header, which a build without one does not have.
 TEST(Sources, include_fmt_where_they_use_it) {
     const auto lacks_it = [](const std::string& text) {
         return text.find("fmt::") != std::string::npos && text.find("#include <fmt/") == std::string::npos;
     };
     for (const std::string& file : test::project_files())
-        if (is_source(file) && !file.starts_with("tests/"))
+        if (is_source(file) && !file.starts_with("tests/")) {
             EXPECT_FALSE(lacks_it(test::content_of(kRoot / file))) << file;
+        }
     EXPECT_TRUE(lacks_it("std::string a = fmt::format(\"{}\", 1);"));
     EXPECT_FALSE(lacks_it("#include <fmt/format.h>\nstd::string a = fmt::format(\"{}\", 1);"));
 }

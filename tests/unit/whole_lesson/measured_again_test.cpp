@@ -608,7 +608,9 @@ TEST_P(MeasuredAgain, from_the_recording_of_a_lesson_alone_everything_is_as_it_w
             ++compared;
         }
         EXPECT_EQ(compared + (ranges.contains("reached") ? 1 : 0), ranges.size()) << kind << ": one is not told";
-        if (kind == "go") EXPECT_EQ(task.reached, ranges.at("reached").least == 1.0);
+        if (kind == "go") {
+            EXPECT_EQ(task.reached, ranges.at("reached").least == 1.0);
+        }
     }
     const Range walked = sums.walked(events.from_s, events.to_s);
     EXPECT_GE(report->walked_m, walked.least);

@@ -79,7 +79,9 @@ protected:
         ASSERT_TRUE(sitting.know_rooms());
         ASSERT_TRUE(sitting.hears("This session is being recorded.")) << sitting.all();
         ASSERT_TRUE(sitting.hears(at.base_has_walls ? "Walls, 2 tasks." : "Walls, 1 task.")) << sitting.all();
-        if (at.base_has_walls) ASSERT_TRUE(sitting.hears("Get to know")) << sitting.all();
+        if (at.base_has_walls) {
+            ASSERT_TRUE(sitting.hears("Get to know")) << sitting.all();
+        }
         // Not out of the hall, where the wall leads on.
         const std::string hall = sitting.app().lesson_view().room;
         for (int i = 0; i < 14 && sitting.app().lesson_view().room == hall; ++i) sitting.hold(Command::TrailRight, 2.0);
@@ -142,7 +144,9 @@ protected:
         const auto order = std::find_if(alone.steps.begin(), alone.steps.end(),
                                         [](const TaughtStep& step) { return step.kind == StepKind::Order; });
         const std::size_t places = order == alone.steps.end() ? 0 : order->to.size();
-        if (places > 0) ASSERT_TRUE(sitting.hears(fmt::format("Put {} places in order", places))) << sitting.all();
+        if (places > 0) {
+            ASSERT_TRUE(sitting.hears(fmt::format("Put {} places in order", places))) << sitting.all();
+        }
         for (std::size_t i = 1; i < places; ++i)
             for (const char* key : {"Home", "Enter"}) sitting.key(key);
         ASSERT_TRUE(sitting.hears("How sure were you of the route?")) << sitting.all();
