@@ -3,6 +3,7 @@
 #include <thread>
 
 #include "haptic/drivers/space_mouse.h"
+#include "tests/support/child_process.h"
 #include "tests/support/precompiled.h"
 #include "worlds/base/clock.h"
 
@@ -32,7 +33,8 @@ void exchange_a_thousand_reports(std::unique_ptr<HidLink> link, PadBus bus, PadE
                 const std::lock_guard guard(lock);
                 return emulator.strong == output.strong && emulator.right_effect == output.right;
             };
-            for (const double end_s = clock.now_s() + 5.0; !seen() && clock.now_s() < end_s;) std::this_thread::yield();
+            for (const double end_s = clock.now_s() + kPatience_s; !seen() && clock.now_s() < end_s;)
+                std::this_thread::yield();
             ASSERT_TRUE(seen()) << i;
             {
                 const std::lock_guard guard(lock);
@@ -51,8 +53,7 @@ void exchange_a_thousand_reports(std::unique_ptr<HidLink> link, PadBus bus, PadE
         const std::lock_guard guard(lock);
         return emulator.right_effect == trigger_off() && emulator.strong == 0;
     };
-    for (const double end_s = clock.now_s() + 5.0; !still() && clock.now_s() < end_s;) std::this_thread::yield();
-    EXPECT_TRUE(still()) << "let go";
+    EXPECT_TRUE(eventually(still)) << "let go";
     const std::lock_guard guard(lock);
     EXPECT_EQ(emulator.bad, 0U);
     EXPECT_EQ(emulator.sequence_breaks, 0);
@@ -70,11 +71,8 @@ void steer_with_a_space_mouse(std::unique_ptr<HidLink> link, PuckEmulator& emula
         emulator.tell_buttons(1);
     }
     ring();
-    const SteadyClock clock;
     PuckState state;
-    for (const double end_s = clock.now_s() + 5.0; state.buttons == 0 && clock.now_s() < end_s;
-         std::this_thread::yield())
-        state = mouse.poll(0.0);
+    EXPECT_TRUE(eventually([&] { return (state = mouse.poll(0.0)).buttons != 0; }));
     EXPECT_EQ(state.move, Vec3(0.0, 1.0, 0.0));
     EXPECT_EQ(state.turn, Vec3(0.0, 0.0, 1.0));
     EXPECT_EQ(state.buttons, 1U);
@@ -83,8 +81,7 @@ void steer_with_a_space_mouse(std::unique_ptr<HidLink> link, PuckEmulator& emula
         const std::lock_guard guard(lock);
         return emulator.light;
     };
-    for (const double end_s = clock.now_s() + 5.0; !lit() && clock.now_s() < end_s;) std::this_thread::yield();
-    EXPECT_TRUE(lit());
+    EXPECT_TRUE(eventually(lit));
 }
 
 }  // namespace handrail::test

@@ -15,6 +15,7 @@
 #include <fstream>
 
 #include "tests/program/endless_world.h"
+#include "tests/support/child_process.h"
 #include "tests/support/deadly_toml.h"
 #include "tests/support/environment.h"
 #include "tests/support/project_root.h"
@@ -97,10 +98,7 @@ TEST(HostileFiles, closed_descriptors_are_open_before_anything_else) {
         std::error_code ec;
         return fs::read_symlink("/proc/" + std::to_string(child) + "/fd/" + std::to_string(number), ec).string();
     };
-    const auto end = SteadyTime::now() + std::chrono::seconds(20);
-    while (SteadyTime::now() < end && (target(1) != "/dev/null" || target(2) != "/dev/null")) ::poll(nullptr, 0, 10);
-    EXPECT_EQ(target(1), "/dev/null");
-    EXPECT_EQ(target(2), "/dev/null");
+    EXPECT_TRUE(eventually([&] { return target(1) == "/dev/null" && target(2) == "/dev/null"; }));
     ::close(input[1]);
     int status = -1;
     ::waitpid(child, &status, 0);

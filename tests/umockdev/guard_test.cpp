@@ -136,7 +136,7 @@ TEST_F(GuardProcess, unplugging_is_seen_and_plugging_in_again_too) {
     GuardedDevice device(*find_device_spec("falcon"), kGuard, {"falcon"});
     ASSERT_TRUE(device.open());
     const auto tick_until = [&](bool connected) {
-        for (const auto end = Clock_::now() + 20s; Clock_::now() < end; std::this_thread::sleep_for(1ms)) {
+        for (const auto end = Clock_::now() + 300s; Clock_::now() < end; std::this_thread::sleep_for(1ms)) {
             const DeviceSample sample = device.read(0.0);
             device.write({Vec3(0.0)});
             if (sample.connected == connected && (sample.fresh || !connected)) return true;
@@ -462,7 +462,7 @@ TEST_F(FailingGuard, keeps_no_privileges_and_is_replaced_when_the_second_one_die
     }
     ::kill(both.back(), SIGKILL);
     std::vector<pid_t> now;
-    for (const auto end = Clock_::now() + 10s; Clock_::now() < end && (now.size() != 2 || now.back() == both.back());
+    for (const auto end = Clock_::now() + 300s; Clock_::now() < end && (now.size() != 2 || now.back() == both.back());
          std::this_thread::sleep_for(20ms))
         now = guards();
     ASSERT_EQ(now.size(), 2U);

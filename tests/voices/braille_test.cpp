@@ -80,11 +80,7 @@ TEST_F(Brailled, pans_by_the_displays_keys_and_tells_more_by_a_routing_key) {
     if (!program) return;
     // Asked until the room is known, which is looked for beside the session.
     const auto told = [&] { return program->said().find("say: Room with") != std::string::npos; };
-    for (int asked = 0; asked < 30 && !told(); ++asked) {
-        ASSERT_TRUE(press("F2"));
-        (void)eventually(told, 2.0);
-    }
-    ASSERT_TRUE(told()) << everything();
+    ASSERT_TRUE(eventually([&] { return press("F2") && eventually(told, 2.0); })) << everything();
     ASSERT_TRUE(braille->shows("N  Room with")) << everything();
     // Each piece is words of the message behind the heading; the keys go on, back, on and to the beginning.
     const std::string first = braille->shown();

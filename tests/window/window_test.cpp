@@ -1,12 +1,11 @@
 #include "app/window/window.h"
+#include "tests/support/child_process.h"
 
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
 
 #include <atomic>
-#include <chrono>
 #include <cstdlib>
-#include <thread>
 
 #include "tests/support/virtual_display.h"
 #include "tests/window/small_room.h"
@@ -60,16 +59,13 @@ protected:
 
     virtual std::string layout() const { return {}; }
 
-    // Collects events until the condition holds; what a person would wait for comes within a moment, 20 s are for a
-    // machine under load.
+    // Collects events until the condition holds.
     template <class Condition>
     bool wait_for(Condition condition) {
-        for (int i = 0; i < 4000; ++i) {
+        return eventually([&] {
             for (WindowEvent& event : window_->poll()) events_.push_back(std::move(event));
-            if (condition()) return true;
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        }
-        return false;
+            return condition();
+        });
     }
 
     std::vector<KeyEvent> keys() const {
@@ -240,19 +236,15 @@ TEST_F(WindowTest, tells_a_watched_key_and_the_loss_of_the_keyboard_without_bein
     ASSERT_TRUE(
         window_->watch_keys({[&](const std::string& key) { return ++others, key == "F12" || key == "Shift+Escape"; },
                              [&] { ++stops; }, [&](bool now) { focused = now; }}));
-    const auto soon = [](auto&& condition) {
-        for (int i = 0; i < 4000 && !condition(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        return condition();
-    };
     ASSERT_TRUE(display_->xdotool("key F11 Escape Control_L F12"));
-    EXPECT_TRUE(soon([&] { return stops == 1; }));
+    EXPECT_TRUE(eventually([&] { return stops == 1; }));
     EXPECT_EQ(others, 3) << "a modifier alone is no key";
     ASSERT_TRUE(display_->xdotool("key shift+Escape"));
-    EXPECT_TRUE(soon([&] { return stops == 2; }));
+    EXPECT_TRUE(eventually([&] { return stops == 2; }));
     Desktop().take_keyboard_away();
-    EXPECT_TRUE(soon([&] { return !focused; }));
+    EXPECT_TRUE(eventually([&] { return !focused; }));
     ASSERT_TRUE(display_->xdotool("search --name '^Handrail$' windowfocus --sync"));
-    EXPECT_TRUE(soon([&] { return focused.load(); }));
+    EXPECT_TRUE(eventually([&] { return focused.load(); }));
     // The window itself has lost nothing by it.
     EXPECT_TRUE(wait_for([&] { return count<FocusChange>() == 2; }));
     const auto all = keys();

@@ -1,10 +1,10 @@
 // Background tasks: the last one begun counts, what is given up ends soon, nothing outlives the owner.
 #include "worlds/base/background_task.h"
+#include "tests/support/child_process.h"
 
 #include <pthread.h>
 
 #include <array>
-#include <chrono>
 #include <string>
 #include <thread>
 
@@ -13,11 +13,9 @@ namespace background_task_test {
 
 template <class T>
 std::optional<T> wait_for(BackgroundTask<T>& task) {
-    for (int i = 0; i < 20000; ++i) {
-        if (auto made = task.take()) return made;
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return std::nullopt;
+    std::optional<T> made;
+    test::eventually([&] { return (made = task.take()).has_value(); });
+    return made;
 }
 
 int until_stopped(const std::stop_token& stop) {
@@ -61,11 +59,10 @@ TEST(BackgroundTask, forgets_what_was_given_up_and_ends_with_its_owner) {
 TEST(BackgroundTask, makes_nothing_where_memory_does_not_suffice_and_goes_on_afterwards) {
     BackgroundTask<int> task(on_threads(), "test");
     task.begin([](const std::stop_token&) -> int { throw std::bad_alloc(); });
-    for (int i = 0; i < 20000 && task.busy(); ++i) {
+    EXPECT_TRUE(test::eventually([&] {
         EXPECT_FALSE(task.take());
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    EXPECT_FALSE(task.busy());
+        return !task.busy();
+    }));
     task.begin([](const std::stop_token&) { return 7; });
     EXPECT_EQ(wait_for(task), 7);
 }

@@ -1,12 +1,12 @@
 // Rooms and ways in a session: the room's name, its exits, the way to another room, in words and along it; on a thread
 // and when asked.
-#include <chrono>
 #include <map>
 #include <string>
 #include <thread>
 
 #include "app/core/whereabouts/rooms_of_world.h"
 #include "app/core/world/walker.h"
+#include "tests/support/child_process.h"
 #include "tests/support/map_text.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/core/app_session.h"
@@ -174,10 +174,10 @@ TEST(RoomsInASession, are_found_on_a_thread_while_everything_goes_on) {
     s.app.apply(WorldEntered{make_ready(house())}, 0.0);
     // Another world gives up what was being looked for.
     s.app.apply(WorldEntered{make_ready(house())}, 0.0);
-    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-    while (s.ask(Command::Exits).starts_with("The rooms of this world are still") &&
-           std::chrono::steady_clock::now() < until)
+    EXPECT_TRUE(test::eventually([&] {
         s.run(0.1);
+        return !s.ask(Command::Exits).starts_with("The rooms of this world are still");
+    }));
     EXPECT_TRUE(s.said.back().starts_with("Hall. ")) << s.said.back();
 }
 

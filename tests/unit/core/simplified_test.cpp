@@ -1,12 +1,11 @@
 // What is too small to feel at a scale: changed for the hand, told, listed, and nothing else changes.
 #include <gmock/gmock.h>
 
-#include <chrono>
 #include <random>
-#include <thread>
 
 #include "haptic/render/free_place.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/child_process.h"
 #include "tests/support/office_ifc.h"
 #include "tests/support/random_families.h"
 #include "tests/support/real_worlds.h"
@@ -212,11 +211,11 @@ TEST(Simplified, widens_openings_without_a_door_as_soon_as_the_rooms_are_found) 
     std::string said;
     double now = 0.0;
     // The thread that looks for rooms takes real time; sessions go on meanwhile.
-    for (int frame = 0; frame < 6000 && said.find("doorway") == std::string::npos; ++frame) {
+    test::eventually([&] {
         app.tick(now += 1.0 / 60.0, {});
         for (const CueRequest& cue : app.take_cues()) said += cue.text + "\n";
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
+        return said.find("doorway") != std::string::npos;
+    });
     EXPECT_THAT(said, HasSubstr("Simplified: 1 doorway widened.")) << said;
     EXPECT_GT(room_round(app, {2.85, 6.1, 1.0}), 0.0);
     app.apply(CommandDown{Command::Simplified}, now);
@@ -227,11 +226,12 @@ TEST(Simplified, widens_openings_without_a_door_as_soon_as_the_rooms_are_found) 
 // Until all that is made in the background is there; real time, since it may be made on a thread.
 std::string wait_for_touch(Session& app, double& now) {
     std::string said;
-    for (int frame = 0; frame < 20000 && (app.works_in_background() || frame < 2); ++frame) {
+    int frames = 0;
+    test::eventually([&] {
         app.tick(now += 1.0 / 60.0, {});
         for (const CueRequest& cue : app.take_cues()) said += cue.text + "\n";
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
+        return ++frames >= 2 && !app.works_in_background();
+    });
     app.tick(now += 1.0 / 60.0, {});
     for (const CueRequest& cue : app.take_cues()) said += cue.text + "\n";
     EXPECT_FALSE(app.works_in_background());

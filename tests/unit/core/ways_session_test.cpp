@@ -2,8 +2,7 @@
 // stop after stop by ear and by the hand, backwards, changed, deleted; damaged, and in a world that was edited since.
 #include <gmock/gmock.h>
 
-#include <chrono>
-
+#include "tests/support/child_process.h"
 #include "tests/support/map_text.h"
 #include "tests/support/project_root.h"
 #include "tests/support/spoken_language.h"
@@ -309,12 +308,10 @@ TEST(KeptWays, tell_by_name_what_no_longer_fits_an_edited_world_on_entering_and_
     // Where the rooms are found beside everything else, as soon as they are.
     {
         Person p(path, true);
-        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-        while (!p.heard("no longer fits: To lunch (no walking route from Shop to Table).") &&
-               std::chrono::steady_clock::now() < until)
+        EXPECT_TRUE(test::eventually([&] {
             p.run(0.1);
-        EXPECT_TRUE(p.heard("no longer fits: To lunch (no walking route from Shop to Table)."))
-            << testing::PrintToString(p.said);
+            return p.heard("no longer fits: To lunch (no walking route from Shop to Table).");
+        })) << testing::PrintToString(p.said);
     }
     // Taken over as it is: told no more, and it leads to where the table stands.
     write(two_rooms(36.0, 206.0));

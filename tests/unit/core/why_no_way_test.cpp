@@ -1,10 +1,8 @@
 // Who asks for the way to a room that nobody comes to hears why that is, and what would help.
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <thread>
-
 #include "tests/support/box_scene.h"
+#include "tests/support/child_process.h"
 #include "tests/unit/core/app_session.h"
 #include "worlds/check/faults.h"
 #include "worlds/navigation/rooms.h"
@@ -48,10 +46,10 @@ struct Asked : test::AppSession {
     }
     template <class Condition>
     void wait_for(const Condition& is) {
-        for (int i = 0; i < 3000 && !is(); ++i) {
+        EXPECT_TRUE(test::eventually([&] {
             run(1.0 / 60.0);
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        }
+            return is();
+        }));
     }
 };
 

@@ -7,12 +7,11 @@
 #include <unistd.h>
 
 #include <array>
-#include <chrono>
 #include <string>
-#include <thread>
 #include <utility>
 
 #include "haptic/drivers/guarded_device.h"
+#include "tests/support/child_process.h"
 
 namespace handrail::test {
 
@@ -46,16 +45,14 @@ struct GuardEnds {
     }
 };
 
-// Ticks it like a servo until it is so, at most 20 s.
+// Ticks it like a servo until it is so.
 template <class Condition>
 bool tick_until(GuardedDevice& device, Condition&& condition) {
-    using namespace std::chrono_literals;
-    for (int i = 0; i < 20000; ++i, std::this_thread::sleep_for(1ms)) {
+    return eventually([&] {
         const DeviceSample sample = device.read(0.0);
         device.write({{0.0, 2.0, 0.0}});
-        if (condition(sample)) return true;
-    }
-    return false;
+        return condition(sample);
+    });
 }
 
 }  // namespace handrail::test

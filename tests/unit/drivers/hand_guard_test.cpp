@@ -14,6 +14,7 @@
 #include "haptic/drivers/found_device.h"
 #include "haptic/drivers/guard_permissions.h"
 #include "haptic/drivers/haply_device.h"
+#include "tests/support/child_process.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/project_root.h"
 #include "tests/support/spoken_language.h"
@@ -37,7 +38,7 @@ struct Life {
     template <class Condition>
     bool wait(Condition&& condition) {
         std::unique_lock lock(mutex);
-        return changed.wait_for(lock, 20s, condition);
+        return changed.wait_for(lock, std::chrono::duration<double>(test::kPatience_s), condition);
     }
 };
 
@@ -112,7 +113,7 @@ TEST(HandGuard, says_what_goes_on_and_exchanges_each_force_for_a_sample) {
     guard.command({1.0, 2.0, 3.0});
     ASSERT_TRUE(
         guard.life.wait([&] { return !guard.life.forces.empty() && guard.life.forces.back() == Vec3(1.0, 2.0, 3.0); }));
-    for (int i = 0; i < 2000 && !guard.mailbox.answer.refresh(); ++i) std::this_thread::sleep_for(1ms);
+    EXPECT_TRUE(test::eventually([&] { return guard.mailbox.answer.refresh(); }));
     EXPECT_GT(guard.mailbox.answer.read().position_m.x, 0.0);
 }
 
@@ -154,25 +155,18 @@ TEST(HandGuard, looks_for_an_unplugged_device_until_it_is_back) {
     }
     guard.command({0.0, 2.0, 0.0});
     ASSERT_TRUE(guard.life.wait([&] { return guard.life.closed == 1; }));
-    bool told = false;
-    for (int i = 0; i < 2000 && !told; ++i) {
-        told = guard.mailbox.answer.refresh() && !guard.mailbox.answer.read().connected;
-        std::this_thread::sleep_for(1ms);
-    }
-    EXPECT_TRUE(told);
+    EXPECT_TRUE(
+        test::eventually([&] { return guard.mailbox.answer.refresh() && !guard.mailbox.answer.read().connected; }));
     {
         const std::lock_guard lock(guard.life.mutex);
         guard.life.connected = true;
         guard.life.refuse = false;
     }
     ASSERT_TRUE(guard.life.wait([&] { return guard.life.opened == 2; }));
-    bool back = false;
-    for (int i = 0; i < 5000 && !back; ++i) {
+    EXPECT_TRUE(test::eventually([&] {
         guard.command(Vec3(0.0));
-        back = guard.mailbox.answer.refresh() && guard.mailbox.answer.read().connected;
-        std::this_thread::sleep_for(1ms);
-    }
-    EXPECT_TRUE(back);
+        return guard.mailbox.answer.refresh() && guard.mailbox.answer.read().connected;
+    }));
 }
 
 TEST(HandGuard, notices_a_driver_that_does_not_come_back) {
@@ -183,8 +177,7 @@ TEST(HandGuard, notices_a_driver_that_does_not_come_back) {
     }
     guard.start();
     guard.command({0.0, 2.0, 0.0});
-    for (int i = 0; i < 5000 && !guard.stuck; ++i) std::this_thread::sleep_for(1ms);
-    EXPECT_TRUE(guard.stuck);
+    EXPECT_TRUE(test::eventually([&] { return guard.stuck.load(); }));
     const std::lock_guard lock(guard.life.mutex);
     guard.life.blocked = false;
     guard.life.changed.notify_all();

@@ -1,4 +1,5 @@
 #include "haptic/drivers/relief_guard.h"
+#include "tests/support/child_process.h"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -21,6 +22,7 @@ namespace handrail {
 namespace relief_guard_test {
 
 using namespace std::chrono_literals;
+using test::eventually;
 using test::tick_until;
 
 // A second guard on a thread of its own, with the program and the first guard in the test's hands.
@@ -59,8 +61,7 @@ struct Reliever : test::GuardEnds {
         test::signal_event(guard);
     }
     bool comes_to(ReliefState wanted) const {
-        for (int i = 0; i < 20000 && mailbox.relief != wanted; ++i) std::this_thread::sleep_for(1ms);
-        return mailbox.relief == wanted;
+        return eventually([&] { return mailbox.relief == wanted; });
     }
 };
 
@@ -119,8 +120,7 @@ TEST(ReliefGuard, beats_while_it_looks_and_while_a_driver_takes_its_time_over_th
     Reliever relief;
     const auto beats_on = [&] {
         const std::uint32_t before = relief.mailbox.relief_beats;
-        for (int i = 0; i < 20000 && relief.mailbox.relief_beats < before + 3; ++i) std::this_thread::sleep_for(1ms);
-        return relief.mailbox.relief_beats >= before + 3;
+        return eventually([&] { return relief.mailbox.relief_beats >= before + 3; });
     };
     EXPECT_TRUE(beats_on());
     relief.slow = true;
@@ -170,9 +170,10 @@ TEST(GuardedDevice, gets_a_new_second_guard_for_one_that_died) {
     ASSERT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh; }));
     const pid_t first = device.relief_process();
     ::kill(first, SIGKILL);
-    for (int i = 0; i < 5000 && device.relief_process() == first; ++i, std::this_thread::sleep_for(1ms))
+    ASSERT_TRUE(eventually([&] {
         device.take_news();
-    ASSERT_NE(device.relief_process(), first);
+        return device.relief_process() != first;
+    }));
     ::kill(device.guard_process(), SIGKILL);
     EXPECT_TRUE(tick_until(
         device, [](const DeviceSample& sample) { return !sample.connected && sample.loss == DeviceLoss::ForceOff; }));
@@ -180,8 +181,7 @@ TEST(GuardedDevice, gets_a_new_second_guard_for_one_that_died) {
 
 // `device` never has its news taken: whatever the app is busy with, the guards are watched.
 bool gets_another_second_guard(const GuardedDevice& device, pid_t than) {
-    for (int i = 0; i < 20000 && device.relief_process() == than; ++i) std::this_thread::sleep_for(1ms);
-    return device.relief_process() != than;
+    return eventually([&] { return device.relief_process() != than; });
 }
 
 TEST(GuardedDevice, gets_a_new_second_guard_for_one_that_stands_still) {
@@ -234,9 +234,7 @@ TEST(GuardedDevice, says_that_it_may_push_when_no_second_guard_can_be_had_any_mo
             return sentence.find("switch the Falcon off") != std::string::npos;
         });
     };
-    bool warned = false;
-    for (int i = 0; i < 20000 && !(warned = warns()); ++i) std::this_thread::sleep_for(1ms);
-    EXPECT_TRUE(warned);
+    EXPECT_TRUE(eventually(warns));
 }
 
 TEST(GuardProcess, refuses_a_mailbox_that_could_be_cut_off_below_it) {

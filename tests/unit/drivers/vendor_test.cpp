@@ -6,6 +6,7 @@
 
 #include "haptic/drivers/dhd_device.h"
 #include "haptic/drivers/hd_device.h"
+#include "tests/support/child_process.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/project_root.h"
 #include "tests/support/world_axes.h"
@@ -15,6 +16,7 @@ namespace handrail {
 namespace vendor_test {
 
 using namespace std::chrono_literals;
+using test::eventually;
 
 constexpr double kStiffness = 1000.0, kPush = 2.0;
 
@@ -117,16 +119,17 @@ TEST(VendorDevices, hand_right_forward_up_is_east_north_up_and_a_force_east_push
         ASSERT_TRUE(device);
         const Vec3 theirs = hd_axes[static_cast<std::size_t>(axis)];
         hd.place(10.0 * theirs.x, 10.0 * theirs.y, 10.0 * theirs.z);
-        std::this_thread::sleep_for(10ms);
-        const DeviceSample seen = (*device)->read(0.0);
-        EXPECT_LT(glm::length(seen.position_m - 0.01 * expected), 1e-9) << axis;
+        DeviceSample seen;
+        EXPECT_TRUE(eventually([&] {
+            seen = (*device)->read(0.0);
+            return glm::length(seen.position_m - 0.01 * expected) < 1e-9;
+        })) << axis;
         EXPECT_LT(glm::length(seen.gimbal_rad - Vec3(0.1, 0.2, 0.3)), 1e-12) << "as the library tells them";
         const test::ThroughWorld through = test::through_world((*device)->spec(), seen.position_m, axis);
         test::expect_east_north_up(through, axis, 0.01, 1e-9);
         (*device)->write(through.command);
         const Vec3 pushed = theirs * through.command.force_n[axis];
-        for (int i = 0; i < 2000 && glm::length(hd.told().force - pushed) > 1e-9; ++i) std::this_thread::sleep_for(1ms);
-        EXPECT_LT(glm::length(hd.told().force - pushed), 1e-9) << axis;
+        EXPECT_TRUE(eventually([&] { return glm::length(hd.told().force - pushed) < 1e-9; })) << axis;
     }
 }
 
@@ -184,7 +187,7 @@ TEST(HdDevice, wall_rests_at_the_exact_static_answer_while_the_library_calls_fro
     hd.push(0.0, 0.0, -kPush);  // away from the person
     double y = 0.0;
     int answers = 0;
-    for (const auto end = std::chrono::steady_clock::now() + 20s;
+    for (const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(test::kPatience_s);
          std::chrono::steady_clock::now() < end && !(answers > 1000 && std::abs(y - 0.012) < 1e-5);
          std::this_thread::sleep_for(200us)) {
         const DeviceSample sample = (*device)->read(0.0);
@@ -213,13 +216,10 @@ TEST(HdDevice, gives_no_force_before_it_is_calibrated_nor_at_places_that_are_no_
     EXPECT_EQ(hd.told().force, Vec3(0.0));
     EXPECT_EQ(hd.told().uncalibrated_with_force, 0);
     hd.call<void(unsigned)>("standin_calibration")(0x5001);  // asks for an update, which the driver does
-    for (int i = 0; i < 2000 && !(*device)->read(0.0).homed; ++i) std::this_thread::sleep_for(1ms);
-    EXPECT_TRUE((*device)->read(0.0).homed);
-    for (int i = 0; i < 2000 && hd.told().force == Vec3(0.0); ++i) std::this_thread::sleep_for(1ms);
-    EXPECT_NE(hd.told().force, Vec3(0.0));
+    EXPECT_TRUE(eventually([&] { return (*device)->read(0.0).homed; }));
+    EXPECT_TRUE(eventually([&] { return hd.told().force != Vec3(0.0); }));
     hd.nan(true);
-    std::this_thread::sleep_for(20ms);
-    EXPECT_EQ(hd.told().force, Vec3(0.0));
+    EXPECT_TRUE(eventually([&] { return hd.told().force == Vec3(0.0); }));
 }
 
 TEST(HdDevice, a_force_error_of_the_library_ends_the_device_and_heat_is_told_apart) {
@@ -229,16 +229,11 @@ TEST(HdDevice, a_force_error_of_the_library_ends_the_device_and_heat_is_told_apa
         ASSERT_TRUE(device);
         (*device)->write({{0.0, 1.0, 0.0}});
         hd.call<void(unsigned)>("standin_error")(code);
-        DeviceSample sample = (*device)->read(0.0);
-        for (int i = 0; i < 2000 && sample.connected; ++i) {
-            std::this_thread::sleep_for(1ms);
-            sample = (*device)->read(0.0);
-        }
-        EXPECT_FALSE(sample.connected);
+        DeviceSample sample;
+        EXPECT_TRUE(eventually([&] { return !(sample = (*device)->read(0.0)).connected; }));
         EXPECT_EQ(sample.hot, code == 0x0200U);
         EXPECT_EQ(sample.failed, code != 0x0200U);
-        std::this_thread::sleep_for(20ms);
-        EXPECT_EQ(hd.told().force, Vec3(0.0));
+        EXPECT_TRUE(eventually([&] { return hd.told().force == Vec3(0.0); }));
     }
 }
 

@@ -1,3 +1,4 @@
+#include "tests/support/child_process.h"
 #include "worlds/readers/reader.h"
 
 #include <fmt/format.h>
@@ -73,7 +74,7 @@ TEST(ReadWorld, can_be_stopped_while_a_face_is_cut) {
     while (!begun) std::this_thread::yield();
     EXPECT_EQ(reading.wait_for(std::chrono::milliseconds(200)), std::future_status::timeout) << "it is long";
     stop.request_stop();
-    ASSERT_EQ(reading.wait_for(std::chrono::seconds(20)), std::future_status::ready);
+    ASSERT_EQ(reading.wait_for(std::chrono::duration<double>(test::kPatience_s)), std::future_status::ready);
     EXPECT_THAT(reading.get().error().sentence(), HasSubstr("was cancelled"));
 }
 

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "audio-cues/sinks/openal_sink.h"
+#include "tests/support/child_process.h"
 
 namespace handrail {
 namespace espeak_speech_test {
@@ -18,20 +19,16 @@ struct Listening {
     double length_s() const { return rate_hz > 0 ? static_cast<double>(samples.size()) / rate_hz : 0.0; }
 };
 
-// Waits for the real synthesis thread; 10 s is only the end of patience, never the expected time.
+// Waits for the real synthesis thread.
 Listening listen_to_the_end(VoiceChannel& channel) {
     Listening heard;
-    for (int i = 0; i < 10'000; ++i) {
+    EXPECT_TRUE(test::eventually([&] {
         VoiceChannel::Update update = channel.take();
         heard.samples.insert(heard.samples.end(), update.samples.begin(), update.samples.end());
         heard.rate_hz = update.rate_hz;
-        if (update.ended) {
-            channel.finished(update.ticket);
-            return heard;
-        }
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    ADD_FAILURE() << "the voice did not come to an end";
+        if (update.ended) channel.finished(update.ticket);
+        return update.ended;
+    })) << "the voice did not come to an end";
     return heard;
 }
 

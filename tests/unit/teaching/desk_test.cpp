@@ -1,5 +1,6 @@
 // The instructor's desk: a socket for one person, orders to the lesson, and lines about it.
 #include "app/teaching/desk.h"
+#include "tests/support/child_process.h"
 
 #include <gtest/gtest.h>
 #include <sys/socket.h>
@@ -8,7 +9,6 @@
 #include <unistd.h>
 
 #include <array>
-#include <chrono>
 #include <cstring>
 #include <latch>
 #include <sstream>
@@ -37,10 +37,10 @@ TEST(Desk, carries_orders_in_and_lines_out_and_ends_with_the_session) {
     const std::string order = "lead Library\nnote held the rail\n";
     ASSERT_EQ(::write(typed[1], order.data(), order.size()), static_cast<ssize_t>(order.size()));
     std::vector<std::string> orders;
-    for (int i = 0; i < 500 && orders.size() < 2; ++i) {
+    test::eventually([&] {
         for (std::string& one : (*desk)->take_orders()) orders.push_back(std::move(one));
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
+        return orders.size() >= 2;
+    });
     (*desk)->tell("Done.");
     desk->reset();
     watching.join();

@@ -8,6 +8,7 @@
 #include <future>
 
 #include "app/core/dialogue/terminal_line.h"
+#include "tests/support/child_process.h"
 
 namespace handrail {
 namespace terminal_test {
@@ -159,7 +160,8 @@ TEST(LineWatch, of_a_flood_that_is_typed_loses_what_it_cannot_hold_and_still_see
             done += static_cast<std::size_t>(::write(ends[1], flood.data() + done, flood.size() - done));
         bool emptied = false;
         ASSERT_EQ(::write(ends[1], "stop\n", 5), 5);
-        EXPECT_EQ(seen.get_future().wait_for(std::chrono::seconds(20)), std::future_status::ready);
+        EXPECT_EQ(seen.get_future().wait_for(std::chrono::duration<double>(test::kPatience_s)),
+                  std::future_status::ready);
         EXPECT_TRUE(watch.take(emptied).empty());
         EXPECT_TRUE(emptied);
         ::close(ends[1]);

@@ -61,7 +61,7 @@ TEST(TerminalKeys, one_that_must_not_wait_is_seen_at_once_behind_a_flood_and_emp
     for (std::size_t done = 0; done < flood.size();)
         done += static_cast<std::size_t>(::write(board.ends[1], flood.data() + done, flood.size() - done));
     board.type("\x1b[24~");
-    ASSERT_EQ(seen.get_future().wait_for(std::chrono::seconds(20)), std::future_status::ready);
+    ASSERT_EQ(seen.get_future().wait_for(std::chrono::duration<double>(test::kPatience_s)), std::future_status::ready);
     bool emptied = false;
     EXPECT_THAT(keys.take(emptied), testing::IsEmpty());
     EXPECT_TRUE(emptied);

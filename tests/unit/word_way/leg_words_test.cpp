@@ -1,9 +1,8 @@
 // A leg as a sentence: what to do first, then how far, then to what; each turn in words of its own, both languages.
 #include "app/core/wayfinding/leg_words.h"
+#include "tests/support/child_process.h"
 
-#include <chrono>
 #include <set>
-#include <thread>
 
 #include "tests/support/spoken_language.h"
 #include "tests/unit/core/app_session.h"
@@ -83,13 +82,11 @@ TEST(LegWords, have_other_words_for_each_of_the_sixteen_turns) {
 TEST(LegWords, come_when_the_way_is_planned_while_everything_goes_on) {
     test::AppSession person({}, {}, SessionOptions{.executor = on_threads()});
     person.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, person.now);
-    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(120);
     const auto wait_for = [&](const std::function<bool()>& there) {
-        while (!there() && std::chrono::steady_clock::now() < until) {
+        return test::eventually([&] {
             person.run(0.05);
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        }
-        return there();
+            return there();
+        });
     };
     ASSERT_TRUE(wait_for([&] { return !person.ask(Command::Exits).starts_with("The rooms of this world are still"); }));
     person.ask(Command::Routes);
