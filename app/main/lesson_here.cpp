@@ -13,7 +13,6 @@
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
-#include "worlds/readers/reader.h"
 
 namespace handrail {
 namespace {
@@ -72,7 +71,7 @@ Result<fs::path> lesson_given(const fs::path& word) {
 Result<std::shared_ptr<TaughtWorld>> read_taught_world(const fs::path& file) {
     auto lesson = read_lesson(file, {world_folder()}, toml_beside_worlds());
     if (!lesson) return tl::unexpected(lesson.error());
-    auto scene = read_world(lesson->world);
+    auto scene = imported_scene({.file = lesson->world});
     if (!scene) return tl::unexpected(scene.error());
     const std::string checksum =
         lesson->world_checksum.empty() ? std::string() : SideFile::checksum_of_world(lesson->world);

@@ -10,10 +10,10 @@
 #include "app/core/dialogue/command_words.h"
 #include "app/core/kept/side_file.h"
 #include "app/core/kept/spoken_language.h"
-#include "app/core/scenario/read_request.h"
 #include "app/learners/way_out.h"
 #include "app/main/commands.h"
 #include "app/main/end_signals.h"
+#include "app/main/world_files.h"
 #include "app/record/compute_again.h"
 #include "app/record/hearing.h"
 #include "app/record/scenario_of.h"
@@ -185,7 +185,7 @@ int check(const Recording& recording, std::ostream& out, std::ostream& err, cons
         return 1;
     }
     progress.at(phrase("progress.again"));
-    const auto again = compute_again(recording);
+    const auto again = compute_again(recording, imported_scene);
     progress.done();
     if (!again) {
         err << again.error().sentence() << '\n';
@@ -202,12 +202,6 @@ int check(const Recording& recording, std::ostream& out, std::ostream& err, cons
     }
     out << phrase("replay.same", {{"count", again->said.size()}}) << '\n';
     return 0;
-}
-
-Result<std::shared_ptr<const Scene>> shared_world(const WorldRequest& world) {
-    auto scene = read_world(world.file, read_options(world));
-    if (!scene) return tl::unexpected(scene.error());
-    return std::make_shared<const Scene>(std::move(*scene));
 }
 
 }  // namespace
@@ -245,7 +239,7 @@ int run_replay(const ReplayArguments& arguments, const Settings& settings, std::
     if (arguments.scenario) {
         auto scenario = scenario_of(*recording, folder.filename().string());
         progress.at(phrase("progress.scenario", {{"title", folder.filename().string()}}));
-        if (scenario) scenario = as_it_runs(std::move(*scenario), shared_world);
+        if (scenario) scenario = as_it_runs(std::move(*scenario), imported_scene);
         progress.done();
         if (!scenario) return refuse(scenario.error());
         for (const std::string& sentence : scenario->left_out) out << sentence << '\n';

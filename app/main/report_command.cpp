@@ -9,6 +9,7 @@
 #include "app/learners/way_out.h"
 #include "app/main/commands.h"
 #include "app/main/session_report.h"
+#include "app/main/world_files.h"
 #include "app/record/compute_again.h"
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
@@ -24,7 +25,7 @@ public:
     Result<std::shared_ptr<const Scene>> read(const RecordedWorld& world) {
         if (scene_ && is_same(world)) return scene_;
         scene_.reset();
-        auto scene = read_recorded_scene(world);
+        auto scene = read_recorded_scene(world, imported_scene);
         if (!scene) return scene;
         world_ = world;
         return scene_ = *scene;

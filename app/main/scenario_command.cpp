@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "app/core/kept/side_file.h"
-#include "app/core/scenario/read_request.h"
 #include "app/core/scenario/scenario_run.h"
 #include "app/core/session/headless_session.h"
 #include "app/learners/way_out.h"
@@ -72,7 +71,7 @@ Outcome run_one(const Scenario& scenario, const WayOut& way_out, const ScenarioA
     if (!request.unit_m) request.unit_m = common.unit_m;
     if (!request.map_scale_m_per_unit) request.map_scale_m_per_unit = common.map_scale_m_per_unit;
     if (request.building.empty()) request.building = common.building;
-    auto scene = read_world(request.file, read_options(request));
+    auto scene = imported_scene(request);
     if (!scene) {
         outcome.failures.push_back(scene.error().sentence());
         return outcome;
@@ -80,7 +79,7 @@ Outcome run_one(const Scenario& scenario, const WayOut& way_out, const ScenarioA
     const auto shared = std::make_shared<const Scene>(std::move(*scene));
     RecordingAudio audio;
     RecordingSpeech speech;
-    auto log = run_scenario(scenario, shared, audio, speech);
+    auto log = run_scenario(scenario, shared, audio, speech, imported_scene);
     if (!log) {
         outcome.failures.push_back(log.error().sentence());
         return outcome;

@@ -88,6 +88,12 @@ Result<ImportedWorld> imported(const fs::path& world, const ReadOptions& options
     return import_world(world, options, how);
 }
 
+Result<Scene> imported_scene(const WorldRequest& request) {
+    auto world = imported(request.file, read_options(request));
+    if (!world) return tl::unexpected(std::move(world.error()));
+    return std::move(world->scene);
+}
+
 const TomlReader& toml_beside_worlds() {
     static const TomlReader reader = [] {
         const fs::path program = find_reader_program();

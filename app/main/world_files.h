@@ -33,6 +33,8 @@ std::vector<std::string> world_names();
 Result<std::filesystem::path> world_given(const std::filesystem::path& word);
 // As import_world, with the person's cache. Any thread but the app's.
 Result<ImportedWorld> imported(const std::filesystem::path& world, const ReadOptions& options);
+// The same for scenarios, recordings and lessons (WorldReader in app/core/scenario/read_request.h).
+Result<Scene> imported_scene(const WorldRequest& request);
 // Reads the TOML files that are next to a world, which somebody else may have written: by TomlApart, or in this process
 // without handrail-reader. Any thread.
 const TomlReader& toml_beside_worlds();

@@ -8,15 +8,14 @@
 
 #include "app/core/kept/made_doors.h"
 #include "app/core/kept/side_file.h"
-#include "app/core/scenario/read_request.h"
 #include "app/core/session/session_driver.h"
+#include "app/core/world/entering.h"
 #include "app/record/json_fields.h"
 #include "app/record/played_ears.h"
 #include "app/record/played_hand.h"
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
 #include "worlds/base/typist.h"
-#include "worlds/readers/reader.h"
 
 namespace handrail {
 namespace {
@@ -75,7 +74,7 @@ std::set<std::uint64_t> numbers_that_came(const Recording& recording) {
 
 class Player {
 public:
-    Player(const Recording& recording, const std::function<Result<EnteringWorld>(const RecordedWorld&)>& read)
+    Player(const Recording& recording, const WorldReader& read)
         : recording_(recording),
           read_(read),
           arrivals_(numbers_that_came(recording)),
@@ -120,6 +119,12 @@ public:
     }
 
 private:
+    Result<EnteringWorld> ready_world(const RecordedWorld& world) const {
+        const auto scene = read_recorded_scene(world, read_);
+        if (!scene) return tl::unexpected(scene.error());
+        return make_ready_to_touch(*scene);
+    }
+
     SessionOptions options() {
         const bool threads = !recording_.head.virtual_time;
         SessionOptions options{.executor = threads ? on_threads() : at_once(),
@@ -181,7 +186,7 @@ private:
         auto input = read_input_line(line.json);
         if (!input) return fail(input.error().message, "events.jsonl", line.line);
         if (auto* entered = std::get_if<WorldEntered>(&input->input)) {
-            auto world = read_(input->world);
+            auto world = ready_world(input->world);
             if (!world) return tl::unexpected(world.error());
             if (world->moves_freely && !bodies_.recorded()) again_.remarks.push_back(phrase("replay.free_bodies"));
             entered->world = std::move(*world);
@@ -229,7 +234,7 @@ private:
 
     const ActsBy spoken_to_ = spoken_to();
     const Recording& recording_;
-    const std::function<Result<EnteringWorld>(const RecordedWorld&)>& read_;
+    const WorldReader& read_;
     Aside aside_;
     Arrivals arrivals_;
     PlayedBodies bodies_;
@@ -247,23 +252,15 @@ private:
 
 }  // namespace
 
-Result<std::shared_ptr<const Scene>> read_recorded_scene(const RecordedWorld& world) {
-    const std::string name = world.request.file.string();
-    auto scene = read_world(world.request.file, read_options(world.request));
+Result<std::shared_ptr<const Scene>> read_recorded_scene(const RecordedWorld& world, const WorldReader& read) {
+    auto scene = read(world.request);
     if (!scene) return tl::unexpected(scene.error());
     if (!world.checksum.empty() && SideFile::checksum_of_world(world.request.file) != world.checksum)
-        return fail(phrase("replay.other_world"), name);
+        return fail(phrase("replay.other_world"), world.request.file.string());
     return std::make_shared<const Scene>(with_made_doors(std::move(*scene), made_doors_in(world.additions)));
 }
 
-Result<EnteringWorld> read_recorded_world(const RecordedWorld& world) {
-    const auto scene = read_recorded_scene(world);
-    if (!scene) return tl::unexpected(scene.error());
-    return make_ready_to_touch(*scene);
-}
-
-Result<ComputedAgain> compute_again(const Recording& recording,
-                                    const std::function<Result<EnteringWorld>(const RecordedWorld&)>& read) {
+Result<ComputedAgain> compute_again(const Recording& recording, const WorldReader& read) {
     if (recording.head.language != spoken_language())
         return fail(phrase("replay.other_language", {{"language", recording.head.language}}));
     return Player(recording, read).play();

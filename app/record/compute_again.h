@@ -3,11 +3,12 @@
 // and how a report of a fault is looked into. One thread, in no time of its own.
 #pragma once
 
-#include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "app/core/world/entering.h"
+#include "app/core/scenario/read_request.h"
 #include "app/record/input_text.h"
 #include "app/record/recording.h"
 #include "worlds/base/result.h"
@@ -16,9 +17,7 @@ namespace handrail {
 
 // Reads a world that a recording names, as its file has it. Fails with a sentence, also where the file is another one
 // by now.
-Result<std::shared_ptr<const Scene>> read_recorded_scene(const RecordedWorld& world);
-// The same, ready to be entered.
-Result<EnteringWorld> read_recorded_world(const RecordedWorld& world);
+Result<std::shared_ptr<const Scene>> read_recorded_scene(const RecordedWorld& world, const WorldReader& read);
 
 struct ComputedAgain {
     std::vector<SaidLine> said;
@@ -32,9 +31,7 @@ struct ComputedAgain {
 
 // Fails with a sentence where a world cannot be read or a line makes no sense. The words of the language that is spoken
 // now are compared with those of the recording, so that has to be the same.
-Result<ComputedAgain> compute_again(
-    const Recording& recording,
-    const std::function<Result<EnteringWorld>(const RecordedWorld&)>& read = read_recorded_world);
+Result<ComputedAgain> compute_again(const Recording& recording, const WorldReader& read);
 
 // The first line that is not as it was; of two recordings of one session none is.
 struct LineDifference {

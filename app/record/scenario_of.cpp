@@ -245,16 +245,17 @@ std::vector<std::string> said_by_both(const std::vector<std::string>& a, const s
     return both;
 }
 
-Result<ScenarioText> as_it_runs(ScenarioText scenario, const Scenes& read) {
+Result<ScenarioText> as_it_runs(ScenarioText scenario, const WorldReader& read) {
     const std::filesystem::path file = "recording.toml";
     const auto parsed = read_scenario_text(with_expectations(scenario), file, {});
     if (!parsed) return tl::unexpected(parsed.error());
-    const auto scene = read(parsed->world);
+    auto scene = read(parsed->world);
     if (!scene) return tl::unexpected(scene.error());
     RecordingAudio audio;
     RecordingSpeech speech;
     std::vector<int> undone;
-    const auto log = run_scenario(*parsed, *scene, audio, speech, {}, &undone);
+    const auto log =
+        run_scenario(*parsed, std::make_shared<const Scene>(std::move(*scene)), audio, speech, read, {}, &undone);
     if (!log) return tl::unexpected(log.error());
     if (!undone.empty()) {
         scenario.toml = without_actions(scenario.toml, undone);

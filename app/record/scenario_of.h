@@ -2,16 +2,12 @@
 // What a scenario cannot do (two worlds, plugging in, a set-up, a lesson) is left out and told. Any thread.
 #pragma once
 
-#include <filesystem>
-#include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "app/core/kept/world_request.h"
+#include "app/core/scenario/read_request.h"
 #include "app/record/recording.h"
 #include "worlds/base/result.h"
-#include "worlds/scene/scene.h"
 
 namespace handrail {
 
@@ -27,8 +23,7 @@ Result<ScenarioText> scenario_of(const Recording& recording, const std::string& 
 // come otherwise, because the program has changed since, or something was left out, or came later in the session than
 // in a scenario, where rooms and ways are known at once. How many these are is told in left_out. Fails with a sentence
 // where the world cannot be read or no answer comes as it was recorded. Takes about as long as the scenario does.
-using Scenes = std::function<Result<std::shared_ptr<const Scene>>(const WorldRequest& world)>;
-Result<ScenarioText> as_it_runs(ScenarioText scenario, const Scenes& read);
+Result<ScenarioText> as_it_runs(ScenarioText scenario, const WorldReader& read);
 
 // The text of the file. Of many answers the first are expected.
 std::string with_expectations(const ScenarioText& scenario);

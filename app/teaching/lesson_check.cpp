@@ -56,7 +56,7 @@ TeachingRun begin_lesson(const std::shared_ptr<TaughtWorld>& world, std::size_t 
 }
 
 Result<PupilOutcome> run_pupil(const std::shared_ptr<TaughtWorld>& world, const LessonPupil& pupil, AudioSink& audio,
-                               SpeechSink& speech) {
+                               SpeechSink& speech, const WorldReader& read) {
     const LessonFile& lesson = world->lesson();
     const auto found = std::find_if(lesson.sessions.begin(), lesson.sessions.end(),
                                     [&](const TaughtSession& one) { return one.name == pupil.session; });
@@ -73,7 +73,7 @@ Result<PupilOutcome> run_pupil(const std::shared_ptr<TaughtWorld>& world, const 
     scenario.expectations = pupil.expectations;
     std::optional<TeachingRun> run;
     int ms = 0;
-    auto log = run_scenario(scenario, world->scene(), audio, speech, [&](HeadlessSession& headless) {
+    auto log = run_scenario(scenario, world->scene(), audio, speech, read, [&](HeadlessSession& headless) {
         if (ms++ % kTurn_ms != 0) return;
         if (!run) run.emplace(begin_lesson(world, session, {}, headless.app()));
         teach_on(*run, headless.app(), headless.app().take_events(), headless.now_s());

@@ -28,9 +28,9 @@ struct PupilOutcome {
     std::vector<LoggedLine> lines;
     double seconds = 0.0;  // of virtual time
 };
-// Fails only where the script asks for something impossible.
+// Fails only where the script asks for something impossible. read: as of run_scenario.
 Result<PupilOutcome> run_pupil(const std::shared_ptr<TaughtWorld>& world, const LessonPupil& pupil, AudioSink& audio,
-                               SpeechSink& speech);
+                               SpeechSink& speech, const WorldReader& read);
 
 // The protocol of a lesson for a learner, as it is written down before: sessions, steps in their order, help of each
 // lap, what is blocked.

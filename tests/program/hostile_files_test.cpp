@@ -124,6 +124,20 @@ TEST(HostileFiles, toml_beside_a_world_ends_its_reader_and_not_the_program) {
     for (const std::string& name : names) EXPECT_EQ(content_of(folder.path() / name), deadly_toml()) << name;
 }
 
+// With a reader that reads nothing, only a world that was read without it could be played.
+TEST(HostileFiles, worlds_of_scenarios_are_read_in_the_process_for_reading) {
+    const TemporaryFolder folder;
+    fs::create_directories(folder.path() / "bin");
+    fs::copy_file(test::built_program("handrail"), folder.path() / "bin" / "handrail");
+    fs::permissions(folder.write("bin/handrail-reader", "#!/bin/sh\nexit 1\n"), fs::perms::owner_all);
+    ProgramCall call;
+    call.program = (folder.path() / "bin" / "handrail").string();
+    call.arguments = {"scenario", (test::project_root() / "tests/scenarios/first_contact.toml").string()};
+    const ProgramRun played = run_program(call);
+    EXPECT_EQ(played.exit_status, 1) << played.out;
+    EXPECT_THAT(played.out + played.err, HasSubstr("Reading this file failed"));
+}
+
 TEST(HostileFiles, loading_is_left_as_soon_as_a_signal_asks_for_it) {
     const TemporaryFolder folder;
     const fs::path world = folder.write("endless.obj", endless_obj());

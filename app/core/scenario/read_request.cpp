@@ -11,4 +11,6 @@ ReadOptions read_options(const WorldRequest& request) {
     return options;
 }
 
+Result<Scene> read_requested(const WorldRequest& request) { return read_world(request.file, read_options(request)); }
+
 }  // namespace handrail

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/scenario/read_request.h"
 #include "app/core/session/headless_session.h"
 #include "haptic/servo/workspace_map.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
-#include "worlds/readers/reader.h"
 #include "worlds/scene/models.h"
 
 namespace handrail {
@@ -26,8 +24,9 @@ struct Running {
 
 class Player {
 public:
-    Player(const Scenario& scenario, HeadlessSession& session, SettingsStore& settings, std::vector<int>* undone)
-        : scenario_(scenario), session_(session), settings_(settings), undone_(undone) {
+    Player(const Scenario& scenario, HeadlessSession& session, SettingsStore& settings, const WorldReader& read,
+           std::vector<int>* undone)
+        : scenario_(scenario), session_(session), settings_(settings), read_(read), undone_(undone) {
         for (const ScenarioAction& action : scenario.actions) runs_.push_back({&action, 0.0, 0.0, false, false});
     }
 
@@ -208,7 +207,7 @@ private:
     Result<std::shared_ptr<const Scene>> read_model(const std::filesystem::path& file) {
         auto& known = models_[file.string()];
         if (known) return known;
-        auto scene = read_world(file);
+        auto scene = read_({.file = file});
         if (!scene) return tl::unexpected(scene.error());
         return known = std::make_shared<const Scene>(std::move(*scene));
     }
@@ -233,6 +232,7 @@ private:
     const Scenario& scenario_;
     HeadlessSession& session_;
     SettingsStore& settings_;
+    const WorldReader& read_;
     std::vector<int>* undone_;
     // Of the only or right hand, and of the left one.
     std::array<std::uint32_t, 2> buttons_{};
@@ -274,8 +274,8 @@ LoggedTick logged(HeadlessSession& session, std::size_t hand) {
 }  // namespace
 
 Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<const Scene>& scene, AudioSink& audio,
-                                SpeechSink& speech, const std::function<void(HeadlessSession&)>& each_ms,
-                                std::vector<int>* undone) {
+                                SpeechSink& speech, const WorldReader& read,
+                                const std::function<void(HeadlessSession&)>& each_ms, std::vector<int>* undone) {
     const std::string file = scenario.file.filename().string();
     SettingsStore settings;
     if (const auto faults = settings.load_file(settings_beside(scenario.world.file), SettingSource::World);
@@ -308,13 +308,13 @@ Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<
     else session.app().apply(WorldEntered{make_ready(scene)}, 0.0);
 
     SessionLog log;
-    Player player(scenario, session, settings, undone);
+    Player player(scenario, session, settings, read, undone);
     double last_action_s = 0.0;
     session.app().apply(WorldsKnown{{scenario.world.file.parent_path(), {}}}, 0.0);
     while (session.now_s() < kLongestRun_s) {
         // In virtual time a world is read in no time; one that cannot be read is said and the old one stays.
         if (const auto wanted = session.app().requests().take_world()) {
-            if (auto other = read_world(wanted->file, read_options(*wanted))) {
+            if (auto other = read(*wanted)) {
                 settings.load_file(settings_beside(wanted->file), SettingSource::World);
                 session.change_settings(settings.values());
                 session.app().apply(WorldEntered{make_ready(std::make_shared<const Scene>(std::move(*other)))},

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "app/core/scenario/read_request.h"
 #include "app/core/scenario/scenario.h"
 #include "app/core/scenario/session_log.h"
 #include "audio-cues/plan/sinks.h"
@@ -14,10 +15,12 @@ namespace handrail {
 class HeadlessSession;
 
 // Runs a scenario in its world from start to end and keeps what happened. Fails only where the scenario itself asks for
-// something impossible: an unknown device or setting. each_ms: by whoever goes along, before each millisecond. undone:
-// takes the file lines of actions that could not be done, which are passed over; null: the first of them fails.
+// something impossible: an unknown device or setting. read: reads models, and further worlds that are entered. each_ms:
+// by whoever goes along, before each millisecond. undone: takes the file lines of actions that could not be done, which
+// are passed over; null: the first of them fails.
 Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<const Scene>& scene, AudioSink& audio,
-                                SpeechSink& speech, const std::function<void(HeadlessSession&)>& each_ms = {},
+                                SpeechSink& speech, const WorldReader& read,
+                                const std::function<void(HeadlessSession&)>& each_ms = {},
                                 std::vector<int>* undone = nullptr);
 
 }  // namespace handrail

@@ -128,7 +128,7 @@ TEST(RunScenario, gives_the_same_log_every_time) {
     for (int round = 0; round < 2; ++round) {
         Silent audio;
         Mute speech;
-        const auto log = run_scenario(s, b.share(), audio, speech);
+        const auto log = run_scenario(s, b.share(), audio, speech, read_requested);
         ASSERT_TRUE(log) << log.error().sentence();
         if (round == 0) {
             first = *log;

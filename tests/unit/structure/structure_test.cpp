@@ -281,6 +281,19 @@ TEST(Files, that_persons_name_are_read_in_one_place_only) {
     EXPECT_TRUE(std::regex_search(std::string("std::ifstream in(path);"), by_itself));
 }
 
+// Somebody else may have made a world, so the program parses it in a confined process, whichever command wants it.
+TEST(Files, of_worlds_are_read_by_the_confined_process_only) {
+    const std::regex in_this_process(R"(\b(read_world|read_world_bytes)\(|\bread_requested\b)");
+    for (const std::string& file : test::project_files()) {
+        if (!is_source(file) || !file.starts_with("app/") || file.starts_with("app/import/") ||
+            file.starts_with("app/core/scenario/read_request."))
+            continue;
+        EXPECT_FALSE(std::regex_search(test::content_of(kRoot / file), in_this_process))
+            << file << ": app/import or a WorldReader reads worlds";
+    }
+    EXPECT_TRUE(std::regex_search(std::string("auto scene = read_world(file);"), in_this_process));
+}
+
 // gtest's macros contain an if, so g++ warns of an ambiguous else unless there is one.
 TEST(Sources, brace_a_check_under_an_if_without_else) {
     const std::regex bare(R"(\n *if \([^\n]*\)\s+(EXPECT|ASSERT)_[^;]*;[^\n]*\n(?! *else\b))");
