@@ -21,7 +21,7 @@ int check_lesson(const std::shared_ptr<TaughtWorld>& world, const LongWork& prog
         RecordingAudio audio;
         RecordingSpeech speech;
         progress.at(phrase("progress.scenario", {{"title", pupil.name}}));
-        const auto outcome = run_pupil(world, pupil, audio, speech, imported_scene);
+        const auto outcome = run_pupil(world, pupil, audio, speech, {imported_scene, toml_beside_worlds()});
         progress.done();
         std::vector<std::string> failures =
             outcome ? outcome->failures : std::vector<std::string>{outcome.error().sentence()};

@@ -185,7 +185,7 @@ int check(const Recording& recording, std::ostream& out, std::ostream& err, cons
         return 1;
     }
     progress.at(phrase("progress.again"));
-    const auto again = compute_again(recording, imported_scene);
+    const auto again = compute_again(recording, {imported_scene, toml_beside_worlds()});
     progress.done();
     if (!again) {
         err << again.error().sentence() << '\n';
@@ -239,7 +239,7 @@ int run_replay(const ReplayArguments& arguments, const Settings& settings, std::
     if (arguments.scenario) {
         auto scenario = scenario_of(*recording, folder.filename().string());
         progress.at(phrase("progress.scenario", {{"title", folder.filename().string()}}));
-        if (scenario) scenario = as_it_runs(std::move(*scenario), imported_scene);
+        if (scenario) scenario = as_it_runs(std::move(*scenario), {imported_scene, toml_beside_worlds()});
         progress.done();
         if (!scenario) return refuse(scenario.error());
         for (const std::string& sentence : scenario->left_out) out << sentence << '\n';

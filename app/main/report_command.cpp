@@ -25,7 +25,7 @@ public:
     Result<std::shared_ptr<const Scene>> read(const RecordedWorld& world) {
         if (scene_ && is_same(world)) return scene_;
         scene_.reset();
-        auto scene = read_recorded_scene(world, imported_scene);
+        auto scene = read_recorded_scene(world, {imported_scene, toml_beside_worlds()});
         if (!scene) return scene;
         world_ = world;
         return scene_ = *scene;

@@ -79,7 +79,7 @@ Outcome run_one(const Scenario& scenario, const WayOut& way_out, const ScenarioA
     const auto shared = std::make_shared<const Scene>(std::move(*scene));
     RecordingAudio audio;
     RecordingSpeech speech;
-    auto log = run_scenario(scenario, shared, audio, speech, imported_scene);
+    auto log = run_scenario(scenario, shared, audio, speech, {imported_scene, toml_beside_worlds()});
     if (!log) {
         outcome.failures.push_back(log.error().sentence());
         return outcome;

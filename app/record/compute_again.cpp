@@ -253,7 +253,7 @@ private:
 }  // namespace
 
 Result<std::shared_ptr<const Scene>> read_recorded_scene(const RecordedWorld& world, const WorldReader& read) {
-    auto scene = read(world.request);
+    auto scene = read.scene(world.request);
     if (!scene) return tl::unexpected(scene.error());
     if (!world.checksum.empty() && SideFile::checksum_of_world(world.request.file) != world.checksum)
         return fail(phrase("replay.other_world"), world.request.file.string());

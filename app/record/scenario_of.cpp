@@ -249,7 +249,7 @@ Result<ScenarioText> as_it_runs(ScenarioText scenario, const WorldReader& read) 
     const std::filesystem::path file = "recording.toml";
     const auto parsed = read_scenario_text(with_expectations(scenario), file, {});
     if (!parsed) return tl::unexpected(parsed.error());
-    auto scene = read(parsed->world);
+    auto scene = read.scene(parsed->world);
     if (!scene) return tl::unexpected(scene.error());
     RecordingAudio audio;
     RecordingSpeech speech;

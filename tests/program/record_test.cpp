@@ -111,7 +111,7 @@ TEST_P(RecordedUnderLoad, is_computed_again_to_the_same_lines_in_the_same_order)
     ASSERT_EQ(folders.size(), 1U);
     const auto read = read_recording(folders[0]);
     ASSERT_TRUE(read) << read.error().sentence();
-    const auto again = compute_again(*read, read_requested);
+    const auto again = compute_again(*read, {read_requested});
     ASSERT_TRUE(again) << again.error().sentence();
     for (const std::string& remark : again->remarks) ADD_FAILURE() << remark;
     const auto difference = first_difference(*read, *again);

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "app/core/kept/world_request.h"
+#include "settings/toml_value.h"
 #include "worlds/base/result.h"
 #include "worlds/readers/reader.h"
 #include "worlds/scene/scene.h"
@@ -13,9 +14,12 @@ namespace handrail {
 // Pure.
 ReadOptions read_options(const WorldRequest& request);
 
-// Reads the world of a request, and fails with a sentence. The program reads in its confined process
-// (imported_scene in app/main/world_files.h).
-using WorldReader = std::function<Result<Scene>(const WorldRequest&)>;
+// How a world and what lies next to it are read, each failing with a sentence. The program reads both in its confined
+// process (imported_scene and toml_beside_worlds in app/main/world_files.h).
+struct WorldReader {
+    std::function<Result<Scene>(const WorldRequest&)> scene;
+    TomlReader toml = toml_of;
+};
 // Reads in this process. For tests, which read their own worlds.
 Result<Scene> read_requested(const WorldRequest& request);
 

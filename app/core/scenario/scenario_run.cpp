@@ -207,7 +207,7 @@ private:
     Result<std::shared_ptr<const Scene>> read_model(const std::filesystem::path& file) {
         auto& known = models_[file.string()];
         if (known) return known;
-        auto scene = read_({.file = file});
+        auto scene = read_.scene({.file = file});
         if (!scene) return tl::unexpected(scene.error());
         return known = std::make_shared<const Scene>(std::move(*scene));
     }
@@ -278,7 +278,7 @@ Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<
                                 const std::function<void(HeadlessSession&)>& each_ms, std::vector<int>* undone) {
     const std::string file = scenario.file.filename().string();
     SettingsStore settings;
-    if (const auto faults = settings.load_file(settings_beside(scenario.world.file), SettingSource::World);
+    if (const auto faults = settings.load_file(settings_beside(scenario.world.file), SettingSource::World, read.toml);
         !faults.empty())
         return fail(faults.front().sentence(), file);
     for (const auto& [key, value] : scenario.settings)
@@ -314,8 +314,8 @@ Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<
     while (session.now_s() < kLongestRun_s) {
         // In virtual time a world is read in no time; one that cannot be read is said and the old one stays.
         if (const auto wanted = session.app().requests().take_world()) {
-            if (auto other = read(*wanted)) {
-                settings.load_file(settings_beside(wanted->file), SettingSource::World);
+            if (auto other = read.scene(*wanted)) {
+                settings.load_file(settings_beside(wanted->file), SettingSource::World, read.toml);
                 session.change_settings(settings.values());
                 session.app().apply(WorldEntered{make_ready(std::make_shared<const Scene>(std::move(*other)))},
                                     session.now_s());

@@ -128,7 +128,7 @@ TEST(RunScenario, gives_the_same_log_every_time) {
     for (int round = 0; round < 2; ++round) {
         Silent audio;
         Mute speech;
-        const auto log = run_scenario(s, b.share(), audio, speech, read_requested);
+        const auto log = run_scenario(s, b.share(), audio, speech, {read_requested});
         ASSERT_TRUE(log) << log.error().sentence();
         if (round == 0) {
             first = *log;
@@ -160,7 +160,7 @@ TEST(RunScenario, counts_the_settings_next_to_its_world) {
     const auto scale = [&] {
         RecordingAudio audio;
         RecordingSpeech speech;
-        const auto log = run_scenario(scenario, std::make_shared<const Scene>(*scene), audio, speech);
+        const auto log = run_scenario(scenario, std::make_shared<const Scene>(*scene), audio, speech, {read_requested});
         return log ? std::to_string(log->ticks.back().scale) : log.error().sentence();
     };
     EXPECT_EQ(scale(), "60.000000");

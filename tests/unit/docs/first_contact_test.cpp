@@ -76,7 +76,7 @@ std::string played() {
     RecordingAudio audio;
     RecordingSpeech speech;
     const auto log =
-        run_scenario(*scenario, std::make_shared<const Scene>(std::move(*world)), audio, speech, read_requested);
+        run_scenario(*scenario, std::make_shared<const Scene>(std::move(*world)), audio, speech, {read_requested});
     EXPECT_TRUE(log) << log.error().sentence();
     EXPECT_NEAR(log->end_s, 60.0, 1.0) << "a minute";
     struct Deed {

@@ -86,18 +86,18 @@ TEST(ScenarioOfRecording, is_written_as_it_runs) {
     const auto scene = std::make_shared<const Scene>(*read_world(test::bundled_world("house.map")));
     text.toml.replace(text.toml.find("house.map"), 9, test::bundled_world("house.map"));
     text.expected = {"Something that it never says."};
-    EXPECT_FALSE(as_it_runs(text, read_requested));
+    EXPECT_FALSE(as_it_runs(text, {read_requested}));
     const auto log = [&] {
         RecordingAudio audio;
         RecordingSpeech speech;
         std::vector<int> undone;
         const auto scenario = read_scenario_text(with_expectations(text), "t.toml", {});
-        EXPECT_TRUE(scenario && run_scenario(*scenario, scene, audio, speech, read_requested, {}, &undone));
+        EXPECT_TRUE(scenario && run_scenario(*scenario, scene, audio, speech, {read_requested}, {}, &undone));
         EXPECT_EQ(undone, std::vector<int>{4});
         return speech.lines().back().utterance.text;
     }();
     text.expected.push_back(log);
-    const auto made = as_it_runs(text, read_requested);
+    const auto made = as_it_runs(text, {read_requested});
     ASSERT_TRUE(made) << made.error().sentence();
     EXPECT_EQ(made->expected, std::vector<std::string>{log});
     EXPECT_EQ(made->left_out.size(), 2U);

@@ -126,7 +126,7 @@ TEST(LessonTaught, holds_what_its_pupils_expect_and_says_the_same_once_more) {
         for (int time = 0; time < 2; ++time) {
             RecordingAudio audio;
             RecordingSpeech speech;
-            const auto outcome = run_pupil(school(), pupil, audio, speech, read_requested);
+            const auto outcome = run_pupil(school(), pupil, audio, speech, {read_requested});
             ASSERT_TRUE(outcome) << outcome.error().sentence();
             said.emplace_back();
             for (const auto& one : speech.lines()) said.back().push_back(one.utterance.text);

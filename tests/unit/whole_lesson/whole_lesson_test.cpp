@@ -314,7 +314,7 @@ void WholeLesson::whole(const Building& at) {
         EXPECT_TRUE(recording->ended && recording->problems.empty());
         // Under a sanitizer the first: all go through the same code.
         if (kSanitizerScale == 1.0 || folder == folders.front()) {
-            const auto again = compute_again(*recording, read_requested);
+            const auto again = compute_again(*recording, {read_requested});
             ASSERT_TRUE(again) << again.error().sentence();
             EXPECT_THAT(again->remarks, testing::IsEmpty());
             EXPECT_GT(again->said.size(), 20U);
