@@ -133,6 +133,7 @@ TEST(HostileFiles, worlds_of_scenarios_are_read_in_the_process_for_reading) {
     ProgramCall call;
     call.program = (folder.path() / "bin" / "handrail").string();
     call.arguments = {"scenario", (test::project_root() / "tests/scenarios/first_contact.toml").string()};
+    call.environment["HANDRAIL_WORLDS"] = (test::project_root() / "worlds/maps").string();
     const ProgramRun played = run_program(call);
     EXPECT_EQ(played.exit_status, 1) << played.out;
     EXPECT_THAT(played.out + played.err, HasSubstr("Reading this file failed"));

@@ -32,10 +32,10 @@ std::string free_letters(const std::string& name, const std::set<std::string>& u
     const std::string all = "abcdefghijklmnopqrstuvwxyz", letters = letters_of(name);
     for (const std::string& seconds : {letters.substr(1), all})
         for (const char second : seconds)
-            if (const std::string sign{letters[0], second}; !used.contains(sign)) return sign;
+            if (std::string sign{letters[0], second}; !used.contains(sign)) return sign;
     for (std::string stem = "a";;) {
         for (const char last : all)
-            if (const std::string sign = stem + last; !used.contains(sign)) return sign;
+            if (std::string sign = stem + last; !used.contains(sign)) return sign;
         // The stem after this one: b after a, aa after z.
         std::size_t digit = stem.size();
         while (digit > 0 && stem[digit - 1] == 'z') stem[--digit] = 'a';
