@@ -301,7 +301,6 @@ Result<NavMesh> NavMesh::make(const WalkSpace& space, const std::stop_token& sto
     auto parts = std::make_unique<Parts>();
     parts->space = &space;
     std::vector<TileOfMesh> tiles;
-    std::size_t most_polygons = 1;
     const auto tile_of = [&](std::uint32_t span, std::uint32_t side) {
         const std::uint32_t cell = space.spans[span].cell;
         return std::pair(cell % space.width / side, cell / space.width / side);
@@ -311,7 +310,6 @@ Result<NavMesh> NavMesh::make(const WalkSpace& space, const std::stop_token& sto
         if (stop.stop_requested() || side == 0) return failed();
         TileMaker maker(space, areas, region, side);
         tiles.clear();
-        most_polygons = 1;
         bool too_large = false;
         for (std::uint32_t y = 0; y * side < space.depth && !too_large; ++y)
             for (std::uint32_t x = 0; x * side < space.width && !too_large; ++x) {
@@ -336,6 +334,7 @@ Result<NavMesh> NavMesh::make(const WalkSpace& space, const std::stop_token& sto
             tiles[found->second].links.push_back(i);
         if (!next) ++parts->far_links;
     }
+    std::size_t most_polygons = 1;
     for (const TileOfMesh& tile : tiles)
         most_polygons = std::max(most_polygons, static_cast<std::size_t>(tile.polygons->npolys) + tile.links.size());
 

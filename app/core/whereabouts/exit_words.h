@@ -17,4 +17,13 @@ enum class ExitOrder { Clockwise, Nearest };
 std::vector<std::string> exit_sentences(const SessionContext& context, const RoomGraph& graph, std::uint32_t room,
                                         ExitOrder order, const std::function<bool(std::uint32_t)>& told = {});
 
+// As an answer lists them: clockwise, or of more than eight the nearest eight and then how many more there are of each
+// kind, so that a large hall is no speech of a minute.
+struct ListedExits {
+    std::size_t count = 0;  // of all
+    std::vector<std::string> sentences;
+};
+ListedExits listed_exits(const SessionContext& context, const RoomGraph& graph, std::uint32_t room,
+                         const std::function<bool(std::uint32_t)>& told);
+
 }  // namespace handrail

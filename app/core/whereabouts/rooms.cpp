@@ -166,16 +166,15 @@ void Rooms::tell_exits(bool unvisited_only, double now_s) {
     if (!have(now_s)) return;
     if (here_ == kNothing) return context_.answer(phrase("rooms.nowhere"), now_s);
     const RoomGraph& graph = of_world_->graph();
-    const std::vector<std::string> exits =
-        exit_sentences(context_, graph, here_, ExitOrder::Clockwise,
-                       [&](std::uint32_t other) { return !unvisited_only || !visited_[other]; });
+    const ListedExits exits =
+        listed_exits(context_, graph, here_, [&](std::uint32_t other) { return !unvisited_only || !visited_[other]; });
     const std::string room = sentence_case(graph.rooms[here_].name);
-    if (exits.empty())
+    if (exits.count == 0)
         return context_.answer(phrase(unvisited_only ? "rooms.every_exit_taken" : "rooms.no_exits", {{"room", room}}),
                                now_s);
     context_.answer(
-        phrase(unvisited_only ? "rooms.exits_not_taken" : "rooms.exits", {{"room", room}, {"count", exits.size()}}) +
-            " " + fmt::format("{}", fmt::join(exits, " ")),
+        phrase(unvisited_only ? "rooms.exits_not_taken" : "rooms.exits", {{"room", room}, {"count", exits.count}}) +
+            " " + fmt::format("{}", fmt::join(exits.sentences, " ")),
         now_s);
 }
 
