@@ -29,11 +29,15 @@ if [ "${inside_root:-}" != yes ]; then
         said=$(make_root "$system" "$root" "$folder/debootstrap.log") || skip "$said"
         touch "$folder/made"
     fi
-    # The tracked files with their times, so that only what changed is built. Tests list them by git.
+    # The tracked files, by which tests know the project. What differs gets the time of now, so that it is built again: the
+    # times of another tree could be older than what was built from different contents.
     mkdir -p "$project"
-    find "$project" -mindepth 1 -maxdepth 1 ! -name build -exec rm -rf --one-file-system {} +
-    git -C "$here" ls-files -z | tar -C "$here" --null -T - --ignore-failed-read -c | tar -C "$project" --no-same-owner -x
     git -C "$project" init -q
+    tracked=$(git -C "$here" ls-files | sort)
+    comm -13 <(echo "$tracked") <(git -C "$project" ls-files | sort) | (cd "$project" && xargs -d '\n' rm -f)
+    (cd "$here" && while read -r file; do
+        [ ! -f "$file" ] || cmp -s "$file" "$project/$file" || cp --parents --preserve=mode "$file" "$project"
+    done <<<"$tracked")
     git -C "$project" add -A
     inside_root=yes exec unshare --mount --pid --fork --kill-child "${BASH_SOURCE[0]}" "$@"
 fi

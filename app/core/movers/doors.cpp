@@ -180,8 +180,29 @@ bool Doors::ride_to(double floor_m, const std::string& storey, double now_s) {
     return true;
 }
 
+// The nearest open leaf that the body touches, of a door that is shut by hand; -1: none.
+int Doors::leaf_at_body() const {
+    constexpr double kTouches_m = 0.06;
+    int nearest = -1;
+    double nearest_m = body_.walker->size().radius_m + kTouches_m;
+    for (std::uint32_t i = 0; i < world_.movers.size(); ++i) {
+        if (world_.thing_of_mover[i] < 0 || !usable(world_, i) || shut(world_, i) ||
+            !swings_by_hand(*world_.scene, world_.scene->movers[i]))
+            continue;
+        const Aabb& own = world_.scene->placed[static_cast<std::size_t>(world_.thing_of_mover[i])].model->bounds_m;
+        const Vec3 body = PlacedFrame(world_.movers.at(i)).to_own(body_.feet_m() + Vec3(0.0, 0.0, kLookHeight_m));
+        const Vec3 inside = glm::clamp(body, own.min_m, own.max_m);
+        if (const double far_m = glm::length(body - inside); far_m < nearest_m) {
+            nearest_m = far_m;
+            nearest = static_cast<int>(i);
+        }
+    }
+    return nearest;
+}
+
 // What the hand touches counts first, then a lift that one stands on, then a shut door that was told on a way that is
-// gone and from which the hand has hardly come away, then what stands straight ahead, then the nearest.
+// gone and from which the hand has hardly come away, then what stands straight ahead, then an open leaf that the body
+// touches, since that is in its way, then the nearest.
 void Doors::use(double now_s) {
     int chosen = -1;
     if (context_.hands.answers() && context_.hands.tool.touches())
@@ -200,6 +221,7 @@ void Doors::use(double now_s) {
     if (chosen < 0)
         if (const auto seen = look(*world_.solids, body_.feet_m(), kLookHeight_m, body_.heading_rad, kReach_m))
             chosen = mover_of(world_, seen->feature);
+    if (chosen < 0) chosen = leaf_at_body();
     if (chosen < 0) {
         double nearest_m = kReach_m;
         const Vec3 middle = body_.feet_m() + Vec3(0.0, 0.0, kLookHeight_m);

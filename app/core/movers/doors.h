@@ -44,6 +44,7 @@ public:
 
 private:
     int lift_under_body() const;
+    int leaf_at_body() const;
     void use(double now_s);
     std::string shut_words(std::uint32_t mover) const;
     Meeting meet(std::uint32_t mover, const Placement& from, const Placement& to);
