@@ -134,7 +134,7 @@ std::string without_actions(const std::string& toml, const std::vector<int>& lin
 }  // namespace
 
 Result<ScenarioText> scenario_of(const Recording& recording, const std::string& title) {
-    Writer writer{recording, 0.0, {}, {}, {}, {}};
+    Writer writer{recording, 0.0, {}, {}, {}};
     WorldRequest world;
     Settings settings_then = recording.head.settings;  // with what the world brings
     std::string device = "none", acts_by = "window-keys";

@@ -67,7 +67,7 @@ Sitting::Sitting(ExploreArguments arguments)
                              .hands_over = [this] { recording_->handed_over(); },
                              .look_at_cues = {}});
     worlds_ = std::make_unique<WorldVisits>(arguments_, store_, app_, say_);
-    lesson_ = std::make_unique<LessonHere>(arguments_, app_, say_);
+    lesson_ = std::make_unique<LessonHere>(arguments_, app_, *worlds_, say_);
     begun_s_ = clock_.now_s();
     for (std::string& words : news_) say_(std::move(words), begun_s_);
     LoadedWorld loaded;
@@ -100,7 +100,7 @@ void Sitting::frame() {
     if (!hurries_) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     const double now_s = in_whole_microseconds(clock_.now_s());
     worlds_->change(now_s);
-    lesson_->turn(worlds_->path(), sound_->speaking(), now_s);
+    lesson_->turn(sound_->speaking(), now_s);
     if (beside_ && now_s - taught_s_ >= kTurn_s - 1e-6) {
         taught_s_ = now_s;
         teach_on(*beside_, app_, std::exchange(beside_events_, {}), now_s);
