@@ -8,6 +8,7 @@
 #include "worlds/drawn/plan_builder.h"
 #include "worlds/drawn/upright.h"
 #include "worlds/geometry/box_index.h"
+#include "worlds/geometry/clip.h"
 
 namespace handrail {
 namespace {

@@ -30,6 +30,8 @@ public:
     // Opens the list, now or once the faults are found; says why not.
     void open(double now_s);
     void tick(double now_s);
+    // The list is not on its way.
+    bool idle() const { return !looking_.busy(); }
 
     std::function<void(const Goal& goal, double now_s)> on_find;  // set by the session
 

@@ -158,7 +158,7 @@ void Session::know_stops(std::uint32_t stops, double now_s) {
 
 bool Session::idle() const {
     if (!lesson_session_.idle() || state_.requests.set_up) return false;
-    if (!menu_.reports().idle(state_.context.tick_s)) return false;
+    if (!menu_.reports().idle(state_.context.tick_s) || !places_.faults.idle()) return false;
     if (too_early_ && state_.context.tick_s - too_early_->asked_s < kAnswerFollows_s) return false;
     return walk_.walking.idle() && bodies_.idle() && hand_.workspace.idle() && !walk_.keys_held.any();
 }

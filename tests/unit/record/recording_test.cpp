@@ -316,7 +316,7 @@ TEST(RecordedInput, of_every_kind_is_read_as_it_was) {
         EXPECT_EQ(input_line(read->input, read->now_s, read->frame, 1000.0), line);
     }
     EXPECT_EQ(inputs.size(), std::variant_size_v<SessionInput>);
-    const auto changed = read_input_line(input_line(inputs[11], 0.0, 0, 0.0));
+    const auto changed = read_input_line(input_line(inputs[12], 0.0, 0, 0.0));
     const auto& taken = std::get<HandChanged>(changed->input);
     EXPECT_EQ(taken.hand.spec.delay_s, 0.00125);
     EXPECT_EQ(taken.hand.serial, "A9001");
