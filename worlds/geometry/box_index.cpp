@@ -56,18 +56,7 @@ BoxIndex::BoxIndex(std::span<const Aabb> boxes) {
 void BoxIndex::find(const Aabb& box, std::vector<std::uint32_t>& found) const {
     found.clear();
     if (box.empty()) return;
-    std::array<std::uint32_t, kMostDepth> stack;
-    std::size_t depth = 0;
-    if (!nodes_.empty()) stack[depth++] = 0;
-    while (depth > 0) {
-        const Node& node = nodes_[stack[--depth]];
-        if (!meets(node.box, box)) continue;
-        for (std::uint32_t i = node.first; i < node.first + node.items; ++i)
-            if (meets(boxes_[i], box)) found.push_back(items_[i]);
-        if (node.items > 0) continue;
-        stack[depth++] = node.first + 1;
-        stack[depth++] = node.first;
-    }
+    meeting(box, [&](std::uint32_t item) { found.push_back(item); });
     std::sort(found.begin(), found.end());
 }
 

@@ -34,7 +34,7 @@ public:
     // Replaces `found` by the indices of all boxes that meet `box`, borders included, in rising order.
     void find(const Aabb& box, std::vector<std::uint32_t>& found) const;
 
-    // Calls visit(item) for every item whose box may meet this one: those of a leaf together.
+    // Calls visit(item) for every item whose box meets this one, in the order of the hierarchy.
     template <class Visit>
     void meeting(const Aabb& box, Visit&& visit) const {
         std::array<std::uint32_t, kMostDepth> stack;
@@ -43,7 +43,8 @@ public:
         while (depth > 0) {
             const Node& node = nodes_[stack[--depth]];
             if (!meets(node.box, box)) continue;
-            for (std::uint32_t i = 0; i < node.items; ++i) visit(items_[node.first + i]);
+            for (std::uint32_t i = node.first; i < node.first + node.items; ++i)
+                if (meets(boxes_[i], box)) visit(items_[i]);
             if (node.items > 0) continue;
             stack[depth++] = node.first + 1;
             stack[depth++] = node.first;

@@ -222,9 +222,7 @@ bool BodyWorld::is_stairs(std::uint32_t number) const {
 template <class Visit>
 void BodyWorld::visit_near(const Aabb& box, Visit visit) const {
     for (const Pieces* some : {&building_->pieces, &placed_})
-        some->tree.meeting(box, [&](std::uint32_t i) {
-            if (BoxIndex::meets(some->pieces[i].bounds_m, box)) visit(*some, some->pieces[i]);
-        });
+        some->tree.meeting(box, [&](std::uint32_t i) { visit(*some, some->pieces[i]); });
 }
 
 TraceHit BodyWorld::trace(const Vec3& from_m, const Vec3& to_m, const BodyShape& body, bool through_clips,
