@@ -82,11 +82,13 @@ public:
     // Whose each cell is: first where a body stands in this room, else in another one.
     void share_out();
     // From there to the walls, both at the same pace, so that a strip of floor along a wall goes to the nearer one.
-    void grow_to_walls();
+    void grow_to_walls(const Doors& doors);
     // What is outside: cells that are not the room's and hang together with the rim.
     void find_outside();
     // The boundary between the two, by what bounds it.
-    void find_walls();
+    void find_walls(const Doors& doors);
+    // Those near the cells.
+    Doors doors_around() const;
     Place take() { return std::move(place_); }
 
 private:
@@ -109,7 +111,6 @@ private:
     void give(std::uint32_t span, bool own);
     bool floor_goes_on(const Doors& doors, std::size_t here, int cx, int cy, int dx, int dy);
     std::optional<WallSample> wall_beside(int x, int y, int dx, int dy, const Doors& doors) const;
-    Doors doors_around() const;
 
     const BodyWorld& world_;
     const WalkSpace& space_;
@@ -195,8 +196,7 @@ Doors PlaceMaker::doors_around() const {
     return Doors(world_.scene(), Aabb{place_.origin_m + low, place_.origin_m + high});
 }
 
-void PlaceMaker::grow_to_walls() {
-    const Doors doors = doors_around();
+void PlaceMaker::grow_to_walls(const Doors& doors) {
     std::deque<std::pair<int, int>> open;
     for (int y = 0; y < place_.deep; ++y)
         for (int x = 0; x < place_.wide; ++x)
@@ -252,8 +252,7 @@ void PlaceMaker::find_outside() {
     }
 }
 
-void PlaceMaker::find_walls() {
-    const Doors doors = doors_around();
+void PlaceMaker::find_walls(const Doors& doors) {
     for (int y = 0; y < place_.deep; ++y)
         for (int x = 0; x < place_.wide; ++x) {
             if (!place_.free[place_.at(x, y)]) continue;
@@ -289,9 +288,10 @@ Place place_of_room(const BodyWorld& world, const WalkSpace& space, const RoomGr
     PlaceMaker maker(world, space, graph, room);
     if (maker.lay_cells()) {
         maker.share_out();
-        maker.grow_to_walls();
+        const Doors doors = maker.doors_around();
+        maker.grow_to_walls(doors);
         maker.find_outside();
-        maker.find_walls();
+        maker.find_walls(doors);
     }
     return maker.take();
 }
