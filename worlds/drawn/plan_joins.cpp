@@ -17,8 +17,8 @@ constexpr double kMeetFloor_m = 0.3, kEndsBeforeDoor_m = 1.5, kOnGround_m = 0.6;
 
 }  // namespace
 
-// Ways lead into each other where they meet, and stairs from what meets one end to what meets the other. A way also
-// meets the area in which it ends, or beside which it ends.
+// Joins ways that meet. Stairs join the way or room at their foot with the one at their head. A way is also joined with
+// the area in which, or next to which, it ends.
 void PlanBuilder::join_ways(const std::vector<FeatureId>& features, const std::vector<std::uint32_t>& rooms) {
     using Point = std::array<long long, 3>;
     std::map<Point, std::vector<std::uint32_t>> rooms_at_point;

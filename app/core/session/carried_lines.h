@@ -23,9 +23,9 @@ public:
     bool done() const { return lines_.empty() && repeat_left_ == 0 && choice_.empty(); }
     // Forgets what has not been carried out yet.
     void drop();
-    // The same, and returns the lines for somebody else to carry out.
+    // The same, and returns the lines, so that the caller can carry them out.
     std::vector<std::string> take_rest();
-    // The next line, for somebody else to carry out; none if no line waits.
+    // Takes the next line, so that the caller can carry it out. None if no line waits.
     std::optional<std::string> take_next();
     // The next line leaves the program or the world.
     bool next_leaves() const;
