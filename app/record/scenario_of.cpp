@@ -131,96 +131,132 @@ std::string without_actions(const std::string& toml, const std::vector<int>& lin
     return kept;
 }
 
+// Reads a recording line by line: which world was entered with what, what was done in it, and what it answered.
+class RecordingReader {
+public:
+    explicit RecordingReader(const Recording& recording)
+        : recording_(recording), writer_{recording, 0.0, {}, {}, {}}, settings_(recording.head.settings) {
+        // A scenario has the rooms of its world at once: what was answered before they were found it answers otherwise.
+        rooms_known_ = std::none_of(recording.lines.begin(), recording.lines.end(), enters_room);
+    }
+
+    Result<ScenarioText> read(const std::string& title) {
+        for (const RecordedLine& line : recording_.lines) {
+            if (over_) break;
+            if (const auto taken = take(line); !taken) return tl::unexpected(taken.error());
+        }
+        if (!entered()) return fail(phrase("replay.no_world"));
+        std::erase_if(expected_, [&](const std::string& text) { return told_by_program_.contains(text); });
+        if (expected_.empty()) return fail(phrase("replay.nothing_answered"));
+        std::string toml = head_of(title);
+        write_actions();
+        toml += writer_.actions;
+        return ScenarioText{std::move(toml), std::move(expected_), std::move(writer_.left_out)};
+    }
+
+private:
+    static bool enters_room(const RecordedLine& line) { return line.is == "room_entered"; }
+    bool entered() const { return !world_.file.empty(); }
+
+    Result<void> take(const RecordedLine& line) {
+        rooms_known_ = rooms_known_ || enters_room(line);
+        if (line.is == "acts_by" && !entered()) {
+            const auto who = Json::parse(line.json, nullptr, false).value("number", 0);
+            acts_by_ = who == 1 ? "terminal-keys" : who == 2 ? "lines" : "window-keys";
+        }
+        if (line.is == "said") take_said(line);
+        // What no list took is followed by its command.
+        if (line.is == "not_taken" && !writer_.inputs.empty()) writer_.inputs.pop_back();
+        if (!is_input(line.is)) return {};
+        auto input = read_input_line(line.json);
+        if (!input) return fail(input.error().message, "events.jsonl", line.line);
+        take_input(std::move(*input));
+        return {};
+    }
+
+    // An answer is expected if it was voiced in the world, and not cut from what went before.
+    void take_said(const RecordedLine& line) {
+        if (!entered() || !expects_ || !rooms_known_) return;
+        const Json json = Json::parse(line.json, nullptr, false);
+        const std::string text = json.value("text", std::string());
+        if (json.value("class", std::string()) == "answer" && json.value("voiced", false) &&
+            text != phrase("rooms.not_yet") && text.find('|') == std::string::npos &&
+            line.t_s + recording_.head.begun_s > writer_.begun_s + 0.5)
+            expected_.push_back(text);
+    }
+
+    void take_input(RecordedInput input) {
+        if (const auto* hand = std::get_if<HandChanged>(&input.input); hand && hand->hand.present && !entered())
+            device_ = std::string(hand->hand.spec.name) == "sim-f" ? "sim-f" : "sim-t";
+        // What the program itself told is not what the world answers.
+        if (const auto* told = std::get_if<Told>(&input.input)) told_by_program_.insert(told->text);
+        if (const auto* world = std::get_if<WorldEntered>(&input.input)) {
+            if (!entered()) {
+                world_ = input.world.request;
+                if (world->settings) settings_ = *world->settings;
+                writer_.begun_s = input.now_s;
+                return;
+            }
+            writer_.leave_out("replay.one_world");
+            over_ = true;
+        }
+        if (!entered()) return;
+        // It ends by itself.
+        if (const auto* down = std::get_if<CommandDown>(&input.input)) {
+            expects_ = down->command != Command::Leave;
+            if (!expects_) return;
+        }
+        last_s_ = input.now_s;
+        writer_.inputs.push_back(std::move(input));
+    }
+
+    std::string head_of(const std::string& title) const {
+        std::string toml = fmt::format("title = {}\nworld = {}\ndevice = {}\n", in_quotes(title),
+                                       in_quotes(world_.file.string()), in_quotes(device_));
+        if (!world_.building.empty()) toml += fmt::format("building = {}\n", in_quotes(world_.building));
+        if (world_.unit_m) toml += fmt::format("unit_m = {}\n", *world_.unit_m);
+        if (world_.map_scale_m_per_unit)
+            toml += fmt::format("map_scale_m_per_unit = {}\n", *world_.map_scale_m_per_unit);
+        toml += fmt::format("acts_by = {}\ntail_s = {}\n", in_quotes(acts_by_), kTail_s);
+        const Json settings = Json::parse(settings_text(settings_), nullptr, false);
+        if (const auto set = settings.find("set"); set != settings.end()) {
+            toml += "\n[settings]\n";
+            for (const auto& [key, value] : set->items())
+                toml += fmt::format("{} = {}\n", in_quotes(key), as_value(value.get<std::string>()));
+        }
+        return toml;
+    }
+
+    // In the order of their times. The hand moves while keys are pressed.
+    void write_actions() {
+        const auto moves = moves_of(recording_, writer_.begun_s);
+        std::size_t next = 0;
+        const auto move_until = [&](double now_s) {
+            for (; next < moves.size() && moves[next].first <= now_s; ++next)
+                writer_.act(moves[next].first, moves[next].second);
+        };
+        for (std::size_t i = 0; i < writer_.inputs.size(); ++i) {
+            move_until(writer_.inputs[i].now_s);
+            writer_.write(i);
+        }
+        if (!over_) move_until(last_s_ + kTail_s);
+    }
+
+    const Recording& recording_;
+    Writer writer_;
+    WorldRequest world_;
+    Settings settings_;  // with what the world brings
+    std::string device_ = "none", acts_by_ = "window-keys";
+    double last_s_ = 0.0;
+    std::vector<std::string> expected_;
+    std::set<std::string> told_by_program_;
+    bool over_ = false, expects_ = true, rooms_known_ = false;
+};
+
 }  // namespace
 
 Result<ScenarioText> scenario_of(const Recording& recording, const std::string& title) {
-    Writer writer{recording, 0.0, {}, {}, {}};
-    WorldRequest world;
-    Settings settings_then = recording.head.settings;  // with what the world brings
-    std::string device = "none", acts_by = "window-keys";
-    double last_s = 0.0;
-    std::vector<std::string> expected;
-    std::set<std::string> told_by_program;
-    bool over = false, expects = true;
-    // A scenario has the rooms of its world at once: what was answered before they were found it answers otherwise.
-    const auto entered = [](const RecordedLine& line) { return line.is == "room_entered"; };
-    bool rooms_known = std::none_of(recording.lines.begin(), recording.lines.end(), entered);
-    for (const RecordedLine& line : recording.lines) {
-        if (over) break;
-        rooms_known = rooms_known || entered(line);
-        if (line.is == "acts_by" && world.file.empty()) {
-            const auto who = Json::parse(line.json, nullptr, false).value("number", 0);
-            acts_by = who == 1 ? "terminal-keys" : who == 2 ? "lines" : "window-keys";
-        }
-        if (line.is == "said" && !world.file.empty() && expects && rooms_known) {
-            const Json json = Json::parse(line.json, nullptr, false);
-            const std::string text = json.value("text", std::string());
-            if (json.value("class", std::string()) == "answer" && json.value("voiced", false) &&
-                text != phrase("rooms.not_yet") && text.find('|') == std::string::npos &&
-                line.t_s + recording.head.begun_s > writer.begun_s + 0.5)
-                expected.push_back(text);
-        }
-        // What no list took is followed by its command.
-        if (line.is == "not_taken" && !writer.inputs.empty()) writer.inputs.pop_back();
-        if (!is_input(line.is)) continue;
-        auto input = read_input_line(line.json);
-        if (!input) return fail(input.error().message, "events.jsonl", line.line);
-        if (const auto* hand = std::get_if<HandChanged>(&input->input);
-            hand && hand->hand.present && world.file.empty())
-            device = std::string(hand->hand.spec.name) == "sim-f" ? "sim-f" : "sim-t";
-        // What the program itself told is not what the world answers.
-        if (const auto* told = std::get_if<Told>(&input->input)) told_by_program.insert(told->text);
-        if (std::holds_alternative<WorldEntered>(input->input)) {
-            if (world.file.empty()) {
-                world = input->world.request;
-                if (const auto& own = std::get<WorldEntered>(input->input).settings) settings_then = *own;
-                writer.begun_s = input->now_s;
-                continue;
-            }
-            writer.leave_out("replay.one_world");
-            over = true;
-        }
-        if (world.file.empty()) continue;
-        // It ends by itself.
-        if (const auto* down = std::get_if<CommandDown>(&input->input)) {
-            expects = down->command != Command::Leave;
-            if (!expects) continue;
-        }
-        last_s = input->now_s;
-        writer.inputs.push_back(std::move(*input));
-    }
-    if (world.file.empty()) return fail(phrase("replay.no_world"));
-    std::erase_if(expected, [&](const std::string& text) { return told_by_program.contains(text); });
-    if (expected.empty()) return fail(phrase("replay.nothing_answered"));
-
-    std::string toml = fmt::format("title = {}\nworld = {}\ndevice = {}\n", in_quotes(title),
-                                   in_quotes(world.file.string()), in_quotes(device));
-    if (!world.building.empty()) toml += fmt::format("building = {}\n", in_quotes(world.building));
-    if (world.unit_m) toml += fmt::format("unit_m = {}\n", *world.unit_m);
-    if (world.map_scale_m_per_unit) toml += fmt::format("map_scale_m_per_unit = {}\n", *world.map_scale_m_per_unit);
-    toml += fmt::format("acts_by = {}\ntail_s = {}\n", in_quotes(acts_by), kTail_s);
-    const Json settings = Json::parse(settings_text(settings_then), nullptr, false);
-    if (const auto set = settings.find("set"); set != settings.end()) {
-        toml += "\n[settings]\n";
-        for (const auto& [key, value] : set->items())
-            toml += fmt::format("{} = {}\n", in_quotes(key), as_value(value.get<std::string>()));
-    }
-    // Actions in the order of their times.
-    const auto moves = moves_of(recording, writer.begun_s);
-    std::size_t next = 0;
-    const auto move_until = [&](double now_s) {
-        for (; next < moves.size() && moves[next].first <= now_s; ++next) {
-            writer.act(moves[next].first, moves[next].second);
-            // The hand moves while keys are pressed.
-        }
-    };
-    for (std::size_t i = 0; i < writer.inputs.size(); ++i) {
-        move_until(writer.inputs[i].now_s);
-        writer.write(i);
-    }
-    if (!over) move_until(last_s + kTail_s);
-    toml += writer.actions;
-    return ScenarioText{std::move(toml), std::move(expected), std::move(writer.left_out)};
+    return RecordingReader(recording).read(title);
 }
 
 std::string with_expectations(const ScenarioText& scenario) {

@@ -347,6 +347,9 @@ struct Dynamics::Impl {
         return !body.rigid->isActive() && (body.rested || body.waiting);
     }
     void hear(std::vector<BodyEvent>& events);
+    void note_touched();
+    FeatureId feature_of(const btCollisionObject& object, int child) const;
+    void hear_body(std::size_t i, const Touched& t, std::vector<BodyEvent>& events);
     void tell(DynamicsFrame& out);
     void tell_near(DynamicsFrame& out, unsigned hand);
     void add_planes(DynamicsFrame& out);
@@ -623,9 +626,8 @@ void Dynamics::Impl::jam(const btCollisionObject& thing, const btVector3& to_bod
     driven.pushed = ours(to_body);
 }
 
-// Impacts by the change of speed that no force explains; rolling, sliding, falling and resting by what is touched.
-void Dynamics::Impl::hear(std::vector<BodyEvent>& events) {
-    std::vector<Touched>& touched = world->touched;
+// The strongest contact of each body with what it touches.
+void Dynamics::Impl::note_touched() {
     const auto silent = [this](const btCollisionObject& object) {
         return kind_of(object) == kBody && is_silent(static_cast<std::size_t>(object.getUserIndex()));
     };
@@ -638,74 +640,84 @@ void Dynamics::Impl::hear(std::vector<BodyEvent>& events) {
             const btManifoldPoint& p = manifold.getContactPoint(k);
             if (!(p.getDistance() < 1e-3) && !(p.getAppliedImpulse() > 0.0)) continue;
             for (int side = 0; side < 2; ++side) {
-                const btCollisionObject &mine = side ? *manifold.getBody1() : *manifold.getBody0(),
-                                        &other = side ? *manifold.getBody0() : *manifold.getBody1();
+                const btCollisionObject &mine = side ? two : one, &other = side ? one : two;
                 if (kind_of(other) == kDriven && kind_of(mine) == kBody)
                     jam(other, side ? -p.m_normalWorldOnB : p.m_normalWorldOnB, p);
                 if (kind_of(mine) != kBody || silent(mine)) continue;
-                Touched& t = touched[static_cast<std::size_t>(mine.getUserIndex())];
+                Touched& t = world->touched[static_cast<std::size_t>(mine.getUserIndex())];
                 t.any = true;
                 if (p.getAppliedImpulse() < t.impulse) continue;
                 t.impulse = p.getAppliedImpulse();
                 t.at = side ? p.getPositionWorldOnB() : p.getPositionWorldOnA();
                 t.own = t.at - mine.getWorldTransform().getOrigin();
                 t.body = kind_of(other) == kBody ? static_cast<std::uint32_t>(other.getUserIndex()) : kNoBody;
-                const int child = side ? p.m_index0 : p.m_index1;
-                t.feature = kNoFeature;
-                if (kind_of(other) == kBuilding && child >= 0 &&
-                    static_cast<std::size_t>(child) < scene->building.size())
-                    t.feature = scene->building[static_cast<std::size_t>(child)].feature;
-                else if (kind_of(other) == kSheets && child >= 0 &&
-                         static_cast<std::size_t>(child) < scene->sheet_features.size())
-                    t.feature = scene->sheet_features[static_cast<std::size_t>(child)];
-                else if (kind_of(other) == kDriven)
-                    t.feature = scene->driven[static_cast<std::size_t>(other.getUserIndex())].feature;
-                else if (kind_of(other) == kBody)
-                    t.feature = scene->bodies[static_cast<std::size_t>(other.getUserIndex())].feature;
+                t.feature = feature_of(other, side ? p.m_index0 : p.m_index1);
             }
         }
     }
-    const double now = now_s();
-    for (std::size_t i = 0; i < world->bodies.size(); ++i) {
-        if (is_silent(i)) continue;
-        Body& body = world->bodies[i];
-        const Touched t = std::exchange(touched[i], {});
-        const Vec3 v = ours(body.rigid->getLinearVelocity()), w = ours(body.rigid->getAngularVelocity());
-        BodyEvent event;
-        event.body = static_cast<std::uint32_t>(i);
-        event.time_s = now;
-        event.at_m = scene->origin_m + ours(t.any ? t.at : body.rigid->getWorldTransform().getOrigin());
-        event.other = t.feature;
-        event.other_body = t.body;
-        const auto say = [&](BodyEvent::Kind kind, double speed) {
-            event.kind = kind;
-            event.speed_m_per_s = speed;
-            events.push_back(event);
-        };
-        if (!body.rigid->isActive()) {
-            if (!body.rested && !body.waiting) say(BodyEvent::Kind::Rests, 0.0);
-            body.rested = body.rested || !body.waiting;
-            continue;
-        }
-        const double speed = glm::length(v), jolt = glm::length(v - body.speed_before);
-        if (speed > 0.02) body.rested = false;
-        if (jolt > kHit_m_per_s && t.any && now - body.hit_s > kHitAgain_s) {
-            body.hit_s = now;
-            event.impulse_ns = jolt * body.inertial_kg;
-            say(BodyEvent::Kind::Hit, jolt);
-            event.impulse_ns = 0.0;
-        }
-        body.airborne = t.any ? 0 : body.airborne + 1;
-        if (t.any) body.falling = false;
-        else if (body.airborne >= kFallingSteps && !body.falling && glm::dot(v, scene->gravity_m_per_s2) > 0.0) {
-            body.falling = true;
-            say(BodyEvent::Kind::Falls, speed);
-        }
-        if (!t.any || speed < 0.02) body.moving = 0;
-        else if (++body.moving % kMovingSteps == 0) {
-            const double slips = glm::length(v + glm::cross(w, ours(t.own)));
-            say(slips < 0.5 * speed ? BodyEvent::Kind::Rolls : BodyEvent::Kind::Slides, speed);
-        }
+}
+
+// child: which part of the building or of its sheets. None of these where it is negative.
+FeatureId Dynamics::Impl::feature_of(const btCollisionObject& object, int child) const {
+    const auto part = static_cast<std::size_t>(child), which = static_cast<std::size_t>(object.getUserIndex());
+    switch (kind_of(object)) {
+        case kBuilding:
+            return child >= 0 && part < scene->building.size() ? scene->building[part].feature : kNoFeature;
+        case kSheets:
+            return child >= 0 && part < scene->sheet_features.size() ? scene->sheet_features[part] : kNoFeature;
+        case kDriven:
+            return scene->driven[which].feature;
+        case kBody:
+            return scene->bodies[which].feature;
+        default:
+            return kNoFeature;
+    }
+}
+
+void Dynamics::Impl::hear(std::vector<BodyEvent>& events) {
+    note_touched();
+    for (std::size_t i = 0; i < world->bodies.size(); ++i)
+        if (!is_silent(i)) hear_body(i, std::exchange(world->touched[i], {}), events);
+}
+
+// Impacts by the change of speed that no force explains; rolling, sliding, falling and resting by what is touched.
+void Dynamics::Impl::hear_body(std::size_t i, const Touched& t, std::vector<BodyEvent>& events) {
+    Body& body = world->bodies[i];
+    const Vec3 v = ours(body.rigid->getLinearVelocity()), w = ours(body.rigid->getAngularVelocity());
+    BodyEvent event;
+    event.body = static_cast<std::uint32_t>(i);
+    event.time_s = now_s();
+    event.at_m = scene->origin_m + ours(t.any ? t.at : body.rigid->getWorldTransform().getOrigin());
+    event.other = t.feature;
+    event.other_body = t.body;
+    const auto say = [&](BodyEvent::Kind kind, double speed) {
+        event.kind = kind;
+        event.speed_m_per_s = speed;
+        events.push_back(event);
+    };
+    if (!body.rigid->isActive()) {
+        if (!body.rested && !body.waiting) say(BodyEvent::Kind::Rests, 0.0);
+        body.rested = body.rested || !body.waiting;
+        return;
+    }
+    const double speed = glm::length(v), jolt = glm::length(v - body.speed_before);
+    if (speed > 0.02) body.rested = false;
+    if (jolt > kHit_m_per_s && t.any && event.time_s - body.hit_s > kHitAgain_s) {
+        body.hit_s = event.time_s;
+        event.impulse_ns = jolt * body.inertial_kg;
+        say(BodyEvent::Kind::Hit, jolt);
+        event.impulse_ns = 0.0;
+    }
+    body.airborne = t.any ? 0 : body.airborne + 1;
+    if (t.any) body.falling = false;
+    else if (body.airborne >= kFallingSteps && !body.falling && glm::dot(v, scene->gravity_m_per_s2) > 0.0) {
+        body.falling = true;
+        say(BodyEvent::Kind::Falls, speed);
+    }
+    if (!t.any || speed < 0.02) body.moving = 0;
+    else if (++body.moving % kMovingSteps == 0) {
+        const double slips = glm::length(v + glm::cross(w, ours(t.own)));
+        say(slips < 0.5 * speed ? BodyEvent::Kind::Rolls : BodyEvent::Kind::Slides, speed);
     }
 }
 

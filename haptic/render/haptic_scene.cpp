@@ -448,73 +448,88 @@ void HapticSceneBuilder::prepare_effects() {
     }
 }
 
-std::shared_ptr<const HapticScene> HapticSceneBuilder::build(std::uint32_t world) {
-    // The one number that must differ between scenes wherever they are built; nothing else is shared.
-    static std::atomic<std::uint32_t> next_generation{1};
+// A round place near the middle where numbers would be large; zero elsewhere.
+void HapticSceneBuilder::choose_origin() {
     Aabb all;
-    for (const Aabb& box : obstacle_bounds_) all.include(box);
-    for (const Aabb& box : liquid_bounds_) all.include(box);
-    for (const Aabb& box : effect_bounds_) all.include(box);
+    for (const std::vector<Aabb>* boxes : {&obstacle_bounds_, &liquid_bounds_, &effect_bounds_})
+        for (const Aabb& box : *boxes) all.include(box);
     for (const SoftPatch& patch : scene_.soft_patches) all.include(patch.corner_m);
     const auto far_from_zero = [](const Vec3& p) {
         return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > kNearZero_m;
     };
     if (!all.empty() && (far_from_zero(all.min_m) || far_from_zero(all.max_m)))
         scene_.origin_m = glm::round(all.centre_m());
-    const Vec3 origin = scene_.origin_m;
-    for (Vec3& p : scene_.mesh.points_m) p -= origin;
+}
+
+// Corners about the origin, with the normals and edges that the solver needs.
+void HapticSceneBuilder::make_polygons() {
     std::vector<PolygonCorner> corners;
     std::vector<Vec3> points;
     for (PolygonRange& range : scene_.polygons) {
         points.clear();
         for (std::uint32_t i = 0; i < range.corners; ++i)
-            points.push_back(scene_.polygon_corners[range.first_corner + i].at_m - origin);
+            points.push_back(scene_.polygon_corners[range.first_corner + i].at_m - scene_.origin_m);
         range.first_corner = static_cast<std::uint32_t>(corners.size());
         range.normal = make_polygon(points, corners);
         range.corners = static_cast<std::uint32_t>(corners.size()) - range.first_corner;
     }
     scene_.polygon_corners = std::move(corners);
+}
+
+// What has no area has no sides.
+void HapticSceneBuilder::settle_sides() {
     for (Obstacle& o : scene_.obstacles) {
         if (o.side == TouchSide::Both) continue;
-        // What has no area has no sides.
-        if (o.kind == ObstacleKind::Triangle ? scene_.triangle(o).degenerate
-                                             : scene_.polygons[o.shape].normal == Vec3(0.0))
-            o.side = TouchSide::Both;
+        const bool no_area = o.kind == ObstacleKind::Triangle ? scene_.triangle(o).degenerate
+                                                              : scene_.polygons[o.shape].normal == Vec3(0.0);
+        if (no_area) o.side = TouchSide::Both;
         else scene_.one_sided_sheets = true;
     }
+}
+
+// Shapes, volumes and bounds about the origin. Points of meshes and polygons are already.
+void HapticSceneBuilder::move_to_origin() {
+    const Vec3 origin = scene_.origin_m;
     for (SphereShape& sphere : scene_.spheres) sphere.centre_m -= origin;
     for (CapsuleShape& capsule : scene_.capsules) capsule.start_m -= origin;
     for (CylinderShape& cylinder : scene_.cylinders) cylinder.bottom_m -= origin;
     for (ConeShape& cone : scene_.cones) cone.base_m -= origin;
     for (CustomObstacle& custom : scene_.customs) custom.position_m -= origin;
-    if (shades_ && !scene_.mesh.triangles.empty()) {
-        scene_.shading = shade_mesh(scene_.mesh.points_m, scene_.mesh.triangles);
-        if (scene_.shading.highest_m <= 0.0) scene_.shading = {};  // nothing here is curved
-    }
-    scene_.fields = !scene_.reliefs.empty() || !scene_.shading.facets.empty();
-    for (const HapticBody& body : scene_.bodies) scene_.fields = scene_.fields || body.shape->fields;
-    const auto shift = [&origin](Aabb& box) {
-        box.min_m -= origin;
-        box.max_m -= origin;
-    };
-    const auto shift_plane = [&origin](Plane& plane) { plane.offset_m -= glm::dot(plane.normal, origin); };
-    for (Aabb& box : scene_.boxes) shift(box);
-    for (Plane& plane : scene_.planes) shift_plane(plane);
-    for (LiquidVolume& liquid : scene_.liquids)
-        for (Plane& plane : liquid.planes) shift_plane(plane);
     for (Relief& relief : scene_.reliefs) {
         relief.low_m -= origin;
         relief.high_m -= origin;
     }
-    for (Aabb& box : obstacle_bounds_) shift(box);
-    for (Aabb& box : liquid_bounds_) shift(box);
-    for (Aabb& box : effect_bounds_) shift(box);
     for (SoftPatch& patch : scene_.soft_patches) {
         patch.corner_m -= origin;
         for (Vec3& corner : patch.outline_m) corner -= origin;
     }
     for (EffectVolume& effect : scene_.effects)
         if (effect.body == EffectVolume::kNoBody) move_effect(effect, -origin);
+    const auto shift_plane = [&origin](Plane& plane) { plane.offset_m -= glm::dot(plane.normal, origin); };
+    for (Plane& plane : scene_.planes) shift_plane(plane);
+    for (LiquidVolume& liquid : scene_.liquids)
+        for (Plane& plane : liquid.planes) shift_plane(plane);
+    for (std::vector<Aabb>* boxes : {&scene_.boxes, &obstacle_bounds_, &liquid_bounds_, &effect_bounds_})
+        for (Aabb& box : *boxes) {
+            box.min_m -= origin;
+            box.max_m -= origin;
+        }
+}
+
+std::shared_ptr<const HapticScene> HapticSceneBuilder::build(std::uint32_t world) {
+    // The one number that must differ between scenes wherever they are built; nothing else is shared.
+    static std::atomic<std::uint32_t> next_generation{1};
+    choose_origin();
+    for (Vec3& p : scene_.mesh.points_m) p -= scene_.origin_m;
+    make_polygons();
+    settle_sides();
+    move_to_origin();
+    if (shades_ && !scene_.mesh.triangles.empty()) {
+        scene_.shading = shade_mesh(scene_.mesh.points_m, scene_.mesh.triangles);
+        if (scene_.shading.highest_m <= 0.0) scene_.shading = {};  // nothing here is curved
+    }
+    scene_.fields = !scene_.reliefs.empty() || !scene_.shading.facets.empty();
+    for (const HapticBody& body : scene_.bodies) scene_.fields = scene_.fields || body.shape->fields;
     scene_.obstacle_bvh = Bvh(obstacle_bounds_);
     scene_.liquid_bvh = Bvh(liquid_bounds_);
     scene_.effect_bvh = Bvh(effect_bounds_);

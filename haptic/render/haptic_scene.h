@@ -319,6 +319,10 @@ public:
     std::shared_ptr<const HapticScene> build(std::uint32_t world = 0);
 
 private:
+    void choose_origin();
+    void make_polygons();
+    void settle_sides();
+    void move_to_origin();
     void prepare_effects();
     void add_sheet(const Corners& corners, const SurfaceLabel& label, TouchSide side);
     std::uint16_t rounding(double rounding_m);

@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "worlds/base/human_measures.h"
 #include "worlds/base/text.h"
 #include "worlds/exports/as_words.h"
 #include "worlds/geometry/flat_parts.h"
@@ -242,7 +243,7 @@ struct DropFound {
 // Where one steps down: the lower rooms lie so far below their storey, and the edges are said. Between rooms that an
 // opening on one level joins too, floors cannot be told apart so: there the drop is lost.
 void lay_drops(WordsHouse& house, const RoomGraph& graph, const std::vector<DropFound>& drops, bool german) {
-    constexpr double kLeastDrop_m = 0.3, kMostDrop_m = 1.2;
+    constexpr double kLeastDrop_m = 0.3;
     const auto level = [&](std::uint32_t room) {
         return graph.rooms[room].floor_m - house.storeys[house.rooms[room].storey].floor_m;
     };
@@ -269,136 +270,175 @@ void lay_drops(WordsHouse& house, const RoomGraph& graph, const std::vector<Drop
     }
 }
 
-}  // namespace
+// Writes the house in the order in which its parts need each other: storeys, rooms, their outlines, and what joins
+// them.
+class FoundHouse {
+public:
+    FoundHouse(const Scene& scene, const RoomGraph& graph, const WalkSpace& space, bool german)
+        : scene_(scene), graph_(graph), space_(space), german_(german) {
+        house_.name = spoken_name(scene);
+        house_.wall_material = wall_material(scene);
+    }
 
-WordsHouse found_house(const Scene& scene, const RoomGraph& graph, const WalkSpace& space, WordLanguage language) {
-    const bool german = language == WordLanguage::German;
-    WordsHouse house;
-    house.name = spoken_name(scene);
-    house.wall_material = wall_material(scene);
-    const FloorMaterials floor_materials(scene);
-    if (graph.rooms.empty() || !space.walls) return house;
-    // Storeys by the floors of rooms, stairs left out.
-    std::vector<double> floors;
-    for (const Room& room : graph.rooms)
-        if (room.kind != RoomKind::Stairs) floors.push_back(room.floor_m);
-    if (floors.empty()) floors.push_back(graph.rooms[0].floor_m);
-    std::sort(floors.begin(), floors.end());
-    // The floor that most rooms have between two that are a storey apart.
-    std::map<long, int> votes;
-    const auto close_storey = [&] {
-        const auto best = std::max_element(votes.begin(), votes.end(),
-                                           [](const auto& a, const auto& b) { return a.second < b.second; });
-        house.storeys.push_back({{}, static_cast<double>(best->first) * 0.01, 3.0});
-        votes.clear();
-    };
-    double lowest = floors[0];
-    for (const double floor : floors) {
-        if (floor - lowest > kStoreyApart_m) close_storey(), lowest = floor;
-        ++votes[std::lround(floor * 100.0)];
+    WordsHouse write() {
+        if (graph_.rooms.empty() || !space_.walls) return std::move(house_);
+        add_storeys();
+        add_rooms();
+        for (std::size_t storey = 0; storey < house_.storeys.size(); ++storey) outline_rooms(storey);
+        outline_small_rooms();
+        for (const Portal& portal : graph_.portals) join(portal);
+        lay_drops(house_, graph_, drops_, german_);
+        return std::move(house_);
     }
-    close_storey();
-    for (std::size_t s = 0; s < house.storeys.size(); ++s) {
-        house.storeys[s].name = fmt::format("{} {}", german ? "Ebene" : "Level", s);
-        if (s + 1 < house.storeys.size())
-            house.storeys[s].height_m = std::max(house.storeys[s + 1].floor_m - house.storeys[s].floor_m, 2.3);
+
+private:
+    // By the floors of rooms, stairs left out: the floor that most rooms have between two that are a storey apart.
+    void add_storeys() {
+        std::vector<double> floors;
+        for (const Room& room : graph_.rooms)
+            if (room.kind != RoomKind::Stairs) floors.push_back(room.floor_m);
+        if (floors.empty()) floors.push_back(graph_.rooms[0].floor_m);
+        std::sort(floors.begin(), floors.end());
+        std::map<long, int> votes;
+        const auto close_storey = [&] {
+            const auto best = std::max_element(votes.begin(), votes.end(),
+                                               [](const auto& a, const auto& b) { return a.second < b.second; });
+            house_.storeys.push_back({{}, static_cast<double>(best->first) * 0.01, 3.0});
+            votes.clear();
+        };
+        double lowest = floors[0];
+        for (const double floor : floors) {
+            if (floor - lowest > kStoreyApart_m) close_storey(), lowest = floor;
+            ++votes[std::lround(floor * 100.0)];
+        }
+        close_storey();
+        std::vector<WordsHouse::Storey>& storeys = house_.storeys;
+        for (std::size_t s = 0; s < storeys.size(); ++s) {
+            storeys[s].name = fmt::format("{} {}", german_ ? "Ebene" : "Level", s);
+            if (s + 1 < storeys.size())
+                storeys[s].height_m = std::max(storeys[s + 1].floor_m - storeys[s].floor_m, 2.3);
+        }
     }
-    const auto storey_at = [&](double z) {
+
+    std::size_t storey_at(double z_m) const {
         std::size_t best = 0;
-        for (std::size_t s = 1; s < house.storeys.size(); ++s)
-            if (std::abs(house.storeys[s].floor_m - z) < std::abs(house.storeys[best].floor_m - z)) best = s;
+        for (std::size_t s = 1; s < house_.storeys.size(); ++s)
+            if (std::abs(house_.storeys[s].floor_m - z_m) < std::abs(house_.storeys[best].floor_m - z_m)) best = s;
         return best;
-    };
-    const std::vector<std::uint32_t> of_wall = rooms_of_walls(graph, space);
-    const SpanGrid<WallSpan>& walls = *space.walls;
-    std::vector<std::size_t> storey_of(graph.rooms.size());
-    std::vector<Aabb> extent(graph.rooms.size());
-    for (std::uint32_t s = 0; s < walls.spans.size(); ++s)
-        if (of_wall[s] != kNothing) extent[of_wall[s]].include(walls.place_m(s));
-    for (std::size_t r = 0; r < graph.rooms.size(); ++r) {
-        const Room& room = graph.rooms[r];
-        const bool stairs = room.kind == RoomKind::Stairs && !extent[r].empty();
-        storey_of[r] = storey_at(stairs ? extent[r].min_m.z : room.floor_m);
-        WordsHouse::Room made;
-        made.name = room.name;
-        made.storey = made.to_storey = storey_of[r];
-        made.floor_material = floor_materials.at(Vec3(Vec2(room.middle_m), room.floor_m));
-        if (stairs) made.to_storey = std::max(made.storey, storey_at(extent[r].max_m.z));
-        if (made.to_storey > made.storey) made.kind = WordsHouse::Kind::Stairs;
-        house.rooms.push_back(std::move(made));
     }
-    const auto cells = static_cast<int>(std::lround((space.body.radius_m + kHalfWall_m) / walls.cell_m));
-    const auto border = static_cast<std::uint32_t>(cells + 2);
-    const std::uint32_t width = walls.width + 2 * border, depth = walls.depth + 2 * border;
-    for (std::size_t storey = 0; storey < house.storeys.size(); ++storey) {
+
+    void add_rooms() {
+        of_wall_ = rooms_of_walls(graph_, space_);
+        const SpanGrid<WallSpan>& walls = *space_.walls;
+        std::vector<Aabb> extent(graph_.rooms.size());
+        for (std::uint32_t s = 0; s < walls.spans.size(); ++s)
+            if (of_wall_[s] != kNothing) extent[of_wall_[s]].include(walls.place_m(s));
+        const FloorMaterials floor_materials(scene_);
+        for (std::size_t r = 0; r < graph_.rooms.size(); ++r) {
+            const Room& room = graph_.rooms[r];
+            const bool stairs = room.kind == RoomKind::Stairs && !extent[r].empty();
+            WordsHouse::Room made;
+            made.name = room.name;
+            made.storey = made.to_storey = storey_at(stairs ? extent[r].min_m.z : room.floor_m);
+            made.floor_material = floor_materials.at(Vec3(Vec2(room.middle_m), room.floor_m));
+            if (stairs) made.to_storey = std::max(made.storey, storey_at(extent[r].max_m.z));
+            if (made.to_storey > made.storey) made.kind = WordsHouse::Kind::Stairs;
+            house_.rooms.push_back(std::move(made));
+        }
+    }
+
+    // Of the rooms whose lowest storey it is.
+    void outline_rooms(std::size_t storey) {
+        const SpanGrid<WallSpan>& walls = *space_.walls;
+        const auto cells = static_cast<int>(std::lround((space_.body.radius_m + kHalfWall_m) / walls.cell_m));
+        const auto border = static_cast<std::uint32_t>(cells + 2);
+        const std::uint32_t width = walls.width + 2 * border, depth = walls.depth + 2 * border;
         Raster raster(width, depth);
         for (std::uint32_t s = 0; s < walls.spans.size(); ++s) {
-            const std::uint32_t room = of_wall[s];
-            if (room == kNothing || storey_of[room] != storey) continue;
+            const std::uint32_t room = of_wall_[s];
+            if (room == kNothing || house_.rooms[room].storey != storey) continue;
             const std::uint32_t x = walls.spans[s].cell % walls.width, y = walls.spans[s].cell / walls.width;
             raster.at((y + border) * width + x + border) = room;
         }
-        raster.open(static_cast<std::uint32_t>(std::lround(kDoorway_m / walls.cell_m)), graph.rooms.size());
+        raster.open(static_cast<std::uint32_t>(std::lround(kDoorway_m / walls.cell_m)), graph_.rooms.size());
         raster.grow(cells);
-        raster.square(graph.rooms.size());
-        for (std::uint32_t r = 0; r < graph.rooms.size(); ++r) {
-            if (storey_of[r] != storey) continue;
+        raster.square(graph_.rooms.size());
+        for (std::uint32_t r = 0; r < graph_.rooms.size(); ++r) {
+            if (house_.rooms[r].storey != storey) continue;
             for (Ring& ring : raster.outline(r, walls.cell_m)) {
                 for (Vec2& p : ring) {
                     p = Vec2(walls.origin_m) + (p - static_cast<double>(border)) * walls.cell_m;
                     p = {std::round(p.x * 1e4) * 1e-4, std::round(p.y * 1e4) * 1e-4};
                 }
-                house.rooms[r].rings.push_back(std::move(ring));
+                house_.rooms[r].rings.push_back(std::move(ring));
             }
         }
     }
+
     // Too small for an outline: a square metre round its middle.
-    for (std::size_t r = 0; r < graph.rooms.size(); ++r) {
-        if (!house.rooms[r].rings.empty()) continue;
-        const Vec2 at(std::round(graph.rooms[r].middle_m.x * 100.0) * 0.01,
-                      std::round(graph.rooms[r].middle_m.y * 100.0) * 0.01);
-        house.rooms[r].rings = {{at - 0.5, Vec2(at.x + 0.5, at.y - 0.5), at + 0.5, Vec2(at.x - 0.5, at.y + 0.5)}};
+    void outline_small_rooms() {
+        for (std::size_t r = 0; r < graph_.rooms.size(); ++r) {
+            if (!house_.rooms[r].rings.empty()) continue;
+            const Vec2 at(std::round(graph_.rooms[r].middle_m.x * 100.0) * 0.01,
+                          std::round(graph_.rooms[r].middle_m.y * 100.0) * 0.01);
+            house_.rooms[r].rings = {{at - 0.5, Vec2(at.x + 0.5, at.y - 0.5), at + 0.5, Vec2(at.x - 0.5, at.y + 0.5)}};
+        }
     }
-    std::vector<DropFound> drops;
-    for (const Portal& portal : graph.portals) {
-        const std::uint32_t a = portal.rooms[0], b = portal.rooms[1];
+
+    void join(const Portal& portal) {
         if (portal.kind == PassageKind::Door || portal.kind == PassageKind::Opening ||
-            portal.kind == PassageKind::Stairs) {
-            WordsHouse::Door door;
-            door.opening = portal.kind != PassageKind::Door;
-            door.rooms = {a, b};
-            if (house.rooms[a].kind == WordsHouse::Kind::Stairs) std::swap(door.rooms[0], door.rooms[1]);
-            door.at_m = Vec2(portal.place_m);
-            door.width_m = std::clamp(portal.width_m, 0.6, 8.0);
-            if (const Feature* feature = scene.find(portal.feature); feature && !door.opening && !feature->made_name)
-                door.name = one_line(spoken_name(*feature));
-            house.doors.push_back(std::move(door));
-            continue;
-        }
-        if (portal.kind == PassageKind::Drop && storey_of[a] == storey_of[b] &&
-            house.rooms[a].kind == WordsHouse::Kind::Room && house.rooms[b].kind == WordsHouse::Kind::Room) {
-            drops.push_back({a, b, portal.place_m});
-            continue;
-        }
-        if (const Feature* lift = scene.find(portal.feature);
-            portal.kind == PassageKind::Lift && lift && storey_of[a] != storey_of[b] &&
-            house.rooms[a].kind == WordsHouse::Kind::Room && house.rooms[b].kind == WordsHouse::Kind::Room) {
-            const bool up = storey_of[a] < storey_of[b];
-            const auto fine = [](double value) { return std::round(value * 1e3) * 1e-3; };
-            const Vec3 at = lift->bounds_m.centre_m(), size = lift->bounds_m.size_m();
-            house.lifts.push_back({lift->made_name ? std::string() : one_line(spoken_name(*lift)), up ? a : b,
-                                   up ? b : a, Vec2(fine(at.x), fine(at.y)), Vec2(fine(size.x), fine(size.y))});
-            continue;
-        }
-        const char* kind = portal.kind == PassageKind::Lift ? (german ? "Ein Aufzug fährt" : "A lift goes")
-                           : portal.kind == PassageKind::Drop
-                               ? (german ? "Hinab geht es" : "One drops")
-                               : (german ? "Ein Teleporter führt" : "A teleporter leads");
-        house.lost.push_back(german ? fmt::format("{} von {} nach {}.", kind, house.rooms[a].name, house.rooms[b].name)
-                                    : fmt::format("{} from {} to {}.", kind, house.rooms[a].name, house.rooms[b].name));
+            portal.kind == PassageKind::Stairs)
+            return add_door(portal);
+        const WordsHouse::Room &a = house_.rooms[portal.rooms[0]], &b = house_.rooms[portal.rooms[1]];
+        const bool rooms = a.kind == WordsHouse::Kind::Room && b.kind == WordsHouse::Kind::Room;
+        if (portal.kind == PassageKind::Drop && rooms && a.storey == b.storey)
+            return drops_.push_back({portal.rooms[0], portal.rooms[1], portal.place_m});
+        const Feature* feature = scene_.find(portal.feature);
+        if (portal.kind == PassageKind::Lift && rooms && feature && a.storey != b.storey)
+            return add_lift(portal, *feature);
+        const char* kind = german_ ? "Ein Teleporter führt" : "A teleporter leads";
+        if (portal.kind == PassageKind::Lift) kind = german_ ? "Ein Aufzug fährt" : "A lift goes";
+        if (portal.kind == PassageKind::Drop) kind = german_ ? "Hinab geht es" : "One drops";
+        house_.lost.push_back(german_ ? fmt::format("{} von {} nach {}.", kind, a.name, b.name)
+                                      : fmt::format("{} from {} to {}.", kind, a.name, b.name));
     }
-    lay_drops(house, graph, drops, german);
-    furnish(house, scene, language);
+
+    void add_door(const Portal& portal) {
+        WordsHouse::Door door;
+        door.opening = portal.kind != PassageKind::Door;
+        door.rooms = {portal.rooms[0], portal.rooms[1]};
+        if (house_.rooms[door.rooms[0]].kind == WordsHouse::Kind::Stairs) std::swap(door.rooms[0], door.rooms[1]);
+        door.at_m = Vec2(portal.place_m);
+        door.width_m = std::clamp(portal.width_m, 0.6, 8.0);
+        if (const Feature* feature = scene_.find(portal.feature); feature && !door.opening && !feature->made_name)
+            door.name = one_line(spoken_name(*feature));
+        house_.doors.push_back(std::move(door));
+    }
+
+    void add_lift(const Portal& portal, const Feature& lift) {
+        std::size_t from = portal.rooms[0], to = portal.rooms[1];
+        if (house_.rooms[from].storey > house_.rooms[to].storey) std::swap(from, to);
+        const auto fine = [](double value) { return std::round(value * 1e3) * 1e-3; };
+        const Vec3 at = lift.bounds_m.centre_m(), size = lift.bounds_m.size_m();
+        house_.lifts.push_back({lift.made_name ? std::string() : one_line(spoken_name(lift)), from, to,
+                                Vec2(fine(at.x), fine(at.y)), Vec2(fine(size.x), fine(size.y))});
+    }
+
+    const Scene& scene_;
+    const RoomGraph& graph_;
+    const WalkSpace& space_;
+    const bool german_;
+    WordsHouse house_;
+    std::vector<std::uint32_t> of_wall_;  // the room of each span without furniture
+    std::vector<DropFound> drops_;
+};
+
+}  // namespace
+
+WordsHouse found_house(const Scene& scene, const RoomGraph& graph, const WalkSpace& space, WordLanguage language) {
+    const bool german = language == WordLanguage::German;
+    WordsHouse house = FoundHouse(scene, graph, space, german).write();
+    if (!house.rooms.empty()) furnish(house, scene, language);
     return house;
 }
 

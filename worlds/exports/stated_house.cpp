@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "worlds/base/human_measures.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 #include "worlds/exports/as_words.h"
@@ -13,7 +14,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kStatedFinest_m = 1e-4, kSlabs_m = 0.3, kLeastStorey_m = 2.3, kMostStorey_m = 12.0;
+constexpr double kStatedFinest_m = 1e-4, kSlabs_m = 0.3, kLeastStorey_m = 2.3;
 constexpr double kStepDown_m = 0.3;   // from there on an opening is a drop
 constexpr double kMostRaise_m = 1.5;  // of what is said to be raised or sunk
 constexpr double kStatedLevel_m = 0.02;
@@ -59,153 +60,191 @@ void note_drop(const WordsHouse& house, WordsHouse::Door& door) {
     door.drop_m = std::abs(down_m);
 }
 
-}  // namespace
+// The storey that a room lies on. One without a storey lies on the one whose floor is nearest.
+std::uint32_t storey_of(const StatedBuilding& stated, const StatedRoom& room) {
+    if (room.storey < stated.storeys.size()) return room.storey;
+    std::uint32_t best = 0;
+    for (std::uint32_t s = 0; s < stated.storeys.size(); ++s)
+        if (std::abs(stated.storeys[s].floor_m - room.floor_m) < std::abs(stated.storeys[best].floor_m - room.floor_m))
+            best = s;
+    return best;
+}
 
-WordsHouse stated_house(const Scene& scene, WordLanguage language) {
-    const StatedBuilding& stated = *scene.stated;
-    WordsHouse house;
-    house.name = spoken_name(scene);
-    house.wall_m = stated.wall_m;
-    house.wall_material = wall_material(scene);
-    const FloorMaterials floors(scene);
-    const bool german = language == WordLanguage::German;
-    // Storeys that rooms lie on, from below.
-    const auto storey_of = [&](const StatedRoom& room) {
-        if (room.storey < stated.storeys.size()) return room.storey;
-        std::uint32_t best = 0;
-        for (std::uint32_t s = 0; s < stated.storeys.size(); ++s)
-            if (std::abs(stated.storeys[s].floor_m - room.floor_m) <
-                std::abs(stated.storeys[best].floor_m - room.floor_m))
-                best = s;
-        return best;
-    };
-    std::map<std::uint32_t, double> heights;
-    for (const StatedRoom& room : stated.rooms)
-        heights[storey_of(room)] = std::max(heights[storey_of(room)], room.height_m + kSlabs_m);
-    std::map<std::uint32_t, std::size_t> number;
-    std::vector<std::pair<double, std::uint32_t>> order;
-    for (const auto& [s, height] : heights)
-        order.emplace_back(s < stated.storeys.size() ? stated.storeys[s].floor_m : 0.0, s);
-    std::sort(order.begin(), order.end());
-    for (const auto& [floor_m, s] : order) {
-        number[s] = house.storeys.size();
-        std::string name = s < stated.storeys.size() ? one_line(stated.storeys[s].name) : std::string();
-        if (name.empty()) name = fmt::format("{} {}", german ? "Ebene" : "Level", number[s]);
-        house.storeys.push_back({name, floor_m, std::clamp(heights[s], kLeastStorey_m, kMostStorey_m)});
+// Writes the house in the order in which its parts need each other: storeys, which rooms are one, rooms, doors, lifts
+// and flights.
+class StatedHouse {
+public:
+    StatedHouse(const Scene& scene, bool german) : scene_(scene), stated_(*scene.stated), german_(german) {
+        house_.name = spoken_name(scene);
+        house_.wall_m = stated_.wall_m;
+        house_.wall_material = wall_material(scene);
     }
-    for (std::size_t s = 0; s + 1 < house.storeys.size(); ++s)
-        house.storeys[s].height_m =
-            std::clamp(house.storeys[s + 1].floor_m - house.storeys[s].floor_m, kLeastStorey_m, kMostStorey_m);
-    // Stairs and lifts that have one outline on all their storeys are one.
-    std::vector<std::size_t> parent(stated.rooms.size());
-    for (std::size_t r = 0; r < parent.size(); ++r) parent[r] = r;
-    const auto root = [&](std::size_t r) {
-        while (parent[r] != r) r = parent[r];
+
+    WordsHouse write() {
+        add_storeys();
+        part_stairs_and_lifts();
+        add_rooms();
+        for (const StatedPortal& portal : stated_.portals)
+            if (portal.kind == StatedPortalKind::Door || portal.kind == StatedPortalKind::Opening) add_door(portal);
+        for (const StatedPortal* portal : platforms_) add_lift(*portal);
+        for (const StatedPortal* portal : flights_) add_flight(*portal);
+        return std::move(house_);
+    }
+
+private:
+    // Storeys that rooms lie on, from below.
+    void add_storeys() {
+        std::map<std::uint32_t, double> heights;
+        for (const StatedRoom& room : stated_.rooms) {
+            double& height_m = heights[storey_of(stated_, room)];
+            height_m = std::max(height_m, room.height_m + kSlabs_m);
+        }
+        std::vector<std::pair<double, std::uint32_t>> order;
+        for (const auto& [s, height_m] : heights)
+            order.emplace_back(s < stated_.storeys.size() ? stated_.storeys[s].floor_m : 0.0, s);
+        std::sort(order.begin(), order.end());
+        std::vector<WordsHouse::Storey>& storeys = house_.storeys;
+        for (const auto& [floor_m, s] : order) {
+            number_[s] = storeys.size();
+            std::string name = s < stated_.storeys.size() ? one_line(stated_.storeys[s].name) : std::string();
+            if (name.empty()) name = fmt::format("{} {}", german_ ? "Ebene" : "Level", number_[s]);
+            storeys.push_back({name, floor_m, std::clamp(heights[s], kLeastStorey_m, kHighestStorey_m)});
+        }
+        for (std::size_t s = 0; s + 1 < storeys.size(); ++s)
+            storeys[s].height_m =
+                std::clamp(storeys[s + 1].floor_m - storeys[s].floor_m, kLeastStorey_m, kHighestStorey_m);
+    }
+
+    std::size_t root(std::size_t r) const {
+        while (parent_[r] != r) r = parent_[r];
         return r;
-    };
-    std::map<std::size_t, WordsHouse::Kind> kinds;
-    std::vector<const StatedPortal*> platforms, flights;
-    for (const StatedPortal& portal : stated.portals) {
-        if (portal.kind != StatedPortalKind::Stairs && portal.kind != StatedPortalKind::Lift) continue;
-        if (portal.kind == StatedPortalKind::Lift && is_platform(scene, portal)) {
-            platforms.push_back(&portal);
-            continue;
-        }
+    }
+
+    // Stairs and lifts that have one outline on all their storeys are one.
+    void part_stairs_and_lifts() {
+        parent_.resize(stated_.rooms.size());
+        for (std::size_t r = 0; r < parent_.size(); ++r) parent_[r] = r;
+        for (const StatedPortal& portal : stated_.portals)
+            if (portal.kind == StatedPortalKind::Stairs || portal.kind == StatedPortalKind::Lift) part(portal);
+    }
+
+    void part(const StatedPortal& portal) {
+        const bool lift = portal.kind == StatedPortalKind::Lift;
+        if (lift && is_platform(scene_, portal)) return platforms_.push_back(&portal);
         bool one = portal.rooms.size() > 1;
-        for (const std::uint32_t r : portal.rooms) one &= same_outline(stated.rooms[r], stated.rooms[portal.rooms[0]]);
+        for (const std::uint32_t r : portal.rooms)
+            one &= same_outline(stated_.rooms[r], stated_.rooms[portal.rooms[0]]);
         // Stairs that fill their room on all its storeys are that room; others stand in one.
-        const bool fill = one && (portal.kind == StatedPortalKind::Lift ||
-                                  std::all_of(portal.rooms.begin(), portal.rooms.end(),
-                                              [&](std::uint32_t r) { return stated.rooms[r].holds_stairs; }));
-        if (!fill && takes_flight(scene, portal)) {
-            flights.push_back(&portal);
-            continue;
-        }
+        const bool fill = one && (lift || std::all_of(portal.rooms.begin(), portal.rooms.end(),
+                                                      [&](std::uint32_t r) { return stated_.rooms[r].holds_stairs; }));
+        if (!fill && takes_flight(scene_, portal)) return flights_.push_back(&portal);
         if (!one) {
             std::string names;
-            for (const std::uint32_t r : portal.rooms) names += (names.empty() ? "" : ", ") + stated.rooms[r].name;
-            house.lost.push_back(
-                german ? fmt::format("Treppe oder Aufzug ohne eigenen Raum: {} ({}).", portal.name, names)
-                       : fmt::format("Stairs or lift without a room of its own: {} ({}).", portal.name, names));
-            continue;
+            for (const std::uint32_t r : portal.rooms) names += (names.empty() ? "" : ", ") + stated_.rooms[r].name;
+            return lose("Treppe oder Aufzug ohne eigenen Raum: {} ({}).",
+                        "Stairs or lift without a room of its own: {} ({}).", portal.name, names);
         }
-        for (const std::uint32_t r : portal.rooms) parent[root(r)] = root(portal.rooms[0]);
-        kinds[root(portal.rooms[0])] =
-            portal.kind == StatedPortalKind::Lift ? WordsHouse::Kind::Lift : WordsHouse::Kind::Stairs;
+        for (const std::uint32_t r : portal.rooms) parent_[root(r)] = root(portal.rooms[0]);
+        kinds_[root(portal.rooms[0])] = lift ? WordsHouse::Kind::Lift : WordsHouse::Kind::Stairs;
     }
-    std::map<std::size_t, std::size_t> room_of_root;
-    std::vector<std::size_t> room_of(stated.rooms.size());
-    for (std::size_t r = 0; r < stated.rooms.size(); ++r) {
-        const StatedRoom& from = stated.rooms[r];
-        const std::size_t storey = number.at(storey_of(from)), top = root(r);
-        if (const auto found = room_of_root.find(top); found != room_of_root.end()) {
-            WordsHouse::Room& room = house.rooms[found->second];
-            room.storey = std::min(room.storey, storey);
-            room.to_storey = std::max(room.to_storey, storey);
-            room_of[r] = found->second;
-            continue;
+
+    void add_rooms() {
+        std::map<std::size_t, std::size_t> room_of_root;
+        room_of_.resize(stated_.rooms.size());
+        for (std::size_t r = 0; r < stated_.rooms.size(); ++r) {
+            const std::size_t storey = number_.at(storey_of(stated_, stated_.rooms[r])), top = root(r);
+            if (const auto found = room_of_root.find(top); found != room_of_root.end()) {
+                WordsHouse::Room& room = house_.rooms[found->second];
+                room.storey = std::min(room.storey, storey);
+                room.to_storey = std::max(room.to_storey, storey);
+                room_of_[r] = found->second;
+                continue;
+            }
+            room_of_[r] = room_of_root[top] = house_.rooms.size();
+            house_.rooms.push_back(room_of(stated_.rooms[r], storey, top));
         }
+    }
+
+    WordsHouse::Room room_of(const StatedRoom& from, std::size_t storey, std::size_t top) const {
         WordsHouse::Room room;
         room.name = one_line(from.name);
         room.storey = room.to_storey = storey;
         room.rings = joined_rings(from.rings);
-        room.floor_material = floors.at(from.at_m);
-        if (const double raised_m = from.floor_m - house.storeys[storey].floor_m;
-            std::abs(raised_m) > kStatedLevel_m && std::abs(raised_m) <= kMostRaise_m && !kinds.contains(top))
-            room.raised_m = std::round(raised_m / kStatedFinest_m) * kStatedFinest_m;
-        if (const auto kind = kinds.find(top); kind != kinds.end()) {
+        room.floor_material = floors_.at(from.at_m);
+        if (const auto kind = kinds_.find(top); kind != kinds_.end()) {
             room.kind = kind->second;
-            room.name = without_level(room.name, house.storeys[storey].name);
-        } else if (from.height_m > 0.0 &&
-                   from.height_m < house.storeys[storey].height_m - kSlabs_m - room.raised_m - 0.01) {
-            room.height_m = from.height_m;
+            room.name = without_level(room.name, house_.storeys[storey].name);
+            return room;
         }
-        room_of[r] = room_of_root[top] = house.rooms.size();
-        house.rooms.push_back(std::move(room));
+        const double raised_m = from.floor_m - house_.storeys[storey].floor_m;
+        if (std::abs(raised_m) > kStatedLevel_m && std::abs(raised_m) <= kMostRaise_m)
+            room.raised_m = std::round(raised_m / kStatedFinest_m) * kStatedFinest_m;
+        if (from.height_m > 0.0 && from.height_m < house_.storeys[storey].height_m - kSlabs_m - room.raised_m - 0.01)
+            room.height_m = from.height_m;
+        return room;
     }
-    for (const StatedPortal& portal : stated.portals) {
-        if (portal.kind != StatedPortalKind::Door && portal.kind != StatedPortalKind::Opening) continue;
+
+    void add_door(const StatedPortal& portal) {
         WordsHouse::Door door;
         door.opening = portal.kind == StatedPortalKind::Opening;
         for (const std::uint32_t r : portal.rooms)
-            if (door.rooms.size() < 2) door.rooms.push_back(room_of[r]);
+            if (door.rooms.size() < 2) door.rooms.push_back(room_of_[r]);
+        if (door.rooms.empty()) return lose("Eine Tür ohne Raum: {}.", "A door of no room: {}.", portal.name);
         // Of stairs and a room the room tells the storey.
-        if (door.rooms.size() > 1 && house.rooms[door.rooms[0]].kind != WordsHouse::Kind::Room)
+        if (door.rooms.size() > 1 && house_.rooms[door.rooms[0]].kind != WordsHouse::Kind::Room)
             std::swap(door.rooms[0], door.rooms[1]);
-        if (door.opening && door.rooms.size() > 1) note_drop(house, door);
+        if (door.opening && door.rooms.size() > 1) note_drop(house_, door);
         door.at_m = Vec2(portal.place_m);
         door.width_m = std::max(portal.width_m, 0.1);
-        if (const Feature* feature = scene.find(portal.feature)) {
-            if (!feature->made_name) door.name = one_line(feature->name);
-            for (const Mover& mover : scene.movers)
-                if (mover.feature == portal.feature) {
-                    door.sliding = mover.lift == Mover{}.lift && glm::length(mover.slide_m) > 0.1;
-                    door.by_itself = mover.lift == Mover{}.lift && !mover.approach_m.empty();
-                }
-        }
-        if (door.rooms.empty()) {
-            house.lost.push_back(german ? fmt::format("Eine Tür ohne Raum: {}.", portal.name)
-                                        : fmt::format("A door of no room: {}.", portal.name));
-            continue;
-        }
-        house.doors.push_back(std::move(door));
+        if (const Feature* feature = scene_.find(portal.feature); feature && !feature->made_name)
+            door.name = one_line(feature->name);
+        for (const Mover& mover : scene_.movers)
+            if (scene_.find(portal.feature) && mover.feature == portal.feature) {
+                door.sliding = mover.lift == Mover{}.lift && glm::length(mover.slide_m) > 0.1;
+                door.by_itself = mover.lift == Mover{}.lift && !mover.approach_m.empty();
+            }
+        house_.doors.push_back(std::move(door));
     }
-    for (const StatedPortal* portal : platforms) {
-        WordsHouse::Lift lift{one_line(portal->name), room_of[portal->rooms[0]], room_of[portal->rooms[1]]};
-        if (house.rooms[lift.from].storey > house.rooms[lift.to].storey) std::swap(lift.from, lift.to);
-        const Aabb& box = scene.find(portal->feature)->bounds_m;
+
+    void add_lift(const StatedPortal& portal) {
+        WordsHouse::Lift lift{one_line(portal.name), room_of_[portal.rooms[0]], room_of_[portal.rooms[1]]};
+        if (house_.rooms[lift.from].storey > house_.rooms[lift.to].storey) std::swap(lift.from, lift.to);
+        const Aabb& box = scene_.find(portal.feature)->bounds_m;
         lift.at_m = Vec2(box.centre_m());
         lift.size_m = Vec2(box.size_m());
-        house.lifts.push_back(std::move(lift));
+        house_.lifts.push_back(std::move(lift));
     }
-    for (const StatedPortal* portal : flights) {
-        std::optional<WordsHouse::Flight> flight = flight_of(scene, portal->feature);
-        if (!flight) continue;
-        flight->from = room_of[portal->rooms[0]], flight->to = room_of[portal->rooms[1]];
-        if (house.rooms[flight->from].storey > house.rooms[flight->to].storey) std::swap(flight->from, flight->to);
-        if (!scene.find(portal->feature)->made_name) flight->name = one_line(portal->name);
-        house.flights.push_back(std::move(*flight));
+
+    void add_flight(const StatedPortal& portal) {
+        std::optional<WordsHouse::Flight> flight = flight_of(scene_, portal.feature);
+        if (!flight) return;
+        flight->from = room_of_[portal.rooms[0]], flight->to = room_of_[portal.rooms[1]];
+        if (house_.rooms[flight->from].storey > house_.rooms[flight->to].storey) std::swap(flight->from, flight->to);
+        if (!scene_.find(portal.feature)->made_name) flight->name = one_line(portal.name);
+        house_.flights.push_back(std::move(*flight));
     }
+
+    template <typename... Args>
+    void lose(const char* german, const char* english, const Args&... args) {
+        house_.lost.push_back(fmt::format(fmt::runtime(german_ ? german : english), args...));
+    }
+
+    const Scene& scene_;
+    const StatedBuilding& stated_;
+    const bool german_;
+    const FloorMaterials floors_{scene_};
+    WordsHouse house_;
+    std::map<std::uint32_t, std::size_t> number_;    // of a stated storey, in the house
+    std::vector<std::size_t> parent_;                // of a stated room: another that is one with it
+    std::map<std::size_t, WordsHouse::Kind> kinds_;  // of a root that is no room
+    std::vector<std::size_t> room_of_;               // of a stated room, in the house
+    std::vector<const StatedPortal*> platforms_, flights_;
+};
+
+}  // namespace
+
+WordsHouse stated_house(const Scene& scene, WordLanguage language) {
+    WordsHouse house = StatedHouse(scene, language == WordLanguage::German).write();
     furnish(house, scene, language);
     return house;
 }

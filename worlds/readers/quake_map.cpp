@@ -332,6 +332,44 @@ private:
         return thing;
     }
 
+    // What a brush is by its texture, beside the meaning of its entity.
+    struct BrushSense {
+        SolidRole role = SolidRole::Solid;
+        FeatureKind kind = FeatureKind::Liquid;  // of a volume
+        std::string_view volume;                 // its name; empty: no volume
+    };
+    // None of what editors need and nobody meets.
+    std::optional<BrushSense> sense_of(const MapBrush& brush, const MapMeaning& meaning) {
+        if (meaning.role == SolidRole::Trigger || meaning.role == SolidRole::Illusion || meaning.liquid)
+            return BrushSense{meaning.role, FeatureKind::Liquid, {}};
+        switch (brushes_.sense_of(brush)) {
+            case TextureSense::Water:
+                return BrushSense{SolidRole::Liquid, FeatureKind::Liquid, "water"};
+            case TextureSense::Slime:
+                return BrushSense{SolidRole::Liquid, FeatureKind::Liquid, "slime"};
+            case TextureSense::Lava:
+                return BrushSense{SolidRole::Liquid, FeatureKind::Liquid, "lava"};
+            case TextureSense::Teleport:
+                return BrushSense{SolidRole::Teleport, FeatureKind::Teleport, "teleporter"};
+            case TextureSense::Trigger:
+                return BrushSense{SolidRole::Trigger, FeatureKind::Trigger, "marked place"};
+            case TextureSense::Clip:
+                return BrushSense{SolidRole::BodyClip, FeatureKind::Liquid, {}};
+            case TextureSense::LeftOut:
+                return std::nullopt;
+            case TextureSense::Ordinary:
+                break;
+        }
+        return BrushSense{meaning.role, FeatureKind::Liquid, {}};
+    }
+
+    // What the brushes of an entity have made so far.
+    struct Made {
+        FeatureId whole = kNoFeature;
+        bool moves = false;
+        std::optional<Vec3> origin_units;  // about which it turns
+    };
+
     // called: by its kind, where the map gives it no name.
     void read_brushes(const MapEntity& entity, const std::string& class_name, int index, std::string_view called = {}) {
         MapMeaning meaning = meanings_.read(entity, class_name, index);
@@ -347,114 +385,86 @@ private:
             note_role(entity, thing);
             return;
         }
-        FeatureId whole = kNoFeature;
-        bool moves = false;
-        std::optional<Vec3> origin_units;
+        Made made;
         for (const MapBrush& brush : entity.brushes) {
-            if (stopped()) break;
             if (stopped()) return;
-            BuiltSolid built = brushes_.counted_solid_of(brush);
-            if (built.fault != SolidFault::None) continue;
-            Solid solid;
-            solid.role = meaning.role;
-            solid.source = {brush.place.line, index};
-            FeatureKind volume_kind = FeatureKind::Liquid;
-            std::string_view volume_name;
-            const bool fixed_role =
-                meaning.role == SolidRole::Trigger || meaning.role == SolidRole::Illusion || meaning.liquid;
-            switch (fixed_role ? TextureSense::Ordinary : brushes_.sense_of(brush)) {
-                case TextureSense::Ordinary:
-                    break;
-                case TextureSense::Water:
-                    volume_name = "water";
-                    break;
-                case TextureSense::Slime:
-                    volume_name = "slime";
-                    break;
-                case TextureSense::Lava:
-                    volume_name = "lava";
-                    break;
-                case TextureSense::Teleport:
-                    volume_kind = FeatureKind::Teleport;
-                    volume_name = "teleporter";
-                    break;
-                case TextureSense::Trigger:
-                    volume_kind = FeatureKind::Trigger;
-                    volume_name = "marked place";
-                    break;
-                case TextureSense::Clip:
-                    solid.role = SolidRole::BodyClip;
-                    break;
-                case TextureSense::LeftOut:
-                    ++helper_brushes_;
-                    if (lower_ascii(brush.faces.front().texture) == "origin")
-                        origin_units = built.solid.bounds_m.centre_m() / units_;
-                    continue;
-            }
-            // Whoever copied it twice by mistake feels one; thousands in one place would only cost time.
-            if (const int line =
-                    solid.role == SolidRole::Solid && volume_name.empty() && !meaning.soft
-                        ? brushes_.repeats(built, meaning.structure ? 0U : 1U + static_cast<std::uint32_t>(index),
-                                           brush.place.line)
-                        : 0;
-                line > 0) {
-                ++repeated_brushes_;
-                diagnostics_.warn(brush.place, "map.then_left_out", "map.repeated_brush", {{"line", line}});
-                continue;
-            }
-            if (!volume_name.empty())
-                solid.role = volume_kind == FeatureKind::Liquid     ? SolidRole::Liquid
-                             : volume_kind == FeatureKind::Teleport ? SolidRole::Teleport
-                                                                    : SolidRole::Trigger;
-            if (solid.role == SolidRole::Liquid) {
-                ++scene_.report.liquids;
-                solid.viscosity_ns_per_m = meaning.viscosity_ns_per_m;
-                solid.buoyancy_n = meaning.buoyancy_n;
-                solid.film_n = meaning.film_n;
-                solid.flow_hand_m_per_s = meaning.flow_hand_m_per_s;
-            }
-            moves = moves || solid.role == SolidRole::Mover;
-            if (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover)
-                scene_.bounds_m.include(built.solid.bounds_m);
-            if (meaning.structure) {
-                if (!volume_name.empty()) volumes_.push_back({scene_.solids.size(), volume_kind, volume_name});
-            } else {
-                if (!whole) whole = add_feature(meaning.feature);
-                Feature& feature = scene_.features[whole.value];
-                feature.bounds_m.include(built.solid.bounds_m);
-                if (feature.name.empty() && !volume_name.empty()) {
-                    give_name(feature, volume_name);
-                    feature.kind = volume_kind;
-                }
-                solid.feature = whole;
-            }
-            std::vector<FaceLook>& looks = looks_.emplace_back();
-            for (const std::uint32_t plane : built.plane_index) {
-                const TextureFacts& facts = brushes_.facts_of(brush.faces[brushes_.face_of_plane(plane)].texture);
-                const bool touchable = solid.role == SolidRole::Solid || solid.role == SolidRole::Mover;
-                solid.face_materials.push_back(
-                    touchable ? looks_of_.material_of(scene_, meaning, facts,
-                                                      brush.faces[brushes_.face_of_plane(plane)].texture)
-                              : kDefaultMaterial);
-                looks.push_back(facts.sky ? kSkyLook : looks_of_.look_of(meaning, facts));
-            }
-            solid.shape = std::move(built.solid);
-            if (meaning.soft && (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover))
-                solid.soft = soft_face_of(*meaning.soft, solid.shape, spoken_name(meaning.feature), diagnostics_);
-            scene_.solids.push_back(std::move(solid));
+            read_brush(brush, meaning, index, made);
         }
-        for (const MapPatch& patch : entity.patches) read_patch(patch, meaning, index, whole, side);
-        if (moves) ++scene_.report.movers;
-        if (whole && meaning.body) bodies_.add(scene_, *meaning.body, whole, entity.place, diagnostics_);
-        else if (moves) note_mover(movers_, entity, class_name, whole, keys_, origin_units);
-        note_role(entity, whole);
-        if (whole && meaning.role == SolidRole::Trigger) note_switch(movers_, entity, class_name, whole);
-        if (whole && scene_.features[whole.value].kind == FeatureKind::Door) {
-            Feature& door = scene_.features[whole.value];
-            const Vec3 size = door.bounds_m.size_m();
-            if (door.name == "door" && size.z < 0.5 * std::min(size.x, size.y))
-                door.name = "sliding floor";  // lies flat: a bridge or trapdoor
+        for (const MapPatch& patch : entity.patches) read_patch(patch, meaning, index, made.whole, side);
+        if (made.moves) ++scene_.report.movers;
+        if (made.whole && meaning.body) bodies_.add(scene_, *meaning.body, made.whole, entity.place, diagnostics_);
+        else if (made.moves) note_mover(movers_, entity, class_name, made.whole, keys_, made.origin_units);
+        note_role(entity, made.whole);
+        if (!made.whole) return;
+        if (meaning.role == SolidRole::Trigger) note_switch(movers_, entity, class_name, made.whole);
+        Feature& feature = scene_.features[made.whole.value];
+        const Vec3 size = feature.bounds_m.size_m();
+        if (feature.kind == FeatureKind::Door && feature.name == "door" && size.z < 0.5 * std::min(size.x, size.y))
+            feature.name = "sliding floor";  // lies flat: a bridge or trapdoor
+    }
+
+    void read_brush(const MapBrush& brush, const MapMeaning& meaning, int index, Made& made) {
+        BuiltSolid built = brushes_.counted_solid_of(brush);
+        if (built.fault != SolidFault::None) return;
+        const std::optional<BrushSense> sense = sense_of(brush, meaning);
+        if (!sense) {
+            ++helper_brushes_;
+            if (lower_ascii(brush.faces.front().texture) == "origin")
+                made.origin_units = built.solid.bounds_m.centre_m() / units_;
+            return;
         }
+        if (repeats(brush, built, *sense, meaning, index)) return;
+        Solid solid;
+        solid.role = sense->role;
+        solid.source = {brush.place.line, index};
+        const bool touchable = solid.role == SolidRole::Solid || solid.role == SolidRole::Mover;
+        if (solid.role == SolidRole::Liquid) {
+            ++scene_.report.liquids;
+            solid.viscosity_ns_per_m = meaning.viscosity_ns_per_m;
+            solid.buoyancy_n = meaning.buoyancy_n;
+            solid.film_n = meaning.film_n;
+            solid.flow_hand_m_per_s = meaning.flow_hand_m_per_s;
+        }
+        made.moves = made.moves || solid.role == SolidRole::Mover;
+        if (touchable) scene_.bounds_m.include(built.solid.bounds_m);
+        if (!meaning.structure) solid.feature = part_of_whole(made, meaning, built.solid.bounds_m, *sense);
+        else if (!sense->volume.empty()) volumes_.push_back({scene_.solids.size(), sense->kind, sense->volume});
+        std::vector<FaceLook>& looks = looks_.emplace_back();
+        for (const std::uint32_t plane : built.plane_index) {
+            const std::string_view texture = brush.faces[brushes_.face_of_plane(plane)].texture;
+            const TextureFacts& facts = brushes_.facts_of(texture);
+            solid.face_materials.push_back(touchable ? looks_of_.material_of(scene_, meaning, facts, texture)
+                                                     : kDefaultMaterial);
+            looks.push_back(facts.sky ? kSkyLook : looks_of_.look_of(meaning, facts));
+        }
+        solid.shape = std::move(built.solid);
+        if (meaning.soft && touchable)
+            solid.soft = soft_face_of(*meaning.soft, solid.shape, spoken_name(meaning.feature), diagnostics_);
+        scene_.solids.push_back(std::move(solid));
+    }
+
+    // Whoever copied a brush twice by mistake feels one; thousands in one place would only cost time.
+    bool repeats(const MapBrush& brush, const BuiltSolid& built, const BrushSense& sense, const MapMeaning& meaning,
+                 int index) {
+        if (sense.role != SolidRole::Solid || meaning.soft) return false;
+        const int line =
+            brushes_.repeats(built, meaning.structure ? 0U : 1U + static_cast<std::uint32_t>(index), brush.place.line);
+        if (line <= 0) return false;
+        ++repeated_brushes_;
+        diagnostics_.warn(brush.place, "map.then_left_out", "map.repeated_brush", {{"line", line}});
+        return true;
+    }
+
+    // The feature of all brushes of an entity, which a volume without a name gets its own from.
+    FeatureId part_of_whole(Made& made, const MapMeaning& meaning, const Aabb& bounds_m, const BrushSense& sense) {
+        if (!made.whole) made.whole = add_feature(meaning.feature);
+        Feature& feature = scene_.features[made.whole.value];
+        feature.bounds_m.include(bounds_m);
+        if (feature.name.empty() && !sense.volume.empty()) {
+            give_name(feature, sense.volume);
+            feature.kind = sense.kind;
+        }
+        return made.whole;
     }
 
     void note_role(const MapEntity& entity, FeatureId feature) {

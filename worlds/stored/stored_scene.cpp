@@ -260,51 +260,60 @@ void fields(A& a, T& v) {
 
 namespace {
 
+bool is_known(const Scene& scene, FeatureId id) { return !id || id.value < scene.features.size(); }
+
+bool are_movers(const Scene& scene, const std::vector<std::uint32_t>& places) {
+    return std::all_of(places.begin(), places.end(), [&](std::uint32_t p) { return p < scene.movers.size(); });
+}
+
+bool is_whole(const Scene& scene, const Mover& mover) {
+    return is_known(scene, mover.feature) && are_movers(scene, mover.sets_going) &&
+           (mover.lift == kNoMover || mover.lift < scene.movers.size());
+}
+
+bool is_whole(const HeightPicture* heights) {
+    return heights && heights->width >= 1 && heights->height >= 1 &&
+           heights->depths.size() ==
+               static_cast<std::size_t>(heights->width) * static_cast<std::size_t>(heights->height);
+}
+
+bool is_whole(const Scene& scene, const LabyrinthPlan& game) {
+    const auto all_known = [&](const std::vector<FeatureId>& ids) {
+        return std::all_of(ids.begin(), ids.end(), [&](FeatureId id) { return is_known(scene, id); });
+    };
+    return is_known(scene, game.ball) && all_known(game.planks) && all_known(game.blocks) && all_known(game.borders);
+}
+
+bool is_whole(const Scene& scene, const StatedBuilding& stated) {
+    for (const StatedRoom& room : stated.rooms)
+        if (room.storey != kNotStated && room.storey >= stated.storeys.size()) return false;
+    for (const std::vector<StatedThing>* things : {&stated.windows, &stated.furnishings})
+        for (const StatedThing& thing : *things)
+            if (!is_known(scene, thing.feature)) return false;
+    for (const StatedPortal& portal : stated.portals) {
+        if (!is_known(scene, portal.feature)) return false;
+        for (const std::uint32_t room : portal.rooms)
+            if (room >= stated.rooms.size()) return false;
+    }
+    return true;
+}
+
 // What the scene's own check does not look at, since readers cannot get it wrong.
 bool holds_together(const Scene& scene) {
-    const auto known = [&](FeatureId id) { return !id || id.value < scene.features.size(); };
-    const auto all_known = [&](const std::vector<FeatureId>& ids) {
-        return std::all_of(ids.begin(), ids.end(), known);
-    };
-    const auto movers_known = [&](const std::vector<std::uint32_t>& places) {
-        return std::all_of(places.begin(), places.end(), [&](std::uint32_t p) { return p < scene.movers.size(); });
-    };
     for (const Solid& solid : scene.solids)
         if (solid.soft && solid.soft->face >= solid.shape.planes.size()) return false;
     for (const Mover& mover : scene.movers)
-        if (!known(mover.feature) || !movers_known(mover.sets_going) ||
-            (mover.lift != kNoMover && mover.lift >= scene.movers.size()))
-            return false;
+        if (!is_whole(scene, mover)) return false;
     for (const Switch& one : scene.switches)
-        if (!known(one.volume) || !movers_known(one.sets_going)) return false;
+        if (!is_known(scene, one.volume) || !are_movers(scene, one.sets_going)) return false;
     for (const Effect& effect : scene.effects)
-        if (!known(effect.belongs_to)) return false;
+        if (!is_known(scene, effect.belongs_to)) return false;
     for (const Material& material : scene.materials)
-        if (material.picture) {
-            const HeightPicture* heights = material.picture->heights.get();
-            if (!heights || heights->width < 1 || heights->height < 1 ||
-                heights->depths.size() !=
-                    static_cast<std::size_t>(heights->width) * static_cast<std::size_t>(heights->height))
-                return false;
-        }
-    const LabyrinthPlan& game = scene.labyrinth;
-    if (!known(game.ball) || !all_known(game.planks) || !all_known(game.blocks) || !all_known(game.borders))
-        return false;
-    if (scene.bodies.size() > FreeBody::kMost) return false;
+        if (material.picture && !is_whole(material.picture->heights.get())) return false;
+    if (!is_whole(scene, scene.labyrinth) || scene.bodies.size() > FreeBody::kMost) return false;
     for (const PlacedModel& placed : scene.placed)
         if (!placed.model || !validate(*placed.model) || !holds_together(*placed.model)) return false;
-    if (!scene.stated) return true;
-    for (const StatedRoom& room : scene.stated->rooms)
-        if (room.storey != kNotStated && room.storey >= scene.stated->storeys.size()) return false;
-    for (const std::vector<StatedThing>* things : {&scene.stated->windows, &scene.stated->furnishings})
-        for (const StatedThing& thing : *things)
-            if (!known(thing.feature)) return false;
-    for (const StatedPortal& portal : scene.stated->portals) {
-        if (!known(portal.feature)) return false;
-        for (const std::uint32_t room : portal.rooms)
-            if (room >= scene.stated->rooms.size()) return false;
-    }
-    return true;
+    return !scene.stated || is_whole(scene, *scene.stated);
 }
 
 }  // namespace

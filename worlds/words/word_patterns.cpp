@@ -721,81 +721,121 @@ void note_count(const WordToken& first, const std::string& names, SaidSentence& 
     said.count = static_cast<int>(count);
 }
 
+// Walks through a sentence: its subject first, then what is said of it, and what was not understood.
+class SentenceReader {
+public:
+    SentenceReader(const WordSentence& sentence, const SpeakersOf& speaker)
+        : sentence_(sentence),
+          speaker_(speaker),
+          at_(kind_of(sentence, speaker.language, said_)),
+          kind_(with_kind()),
+          matcher_(sentence, speaker, kind_) {
+        if (!has_subject()) subject_end_ = at_;
+    }
+
+    SaidSentence read() {
+        // The building's name is all of it.
+        const bool all_name = kind_ == SentenceKind::Building || kind_ == SentenceKind::Language;
+        for (int looked_at = 0; at_ < sentence_.tokens.size(); ++looked_at) {
+            if (looked_at >= static_cast<int>(kMostWords)) {
+                not_understood();
+                break;
+            }
+            if (all_name) ++at_;
+            else if (!take_comma() && !take_name() && !take_part()) leave_word();
+        }
+        lose(sentence_.tokens.size());
+        if (has_subject()) name_subject();
+        said_.in_steps = matcher_.in_steps();
+        return std::move(said_);
+    }
+
+private:
+    static constexpr std::size_t kOpen = std::string::npos;
+
+    SentenceKind with_kind() {
+        if (said_.kind == SentenceKind::Thing && !said_.explicit_kind && (sentence_.first || sentence_.paragraph) &&
+            is_room(sentence_, speaker_, at_))
+            said_.kind = SentenceKind::Room;
+        return said_.kind;
+    }
+    bool has_subject() const {
+        return kind_ == SentenceKind::Room || kind_ == SentenceKind::Thing || kind_ == SentenceKind::Building ||
+               kind_ == SentenceKind::Storey || kind_ == SentenceKind::Language;
+    }
+    const WordToken& token() const { return sentence_.tokens[at_]; }
+    bool begins_subject() const { return at_ == subject_from_ && has_subject(); }
+
+    void not_understood() {
+        if (lost_from_ == kOpen) lost_from_ = at_;
+    }
+    void lose(std::size_t end) {
+        if (lost_from_ == kOpen) return;
+        if (std::string text = joined(std::span(sentence_.tokens).subspan(lost_from_, end - lost_from_)); !text.empty())
+            said_.not_understood.push_back(std::move(text));
+        lost_from_ = kOpen;
+    }
+
+    bool take_comma() {
+        if (token().kind != WordToken::Kind::Comma && token().kind != WordToken::Kind::Colon) return false;
+        if (subject_end_ == kOpen && at_ > subject_from_) subject_end_ = at_;
+        lose(at_);
+        ++at_;
+        return true;
+    }
+
+    // In quotation marks.
+    bool take_name() {
+        if (token().kind != WordToken::Kind::Name || !begins_subject()) return false;
+        subject_end_ = ++at_;
+        return true;
+    }
+
+    // A number or a word at the very beginning is part of the name; "stairs to ..." is both.
+    bool take_part() {
+        auto part = matcher_.at(at_);
+        if (!part) return false;
+        const bool names = begins_subject();
+        if (names && part->first.says != Says::Stairs && part->first.says != Says::Lift) return false;
+        if (subject_end_ == kOpen) subject_end_ = names ? at_ + 1 : at_;
+        lose(at_);
+        said_.parts.push_back(std::move(part->first));
+        at_ = part->second;
+        return true;
+    }
+
+    // Of the subject, or noise, or not understood.
+    void leave_word() {
+        const bool noise = token().kind == WordToken::Kind::Word &&
+                           (has(kNoise, token().folded) || has(articles_of(speaker_.language), token().folded));
+        if (subject_end_ != kOpen && !noise) not_understood();
+        ++at_;
+    }
+
+    void name_subject() {
+        const std::size_t end = std::min(subject_end_, sentence_.tokens.size());
+        const auto words = [&](std::size_t from) {
+            return joined(std::span(sentence_.tokens).subspan(from, end - from));
+        };
+        said_.name = words(subject_from_);
+        if (kind_ == SentenceKind::Thing && !said_.explicit_kind && end > subject_from_ + 1)
+            note_count(sentence_.tokens[subject_from_], words(subject_from_ + 1), said_);
+    }
+
+    const WordSentence& sentence_;
+    const SpeakersOf& speaker_;
+    SaidSentence said_;
+    std::size_t at_;
+    const SentenceKind kind_;
+    Matcher matcher_;
+    const std::size_t subject_from_ = at_;
+    std::size_t subject_end_ = kOpen, lost_from_ = kOpen;
+};
+
 }  // namespace
 
 SaidSentence understood(const WordSentence& sentence, const SpeakersOf& speaker) {
-    SaidSentence said;
-    std::size_t at = kind_of(sentence, speaker.language, said);
-    if (said.kind == SentenceKind::Thing && !said.explicit_kind && (sentence.first || sentence.paragraph) &&
-        is_room(sentence, speaker, at))
-        said.kind = SentenceKind::Room;
-    Matcher matcher(sentence, speaker, said.kind);
-    const std::size_t subject_from = at;
-    std::size_t subject_end = std::string::npos, lost_from = std::string::npos, looked_at = 0;
-    const auto lose = [&](std::size_t end) {
-        if (lost_from == std::string::npos) return;
-        if (std::string text = joined(std::span(sentence.tokens).subspan(lost_from, end - lost_from)); !text.empty())
-            said.not_understood.push_back(std::move(text));
-        lost_from = std::string::npos;
-    };
-    const bool has_subject = said.kind == SentenceKind::Room || said.kind == SentenceKind::Thing ||
-                             said.kind == SentenceKind::Building || said.kind == SentenceKind::Storey ||
-                             said.kind == SentenceKind::Language;
-    if (!has_subject) subject_end = at;
-    while (at < sentence.tokens.size()) {
-        const WordToken& token = sentence.tokens[at];
-        if (++looked_at > kMostWords) {
-            if (lost_from == std::string::npos) lost_from = at;
-            break;
-        }
-        // The building's name is all of it.
-        if (said.kind == SentenceKind::Building || said.kind == SentenceKind::Language) {
-            ++at;
-            continue;
-        }
-        if (token.kind == WordToken::Kind::Comma || token.kind == WordToken::Kind::Colon) {
-            if (subject_end == std::string::npos && at > subject_from) subject_end = at;
-            lose(at);
-            ++at;
-            continue;
-        }
-        const bool quoted_subject = token.kind == WordToken::Kind::Name && at == subject_from && has_subject;
-        // A number or a word at the very beginning is part of the name; "stairs to ..." is both.
-        const bool at_name = at == subject_from && has_subject;
-        if (!quoted_subject) {
-            auto part = matcher.at(at);
-            if (at_name && part && part->first.says != Says::Stairs && part->first.says != Says::Lift) part.reset();
-            if (part) {
-                if (subject_end == std::string::npos) subject_end = at_name ? at + 1 : at;
-                lose(at);
-                said.parts.push_back(std::move(part->first));
-                at = part->second;
-                continue;
-            }
-        }
-        if (quoted_subject) {
-            subject_end = at + 1;
-        } else if (subject_end != std::string::npos) {
-            const bool noise = token.kind == WordToken::Kind::Word &&
-                               (has(kNoise, token.folded) || has(articles_of(speaker.language), token.folded));
-            if (noise && lost_from == std::string::npos) {
-                ++at;
-                continue;
-            }
-            if (lost_from == std::string::npos) lost_from = at;
-        }
-        ++at;
-    }
-    lose(sentence.tokens.size());
-    if (has_subject) {
-        const std::size_t end = std::min(subject_end, sentence.tokens.size());
-        said.name = joined(std::span(sentence.tokens).subspan(subject_from, end - subject_from));
-        if (said.kind == SentenceKind::Thing && !said.explicit_kind && end > subject_from + 1)
-            note_count(sentence.tokens[subject_from],
-                       joined(std::span(sentence.tokens).subspan(subject_from + 1, end - subject_from - 1)), said);
-    }
-    said.in_steps = matcher.in_steps();
-    return said;
+    return SentenceReader(sentence, speaker).read();
 }
 
 std::string name_key(std::string_view name, WordLanguage language) {

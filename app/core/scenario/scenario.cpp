@@ -194,126 +194,153 @@ void must_be_one_of(const std::string& word, std::span<const std::string_view> k
                            {"nearest", nearest_name(word, std::vector<std::string>(known.begin(), known.end()))}})};
 }
 
-Expectation expectation_of(const TomlValue& table, const std::set<std::string>& names) {
-    TomlFields fields(table, "expectation");
-    Expectation e;
-    e.line = fields.line();
-    int kinds = 0;
-    const auto is = [&](const char* key, Check check) {
-        if (!fields.has(key)) return false;
-        ++kinds;
-        e.check = check;
+// Reads one expectation: what is checked, by exactly one key, and when.
+class ExpectationReader {
+public:
+    explicit ExpectationReader(const TomlValue& table) : fields_(table, "expectation") { e_.line = fields_.line(); }
+
+    Expectation read(const std::set<std::string>& names) {
+        read_words();
+        read_sounds();
+        read_forces();
+        read_vibrations();
+        read_places();
+        read_when(names);
+        fields_.done();
+        if (kinds_ != 1) throw BadField{e_.line, phrase("scenario.one_check")};
+        return e_;
+    }
+
+private:
+    bool is(const char* key, Check check) {
+        if (!fields_.has(key)) return false;
+        ++kinds_;
+        e_.check = check;
         return true;
-    };
-    const auto sound = [&](const char* key) {
-        e.text = fields.text(key);
-        must_be_one_of(e.text, all_sound_names(), e.line, "scenario.no_sound");
-        if (fields.has("material")) {
-            e.material = fields.text("material");
-            must_be_one_of(e.material, all_material_names(), e.line, "scenario.no_material");
+    }
+    void words(const char* key, Check check) {
+        if (is(key, check)) e_.text = fields_.text(key);
+    }
+    void flag(const char* key, Check check) {
+        if (is(key, check)) fields_.flag(key);
+    }
+    // At most that.
+    bool limit(const char* key, Check check, double most) {
+        if (!is(key, check)) return false;
+        e_.high = fields_.number(key, 0.0, most);
+        return true;
+    }
+    bool range(const char* key, Check check) {
+        if (!is(key, check)) return false;
+        const auto range = fields_.range(key);
+        e_.low = range[0];
+        e_.high = range[1];
+        return true;
+    }
+    void frequencies() {
+        e_.from_hz = fields_.number("from_hz", 0.1, 500.0);
+        e_.to_hz = fields_.number("to_hz", 0.1, 500.0);
+    }
+    void direction() {
+        e_.vector = fields_.vector("direction");
+        e_.has_vector = true;
+        const double length = glm::length(e_.vector);
+        if (!(length > 0.0)) throw BadField{e_.line, phrase("scenario.zero", {{"key", "direction"}})};
+        e_.vector /= length;
+    }
+
+    void read_words() {
+        words("say", Check::Say);
+        words("not_say", Check::NotSay);
+        words("say_in_order", Check::SayInOrder);
+        limit("nothing_twice_s", Check::NothingTwice, 1e6);
+    }
+
+    bool sound(const char* key, Check check) {
+        if (!is(key, check)) return false;
+        e_.text = fields_.text(key);
+        must_be_one_of(e_.text, all_sound_names(), e_.line, "scenario.no_sound");
+        if (fields_.has("material")) {
+            e_.material = fields_.text("material");
+            must_be_one_of(e_.material, all_material_names(), e_.line, "scenario.no_material");
         }
-        if (fields.has("muffled_db")) e.muffled_db = fields.range("muffled_db");
-        if (fields.has("pitch")) e.pitch = fields.range("pitch");
-    };
-    const auto direction = [&](const char* key) {
-        e.vector = fields.vector(key);
-        e.has_vector = true;
-        const double length = glm::length(e.vector);
-        if (!(length > 0.0)) throw BadField{e.line, phrase("scenario.zero", {{"key", "direction"}})};
-        e.vector /= length;
-    };
-    const auto place = [&](const char* key) {
-        e.vector = fields.vector(key, true);
-        e.has_vector = true;
-        e.tolerance = fields.number("within_m", 0.0, 1e6);
-        e.always = false;
-    };
-    if (is("say", Check::Say)) e.text = fields.text("say");
-    if (is("not_say", Check::NotSay)) e.text = fields.text("not_say");
-    if (is("say_in_order", Check::SayInOrder)) e.text = fields.text("say_in_order");
-    if (is("nothing_twice_s", Check::NothingTwice)) e.high = fields.number("nothing_twice_s", 0.0, 1e6);
-    if (is("sound_faster", Check::SoundFaster)) sound("sound_faster");
-    if (is("sound", Check::Sound)) {
-        sound("sound");
-        e.high = fields.number_or("latency_ms", -1.0, 0.0, 10000.0);
+        if (fields_.has("muffled_db")) e_.muffled_db = fields_.range("muffled_db");
+        if (fields_.has("pitch")) e_.pitch = fields_.range("pitch");
+        return true;
     }
-    if (is("not_sound", Check::NotSound)) sound("not_sound");
-    if (is("sound_rising", Check::SoundRising)) sound("sound_rising");
-    if (is("force_n", Check::Force)) {
-        const auto range = fields.range("force_n");
-        e.low = range[0];
-        e.high = range[1];
-        if (fields.has("direction")) direction("direction");
+    void read_sounds() {
+        if (sound("sound", Check::Sound)) e_.high = fields_.number_or("latency_ms", -1.0, 0.0, 10000.0);
+        sound("sound_faster", Check::SoundFaster);
+        sound("not_sound", Check::NotSound);
+        sound("sound_rising", Check::SoundRising);
     }
-    if (is("force_step_n", Check::ForceStep)) e.high = fields.number("force_step_n", 0.0, 1e6);
-    if (is("force_spike", Check::ForceSpike)) e.high = fields.number("force_spike", 0.0, 1e6);
-    if (is("force_line_n", Check::ForceLine)) {
-        e.high = fields.number("force_line_n", 0.0, 1e6);
-        e.from_hz = e.to_hz = fields.number("hz", 0.1, 500.0);
+
+    void read_forces() {
+        if (range("force_n", Check::Force) && fields_.has("direction")) direction();
+        limit("force_step_n", Check::ForceStep, 1e6);
+        limit("force_spike", Check::ForceSpike, 1e6);
+        if (limit("force_angle_deg", Check::ForceAngle, 180.0)) direction();
+        flag("force_rising", Check::ForceRising);
+        limit("depth_mm", Check::Depth, 1e6);
+        limit("penetration_m", Check::Penetration, 1e6);
+        if (range("slide_mu", Check::SlideRatio)) direction();
     }
-    if (is("force_band_n", Check::ForceBand)) {
-        e.high = fields.number("force_band_n", 0.0, 1e6);
-        e.from_hz = fields.number("from_hz", 0.1, 500.0);
-        e.to_hz = fields.number("to_hz", 0.1, 500.0);
+
+    void read_vibrations() {
+        if (limit("force_line_n", Check::ForceLine, 1e6)) e_.from_hz = e_.to_hz = fields_.number("hz", 0.1, 500.0);
+        if (limit("force_band_n", Check::ForceBand, 1e6)) frequencies();
+        if (range("strongest_line_hz", Check::StrongestLine)) {
+            frequencies();
+            e_.tolerance = fields_.number("at_least_n", 0.0, 1e6);
+        }
     }
-    if (is("force_angle_deg", Check::ForceAngle)) {
-        e.high = fields.number("force_angle_deg", 0.0, 180.0);
-        e.vector = fields.vector("direction");
-        const double length = glm::length(e.vector);
-        if (!(length > 0.0)) throw BadField{e.line, phrase("scenario.zero", {{"key", "direction"}})};
-        e.vector /= length;
+
+    void place(const char* key, Check check) {
+        if (!is(key, check)) return;
+        e_.vector = fields_.vector(key, true);
+        e_.has_vector = true;
+        e_.tolerance = fields_.number("within_m", 0.0, 1e6);
+        e_.always = false;
     }
-    if (is("depth_mm", Check::Depth)) e.high = fields.number("depth_mm", 0.0, 1e6);
-    if (is("slide_mu", Check::SlideRatio)) {
-        const auto range = fields.range("slide_mu");
-        e.low = range[0];
-        e.high = range[1];
-        direction("direction");
+    void read_places() {
+        place("body_at", Check::BodyAt);
+        place("hip_at", Check::HipAt);
+        place("proxy_at", Check::ProxyAt);
+        if (is("heading_deg", Check::Heading)) {
+            e_.low = fields_.number("heading_deg", -360.0, 360.0);
+            e_.tolerance = fields_.number_or("within_deg", 0.5, 0.0, 180.0);
+            e_.always = false;
+        }
+        if (is("touching", Check::Touching)) {
+            e_.text = fields_.text("touching");
+            e_.always = false;
+        }
+        flag("free", Check::Free);
+        flag("told_apart", Check::ToldApart);
+        words("not_told_apart", Check::NotToldApart);
     }
-    if (is("strongest_line_hz", Check::StrongestLine)) {
-        const auto range = fields.range("strongest_line_hz");
-        e.low = range[0];
-        e.high = range[1];
-        e.from_hz = fields.number("from_hz", 0.1, 500.0);
-        e.to_hz = fields.number("to_hz", 0.1, 500.0);
-        e.tolerance = fields.number("at_least_n", 0.0, 1e6);
+
+    void read_when(const std::set<std::string>& names) {
+        if (fields_.has("times")) e_.times = static_cast<int>(fields_.number("times", 0.0, 1e6));
+        if (fields_.has("always")) e_.always = fields_.flag("always");
+        e_.left = is_left(fields_);
+        if (fields_.has("after")) e_.from = read_moment(fields_, "after", names);
+        if (fields_.has("delay_s")) e_.from.offset_s += fields_.number("delay_s", 0.0, kLongest_s);
+        if (fields_.has("before")) {
+            e_.to = read_moment(fields_, "before", names);
+            e_.has_to = true;
+        }
+        if (!fields_.has("within_s")) return;
+        if (e_.has_to) throw BadField{e_.line, phrase("scenario.not_both")};
+        e_.to = e_.from;
+        e_.to.offset_s += fields_.number("within_s", 0.0, kLongest_s);
+        e_.has_to = true;
     }
-    if (is("told_apart", Check::ToldApart)) fields.flag("told_apart");
-    if (is("not_told_apart", Check::NotToldApart)) e.text = fields.text("not_told_apart");
-    if (is("force_rising", Check::ForceRising)) fields.flag("force_rising");
-    if (is("body_at", Check::BodyAt)) place("body_at");
-    if (is("hip_at", Check::HipAt)) place("hip_at");
-    if (is("proxy_at", Check::ProxyAt)) place("proxy_at");
-    if (is("heading_deg", Check::Heading)) {
-        e.low = fields.number("heading_deg", -360.0, 360.0);
-        e.tolerance = fields.number_or("within_deg", 0.5, 0.0, 180.0);
-        e.always = false;
-    }
-    if (is("penetration_m", Check::Penetration)) e.high = fields.number("penetration_m", 0.0, 1e6);
-    if (is("touching", Check::Touching)) {
-        e.text = fields.text("touching");
-        e.always = false;
-    }
-    if (is("free", Check::Free)) fields.flag("free");
-    if (fields.has("times")) e.times = static_cast<int>(fields.number("times", 0.0, 1e6));
-    if (fields.has("always")) e.always = fields.flag("always");
-    e.left = is_left(fields);
-    if (fields.has("after")) e.from = read_moment(fields, "after", names);
-    if (fields.has("delay_s")) e.from.offset_s += fields.number("delay_s", 0.0, kLongest_s);
-    if (fields.has("before")) {
-        e.to = read_moment(fields, "before", names);
-        e.has_to = true;
-    }
-    if (fields.has("within_s")) {
-        if (e.has_to) throw BadField{e.line, phrase("scenario.not_both")};
-        e.to = e.from;
-        e.to.offset_s += fields.number("within_s", 0.0, kLongest_s);
-        e.has_to = true;
-    }
-    fields.done();
-    if (kinds != 1) throw BadField{e.line, phrase("scenario.one_check")};
-    return e;
-}
+
+    TomlFields fields_;
+    Expectation e_;
+    int kinds_ = 0;
+};
 
 std::string toml_text(const TomlValue& node) {
     if (const auto* v = node.text()) return *v;
@@ -405,7 +432,7 @@ std::vector<ScenarioAction> read_actions(const TomlValue& table, const ScenarioF
 }
 
 Expectation read_expectation(const TomlValue& table, const std::set<std::string>& names) {
-    return expectation_of(table, names);
+    return ExpectationReader(table).read(names);
 }
 
 Error no_toml(const Error& error, const std::string& file) {
