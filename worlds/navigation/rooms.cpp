@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -15,6 +14,7 @@
 #include <unordered_set>
 
 #include "worlds/base/language.h"
+#include "worlds/navigation/open_places.h"
 #include "worlds/navigation/reach.h"
 #include "worlds/navigation/stated_rooms.h"
 #include "worlds/scene/outer_ground.h"
@@ -35,13 +35,8 @@ const Feature* ground_at_middle(const Room& room, const WalkSpace& space, const 
     return outer_ground_under(space.at(room.middle_m), space, scene);
 }
 
-constexpr double kDoorway_m = 0.35;    // clearance of the body's middle: an opening of at most 1.2 m
-constexpr double kDoorwayShare = 0.6;  // and narrower than this share of what lies on both sides
-constexpr double kWideShare = 0.5;     // a wider opening
-constexpr double kLeastPiece_m2 = 0.3, kLeastWide_m2 = 4.0, kLeastRoom_m2 = 0.8, kNiche_m2 = 3.0, kLeastBorder_m2 = 1.0;
-constexpr double kHuge_m2 = 150.0, kHugeShare = 0.75, kLeastOfHuge_m2 = 10.0;
-constexpr double kLong = 6.0;           // a huge place of so many squares as wide as its widest part is corridors
-constexpr double kStorey_m = 2.0;       // floors further apart are two storeys
+constexpr double kLeastRoom_m2 = 0.8, kNiche_m2 = 3.0, kLeastBorder_m2 = 1.0;
+constexpr double kNextStorey_m = 2.0;   // floors further apart are two storeys
 constexpr double kHalfStorey_m = 1.1;   // and so are those further apart than this, if the file states both storeys
 constexpr double kOnStorey_m = 0.5;     // from the height that a file states for a storey to the floors of its rooms
 constexpr double kMostBeside_m = 10.0;  // from the middle of a landmark to the floor beside it
@@ -86,7 +81,7 @@ public:
         const auto stairs = [](const WalkSpan& s) { return s.stairs && s.door == kNothing && !s.liquid; };
         const auto liquid = [](const WalkSpan& s) { return s.liquid && s.door == kNothing; };
         const std::array<std::function<void()>, 11> stages{
-            [&] { watershed(); },
+            [&] { take_open_places(); },
             // On top of what was left aside.
             [&] { pieces_of([](const WalkSpan& s) { return plain(s); }, RoomKind::Room); },
             [&] { pieces_of(stairs, RoomKind::Stairs); },
@@ -108,267 +103,21 @@ public:
     }
 
 private:
-    struct Basin {
-        double peak_m = 0.0;
-        std::size_t cells = 0;
-        std::uint32_t name = kNothing;  // place in Scene::room_names
-    };
-    static bool plain(const WallSpan& s) { return !s.door && !s.stairs && !s.liquid; }
     static bool plain(const WalkSpan& s) { return s.door == kNothing && !s.stairs && !s.liquid; }
     double clearance(std::uint32_t s) const { return static_cast<double>(space_.spans[s].clearance_m); }
     double area(std::size_t cells) const { return static_cast<double>(cells) * space_.cell_area_m2(); }
 
-    std::uint32_t root(std::uint32_t s) {
-        while (parent_[s] != s) s = parent_[s] = parent_[parent_[s]];
-        return s;
-    }
-
-    bool cut(const Basin& a, const Basin& b, std::uint32_t at) const {
-        if (a.name != kNothing && b.name != kNothing)
-            return scene_.room_names[a.name].name != scene_.room_names[b.name].name;
-        const double s = wide_m(at), peak = std::min(a.peak_m, b.peak_m), least = area(std::min(a.cells, b.cells)),
-                     both = area(a.cells + b.cells);
-        if (both > kHuge_m2 && s <= kHugeShare * peak && least >= kLeastOfHuge_m2) return true;
-        const bool doorway = s < kDoorway_m && s <= kDoorwayShare * peak && least >= kLeastPiece_m2;
-        const bool wide = s <= kWideShare * peak && least >= kLeastWide_m2;
-        return doorway || wide;
-    }
-
-    double wide_m(std::uint32_t s) const { return static_cast<double>(walls_.spans[s].clearance_m); }
-
-    // From the widest places down to the narrowest: what meets in a narrow place stays apart.
-    void watershed() {
-        const std::vector<std::uint32_t> stated = scene_.stated
-                                                      ? stated_rooms_of(*scene_.stated, walls_)
-                                                      : std::vector<std::uint32_t>(walls_.spans.size(), kNothing);
-        const auto open = [&](std::uint32_t s) {
-            return plain(walls_.spans[s]) && stated[s] == kNothing;
-        };  // the file says nothing of it
-        // Above how wide it is, the wider the less, below which one: whole numbers are sorted in a third of the time.
-        std::vector<std::uint64_t> order;
-        order.reserve(walls_.spans.size());
-        for (std::uint32_t s = 0; s < walls_.spans.size(); ++s)
-            if (open(s))
-                order.push_back(std::uint64_t{~std::bit_cast<std::uint32_t>(walls_.spans[s].clearance_m)} << 32 | s);
-        std::sort(order.begin(), order.end());
-        parent_.resize(walls_.spans.size());
-        std::iota(parent_.begin(), parent_.end(), 0U);
-        std::unordered_map<std::uint32_t, std::uint32_t> given_at;  // of a span; looked up only
-        for (std::uint32_t k = 0; k < scene_.room_names.size(); ++k) {
-            const RoomName& given = scene_.room_names[k];
-            std::uint32_t s = walls_.nearest(given.at_m, 1.5, 1.0, 3.0);
-            if (s == kNothing || given.name.empty()) continue;
-            for (bool higher = true; higher;) {  // to the widest place around
-                higher = false;
-                for (const std::uint32_t n : walls_.spans[s].next)
-                    if (n != kNothing && plain(walls_.spans[n]) && wide_m(n) > wide_m(s)) {
-                        s = n;
-                        higher = true;
-                        break;
-                    }
-            }
-            given_at.try_emplace(s, k);
-        }
-        // Of each root its basin, of each other span that has been met kMet, until the labels stand here.
-        constexpr std::uint32_t kMet = kNothing - 1;
-        of_walls_.assign(walls_.spans.size(), kNothing);
-        std::vector<Basin> basins;
-        const auto basin = [&](std::uint32_t root) -> Basin& { return basins[of_walls_[root]]; };
-        for (std::size_t k = 0; k < order.size(); ++k) {
-            if ((k & 0xffff) == 0 && stop_.stop_requested()) return;
-            const auto s = static_cast<std::uint32_t>(order[k]);
-            const auto given = given_at.find(s);
-            const std::uint32_t name = given == given_at.end() ? kNothing : given->second;
-            // First to the neighbour with most room, so that a border's cell goes where it belongs.
-            std::array<std::uint32_t, 4> around = {kNothing, kNothing, kNothing, kNothing};
-            std::size_t count = 0;
-            for (const std::uint32_t n : walls_.spans[s].next)
-                if (n != kNothing && open(n) && of_walls_[n] != kNothing) around[count++] = root(n);
-            for (std::size_t i = 1; i < count; ++i)
-                for (std::size_t j = i; j > 0 && basin(around[j]).peak_m > basin(around[j - 1]).peak_m; --j)
-                    std::swap(around[j], around[j - 1]);
-            if (count == 0) {
-                of_walls_[s] = static_cast<std::uint32_t>(basins.size());
-                basins.push_back({wide_m(s), 1, name});
-                continue;
-            }
-            // Narrower than all before it, it goes to one of them.
-            of_walls_[s] = kMet;
-            parent_[s] = around[0];
-            basin(around[0]).cells += 1;
-            if (basin(around[0]).name == kNothing) basin(around[0]).name = name;
-            for (std::size_t i = 1; i < count; ++i) {
-                const std::uint32_t a = root(s), b = root(around[i]);
-                if (a == b || cut(basin(a), basin(b), s)) continue;
-                // The one with more room goes on.
-                const std::uint32_t keep = basin(a).peak_m > basin(b).peak_m ? a : b, gone = keep == a ? b : a;
-                parent_[gone] = keep;
-                basin(keep).cells += basin(gone).cells;
-                if (basin(keep).name == kNothing) basin(keep).name = basin(gone).name;
-                of_walls_[gone] = kMet;
-            }
-        }
-        std::vector<std::uint64_t>().swap(order);
-        std::vector<std::uint32_t> label(basins.size(), kNothing);  // of each basin, in the order of its first span
-        for (std::uint32_t s = 0; s < walls_.spans.size(); ++s) {
-            if (!open(s)) continue;
-            std::uint32_t& made = label[of_walls_[root(s)]];
-            if (made != kNothing) continue;
-            made = static_cast<std::uint32_t>(kinds_.size());
-            kinds_.push_back(RoomKind::Room);
-            const std::uint32_t name = basin(root(s)).name;
-            names_.push_back(name == kNothing ? std::string() : scene_.room_names[name].name);
-        }
-        for (std::uint32_t s = 0; s < walls_.spans.size(); ++s) parent_[s] = root(s);
-        for (const bool roots : {false, true})
-            for (std::uint32_t s = 0; s < walls_.spans.size(); ++s)
-                if (open(s) && (parent_[s] == s) == roots) of_walls_[s] = label[of_walls_[parent_[s]]];
-        std::vector<std::uint32_t>().swap(parent_);
-        label_stated(stated);
-        part_long_ones();
+    // What lies over a place of the floor without furniture belongs to it.
+    void take_open_places() {
+        places_ = open_places(scene_, walls_, space_.cell_area_m2(), space_.body.radius_m, stop_);
+        kinds_.assign(places_.names.size(), RoomKind::Room);
+        names_ = places_.names;
         const double reach_m = 1.5 * space_.body.step_up_m;
-        for (std::uint32_t s = 0; s < space_.spans.size(); ++s)
+        for (std::uint32_t s = 0; s < space_.spans.size() && !places_.of_span.empty(); ++s)
             if (plain(space_.spans[s]))
                 if (const std::uint32_t under = walls_.nearest(space_.place_m(s), 0.0, reach_m, reach_m);
                     under != kNothing)
-                    label_[s] = of_walls_[under];
-    }
-
-    // What the file states is a room as a whole, whatever stands in it; and the ground outside, that the reader added,
-    // is one place.
-    void label_stated(const std::vector<std::uint32_t>& stated) {
-        stated_label_.assign(scene_.stated ? scene_.stated->rooms.size() : 0, kNothing);
-        for (std::uint32_t s = 0; s < stated.size(); ++s) {
-            if (stated[s] == kNothing || !plain(walls_.spans[s])) continue;
-            std::uint32_t& made = stated_label_[stated[s]];
-            if (made == kNothing) {
-                made = static_cast<std::uint32_t>(kinds_.size());
-                kinds_.push_back(RoomKind::Room);
-                names_.push_back(scene_.stated->rooms[stated[s]].name);
-            }
-            of_walls_[s] = made;
-        }
-        const auto ground = std::find_if(scene_.features.begin(), scene_.features.end(), is_outer_ground);
-        if (!scene_.stated || ground == scene_.features.end()) return;
-        // By how flat it lies; what is left of a place of which that is most, ledges and thresholds, is outside too.
-        std::vector<std::uint32_t> level(kinds_.size(), 0), rest(kinds_.size(), 0);
-        const auto lies_level = [&](std::uint32_t s) {
-            return std::abs(walls_.place_m(s).z - ground->bounds_m.max_m.z) <= 0.005;
-        };
-        for (std::uint32_t s = 0; s < stated.size(); ++s)
-            if (of_walls_[s] != kNothing && stated[s] == kNothing) ++(lies_level(s) ? level : rest)[of_walls_[s]];
-        if (std::all_of(level.begin(), level.end(), [](std::uint32_t count) { return count == 0; })) return;
-        outside_ = static_cast<std::uint32_t>(kinds_.size());
-        kinds_.push_back(RoomKind::Room);
-        names_.emplace_back();
-        for (std::uint32_t s = 0; s < stated.size(); ++s)
-            if (const std::uint32_t l = of_walls_[s];
-                l != kNothing && stated[s] == kNothing && (lies_level(s) || level[l] > rest[l]))
-                of_walls_[s] = outside_;
-    }
-
-    // A huge place that is nowhere wide is corridors: no wall comes together anywhere in it, but it turns and branches.
-    // Each straight stretch becomes a place of its own: a cell belongs to the longer of the two level runs through it,
-    // and a run never leaves the place.
-    void part_long_ones() {
-        const std::size_t count = kinds_.size();
-        std::vector<std::size_t> cells(count, 0);
-        std::vector<double> widest_m(count, 0.0);
-        for (std::uint32_t s = 0; s < of_walls_.size(); ++s)
-            if (const std::uint32_t l = of_walls_[s]; l != kNothing) {
-                ++cells[l];
-                widest_m[l] = std::max(widest_m[l], 2.0 * (wide_m(s) + space_.body.radius_m));
-            }
-        std::vector<bool> parts(count, false);
-        for (std::size_t l = 0; l < count; ++l)
-            parts[l] = l != outside_ && names_[l].empty() && area(cells[l]) > kHuge_m2 &&
-                       area(cells[l]) > kLong * widest_m[l] * widest_m[l];
-        if (std::none_of(parts.begin(), parts.end(), [](bool p) { return p; }) || stop_.stop_requested()) return;
-        const std::vector<std::uint32_t> east = runs(0, 2), north = runs(1, 3);
-        const auto along = [&](std::uint32_t s) { return east[s] >= north[s]; };
-        std::vector<std::uint32_t> stretch(of_walls_.size(), kNothing), open;
-        std::vector<std::size_t> size;
-        for (std::uint32_t s = 0; s < of_walls_.size(); ++s) {
-            if (of_walls_[s] == kNothing || !parts[of_walls_[s]] || stretch[s] != kNothing) continue;
-            open.assign(1, s);
-            stretch[s] = static_cast<std::uint32_t>(size.size());
-            size.push_back(0);
-            while (!open.empty()) {
-                const std::uint32_t here = open.back();
-                open.pop_back();
-                ++size.back();
-                for (const std::uint32_t n : walls_.spans[here].next)
-                    if (n != kNothing && of_walls_[n] == of_walls_[s] && stretch[n] == kNothing &&
-                        along(n) == along(s)) {
-                        stretch[n] = stretch[s];
-                        open.push_back(n);
-                    }
-            }
-        }
-        // Recesses and crumbs of slanting walls go to the longest border.
-        std::vector<std::uint32_t> goes(size.size());
-        std::iota(goes.begin(), goes.end(), 0U);
-        for (int round = 0; round < 8 && !stop_.stop_requested(); ++round) {
-            std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> border;
-            std::fill(size.begin(), size.end(), 0);
-            for (std::uint32_t s = 0; s < stretch.size(); ++s) {
-                if (stretch[s] == kNothing) continue;
-                ++size[stretch[s]];
-                for (const std::uint32_t n : walls_.spans[s].next)
-                    if (n != kNothing && stretch[n] != kNothing && stretch[n] != stretch[s] &&
-                        of_walls_[n] == of_walls_[s])
-                        ++border[{stretch[s], stretch[n]}];
-            }
-            bool any = false;
-            for (std::uint32_t part = 0; part < size.size(); ++part) {
-                goes[part] = part;
-                if (size[part] == 0 || area(size[part]) >= kLeastOfHuge_m2) continue;
-                std::size_t longest = 0;
-                for (auto it = border.lower_bound({part, 0}); it != border.end() && it->first.first == part; ++it) {
-                    const std::uint32_t other = it->first.second;
-                    if (size[other] < size[part] || (size[other] == size[part] && other > part) ||
-                        it->second <= longest)
-                        continue;
-                    longest = it->second;
-                    goes[part] = other;
-                    any = true;
-                }
-            }
-            if (!any) break;
-            for (std::uint32_t& part : stretch)
-                if (part != kNothing) part = goes[part];
-        }
-        std::map<std::uint32_t, std::uint32_t> label;
-        std::vector<bool> kept(count, false);  // the first stretch of a place keeps its label
-        for (std::uint32_t s = 0; s < stretch.size(); ++s) {
-            if (stretch[s] == kNothing) continue;
-            const auto [found, is_new] = label.try_emplace(stretch[s], of_walls_[s]);
-            if (is_new && kept[of_walls_[s]]) {
-                found->second = static_cast<std::uint32_t>(kinds_.size());
-                kinds_.push_back(RoomKind::Room);
-                names_.emplace_back();
-            } else if (is_new) {
-                kept[of_walls_[s]] = true;
-            }
-            of_walls_[s] = found->second;
-        }
-    }
-
-    // Of each cell of a place, how many of it lie in one row with it, that way and back.
-    std::vector<std::uint32_t> runs(std::size_t way, std::size_t back) const {
-        const auto on = [&](std::uint32_t s, std::size_t to) {
-            const std::uint32_t n = walls_.spans[s].next[to];
-            return n != kNothing && of_walls_[n] == of_walls_[s] && walls_.spans[n].next[(to + 2) % 4] == s ? n
-                                                                                                            : kNothing;
-        };
-        std::vector<std::uint32_t> length(of_walls_.size(), 0), row;
-        for (std::uint32_t s = 0; s < of_walls_.size(); ++s) {
-            if (of_walls_[s] == kNothing || on(s, back) != kNothing) continue;
-            row.clear();
-            for (std::uint32_t at = s; at != kNothing; at = on(at, way)) row.push_back(at);
-            for (const std::uint32_t at : row) length[at] = static_cast<std::uint32_t>(row.size());
-        }
-        return length;
+                    label_[s] = places_.of_span[under];
     }
 
     template <class Is>
@@ -450,8 +199,8 @@ private:
                 continue;
             std::map<std::uint32_t, std::size_t>& found = door_sides_[mover->group];
             if (stated.rooms.size() == 1 && found.size() > 1) continue;
-            const std::uint32_t a = stated_label_[stated.rooms[0]],
-                                b = stated.rooms.size() == 2 ? stated_label_[stated.rooms[1]] : outside_;
+            const std::uint32_t a = places_.of_stated[stated.rooms[0]],
+                                b = stated.rooms.size() == 2 ? places_.of_stated[stated.rooms[1]] : places_.outside;
             if (a != kNothing && b != kNothing && !found.empty()) found = {{a, 1}, {b, 1}};
         }
     }
@@ -499,7 +248,7 @@ private:
             for (const auto& [l, count] : labels)
                 if (number[l] != kNothing) sides[group][number[l]] += count;
         door_sides_ = std::move(sides);
-        if (outside_ != kNothing) outside_room_ = number[outside_];
+        if (places_.outside != kNothing) outside_room_ = number[places_.outside];
         graph_.room_of_span = label_;
     }
 
@@ -611,7 +360,7 @@ private:
             Room& room = graph_.rooms[r];
             const bool half =
                 room.floor_m > base + kHalfStorey_m && is_on_stated_storey(room.floor_m) && is_on_stated_storey(base);
-            if (room.kind == RoomKind::Room && (room.floor_m > base + kStorey_m || half)) {
+            if (room.kind == RoomKind::Room && (room.floor_m > base + kNextStorey_m || half)) {
                 base = room.floor_m;
                 ++levels_;
             }
@@ -781,11 +530,10 @@ private:
     const SpanGrid<WallSpan>& walls_;
     std::stop_token stop_;
     std::vector<bool> goal_;  // of each span: it may be the middle of its room
-    std::vector<std::uint32_t> label_, parent_;
-    std::vector<std::uint32_t> of_walls_;  // label of each span of walls_
+    OpenPlaces places_;
+    std::vector<std::uint32_t> label_;  // of each span; what is a place without furniture has that place's number
     std::vector<RoomKind> kinds_;
-    std::vector<std::uint32_t> stated_label_;                     // of each of StatedBuilding::rooms
-    std::uint32_t outside_ = kNothing, outside_room_ = kNothing;  // label and room of the ground that a reader added
+    std::uint32_t outside_room_ = kNothing;  // the ground that a reader added
     std::vector<std::string> names_;
     std::map<std::uint32_t, std::map<std::uint32_t, std::size_t>> door_sides_;
     int levels_ = 1;

@@ -1,0 +1,344 @@
+#include "worlds/navigation/open_places.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <unordered_map>
+
+#include "worlds/navigation/stated_rooms.h"
+#include "worlds/scene/outer_ground.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kDoorwayClear_m = 0.35;    // clearance of the body's middle: an opening of at most 1.2 m
+constexpr double kDoorwayShare = 0.6;  // and narrower than this share of what lies on both sides
+constexpr double kWideShare = 0.5;     // a wider opening
+constexpr double kLeastPiece_m2 = 0.3, kLeastWide_m2 = 4.0;
+constexpr double kHuge_m2 = 150.0, kHugeShare = 0.75, kLeastOfHuge_m2 = 10.0;
+constexpr double kLong = 6.0;  // a huge place of so many squares as wide as its widest part is corridors
+
+bool is_plain(const WallSpan& s) { return !s.door && !s.stairs && !s.liquid; }
+
+class PlaceFinder {
+public:
+    PlaceFinder(const Scene& scene, const SpanGrid<WallSpan>& walls, double cell_area_m2, double radius_m,
+                const std::stop_token& stop)
+        : scene_(scene), walls_(walls), cell_area_m2_(cell_area_m2), radius_m_(radius_m), stop_(stop) {}
+
+    OpenPlaces find() {
+        stated_ = scene_.stated ? stated_rooms_of(*scene_.stated, walls_)
+                                : std::vector<std::uint32_t>(walls_.spans.size(), kNothing);
+        watershed();
+        if (stop_.stop_requested()) return {};
+        label_basins();
+        label_stated();
+        label_outside();
+        part_long_ones();
+        return std::move(places_);
+    }
+
+private:
+    struct Basin {
+        double peak_m = 0.0;
+        std::size_t cells = 0;
+        std::uint32_t name = kNothing;  // place in Scene::room_names
+    };
+    // The file says nothing of it.
+    bool open(std::uint32_t s) const { return is_plain(walls_.spans[s]) && stated_[s] == kNothing; }
+    double area(std::size_t cells) const { return static_cast<double>(cells) * cell_area_m2_; }
+    double wide_m(std::uint32_t s) const { return static_cast<double>(walls_.spans[s].clearance_m); }
+    std::uint32_t& place(std::uint32_t s) { return places_.of_span[s]; }
+
+    std::uint32_t add_place(std::string name) {
+        places_.names.push_back(std::move(name));
+        return static_cast<std::uint32_t>(places_.names.size() - 1);
+    }
+
+    std::uint32_t root(std::uint32_t s) {
+        while (parent_[s] != s) s = parent_[s] = parent_[parent_[s]];
+        return s;
+    }
+    Basin& basin(std::uint32_t root) { return basins_[place(root)]; }
+
+    bool cut(const Basin& a, const Basin& b, std::uint32_t at) const {
+        if (a.name != kNothing && b.name != kNothing)
+            return scene_.room_names[a.name].name != scene_.room_names[b.name].name;
+        const double s = wide_m(at), peak = std::min(a.peak_m, b.peak_m), least = area(std::min(a.cells, b.cells)),
+                     both = area(a.cells + b.cells);
+        if (both > kHuge_m2 && s <= kHugeShare * peak && least >= kLeastOfHuge_m2) return true;
+        const bool doorway = s < kDoorwayClear_m && s <= kDoorwayShare * peak && least >= kLeastPiece_m2;
+        const bool wide = s <= kWideShare * peak && least >= kLeastWide_m2;
+        return doorway || wide;
+    }
+
+    // The widest first. Above how wide a span is, the wider the less, below which one: whole numbers are sorted in a
+    // third of the time.
+    std::vector<std::uint64_t> by_width() const {
+        std::vector<std::uint64_t> order;
+        order.reserve(walls_.spans.size());
+        for (std::uint32_t s = 0; s < walls_.spans.size(); ++s)
+            if (open(s))
+                order.push_back(std::uint64_t{~std::bit_cast<std::uint32_t>(walls_.spans[s].clearance_m)} << 32 | s);
+        std::sort(order.begin(), order.end());
+        return order;
+    }
+
+    // Names that the file gives to places, each at the widest place around.
+    std::unordered_map<std::uint32_t, std::uint32_t> names_at_peaks() const {
+        std::unordered_map<std::uint32_t, std::uint32_t> names;  // looked up only
+        for (std::uint32_t k = 0; k < scene_.room_names.size(); ++k) {
+            const RoomName& given = scene_.room_names[k];
+            std::uint32_t s = walls_.nearest(given.at_m, 1.5, 1.0, 3.0);
+            if (s == kNothing || given.name.empty()) continue;
+            for (bool higher = true; higher;) {
+                higher = false;
+                for (const std::uint32_t n : walls_.spans[s].next)
+                    if (n != kNothing && is_plain(walls_.spans[n]) && wide_m(n) > wide_m(s)) {
+                        s = n;
+                        higher = true;
+                        break;
+                    }
+            }
+            names.try_emplace(s, k);
+        }
+        return names;
+    }
+
+    // From the widest places down to the narrowest: what meets in a narrow place stays apart.
+    void watershed() {
+        const std::vector<std::uint64_t> order = by_width();
+        const std::unordered_map<std::uint32_t, std::uint32_t> names = names_at_peaks();
+        parent_.resize(walls_.spans.size());
+        std::iota(parent_.begin(), parent_.end(), 0U);
+        // Of each root its basin, of each other span that has been met kMet, until the places stand here.
+        constexpr std::uint32_t kMet = kNothing - 1;
+        places_.of_span.assign(walls_.spans.size(), kNothing);
+        for (std::size_t k = 0; k < order.size(); ++k) {
+            if ((k & 0xffff) == 0 && stop_.stop_requested()) return;
+            const auto s = static_cast<std::uint32_t>(order[k]);
+            const auto given = names.find(s);
+            const std::uint32_t name = given == names.end() ? kNothing : given->second;
+            // First to the neighbour with most room, so that a border's cell goes where it belongs.
+            std::array<std::uint32_t, 4> around = {kNothing, kNothing, kNothing, kNothing};
+            std::size_t count = 0;
+            for (const std::uint32_t n : walls_.spans[s].next)
+                if (n != kNothing && open(n) && place(n) != kNothing) around[count++] = root(n);
+            for (std::size_t i = 1; i < count; ++i)
+                for (std::size_t j = i; j > 0 && basin(around[j]).peak_m > basin(around[j - 1]).peak_m; --j)
+                    std::swap(around[j], around[j - 1]);
+            if (count == 0) {
+                place(s) = static_cast<std::uint32_t>(basins_.size());
+                basins_.push_back({wide_m(s), 1, name});
+                continue;
+            }
+            // Narrower than all before it, it goes to one of them.
+            place(s) = kMet;
+            parent_[s] = around[0];
+            basin(around[0]).cells += 1;
+            if (basin(around[0]).name == kNothing) basin(around[0]).name = name;
+            for (std::size_t i = 1; i < count; ++i) {
+                const std::uint32_t a = root(s), b = root(around[i]);
+                if (a == b || cut(basin(a), basin(b), s)) continue;
+                // The one with more room goes on.
+                const std::uint32_t keep = basin(a).peak_m > basin(b).peak_m ? a : b, gone = keep == a ? b : a;
+                parent_[gone] = keep;
+                basin(keep).cells += basin(gone).cells;
+                if (basin(keep).name == kNothing) basin(keep).name = basin(gone).name;
+                place(gone) = kMet;
+            }
+        }
+    }
+
+    // Each basin is a place, in the order of its first span.
+    void label_basins() {
+        std::vector<std::uint32_t> label(basins_.size(), kNothing);
+        for (std::uint32_t s = 0; s < walls_.spans.size(); ++s) {
+            if (!open(s)) continue;
+            std::uint32_t& made = label[place(root(s))];
+            if (made != kNothing) continue;
+            const std::uint32_t name = basin(root(s)).name;
+            made = add_place(name == kNothing ? std::string() : scene_.room_names[name].name);
+        }
+        for (std::uint32_t s = 0; s < walls_.spans.size(); ++s) parent_[s] = root(s);
+        for (const bool roots : {false, true})
+            for (std::uint32_t s = 0; s < walls_.spans.size(); ++s)
+                if (open(s) && (parent_[s] == s) == roots) place(s) = label[place(parent_[s])];
+        std::vector<std::uint32_t>().swap(parent_);
+    }
+
+    // What the file states is a room as a whole, whatever stands in it.
+    void label_stated() {
+        places_.of_stated.assign(scene_.stated ? scene_.stated->rooms.size() : 0, kNothing);
+        for (std::uint32_t s = 0; s < stated_.size(); ++s) {
+            if (stated_[s] == kNothing || !is_plain(walls_.spans[s])) continue;
+            std::uint32_t& made = places_.of_stated[stated_[s]];
+            if (made == kNothing) made = add_place(scene_.stated->rooms[stated_[s]].name);
+            place(s) = made;
+        }
+    }
+
+    // The ground outside, that the reader added, is one place, by how flat it lies; what is left of a place of which
+    // that is most, ledges and thresholds, is outside too.
+    void label_outside() {
+        const auto ground = std::find_if(scene_.features.begin(), scene_.features.end(), is_outer_ground);
+        if (!scene_.stated || ground == scene_.features.end()) return;
+        std::vector<std::uint32_t> level(places_.names.size(), 0), rest(places_.names.size(), 0);
+        const auto lies_level = [&](std::uint32_t s) {
+            return std::abs(walls_.place_m(s).z - ground->bounds_m.max_m.z) <= 0.005;
+        };
+        for (std::uint32_t s = 0; s < stated_.size(); ++s)
+            if (place(s) != kNothing && stated_[s] == kNothing) ++(lies_level(s) ? level : rest)[place(s)];
+        if (std::all_of(level.begin(), level.end(), [](std::uint32_t count) { return count == 0; })) return;
+        places_.outside = add_place({});
+        for (std::uint32_t s = 0; s < stated_.size(); ++s)
+            if (const std::uint32_t l = place(s);
+                l != kNothing && stated_[s] == kNothing && (lies_level(s) || level[l] > rest[l]))
+                place(s) = places_.outside;
+    }
+
+    // A huge place that is nowhere wide is corridors: no wall comes together anywhere in it, but it turns and branches.
+    // Each straight stretch becomes a place of its own.
+    void part_long_ones() {
+        const std::vector<bool> parts = long_places();
+        if (std::none_of(parts.begin(), parts.end(), [](bool p) { return p; }) || stop_.stop_requested()) return;
+        std::vector<std::uint32_t> stretch = stretches_of(parts);
+        join_crumbs(stretch);
+        std::map<std::uint32_t, std::uint32_t> label;
+        std::vector<bool> kept(parts.size(), false);  // the first stretch of a place keeps its label
+        for (std::uint32_t s = 0; s < stretch.size(); ++s) {
+            if (stretch[s] == kNothing) continue;
+            const auto [found, is_new] = label.try_emplace(stretch[s], place(s));
+            if (is_new && kept[place(s)]) found->second = add_place({});
+            else if (is_new) kept[place(s)] = true;
+            place(s) = found->second;
+        }
+    }
+
+    std::vector<bool> long_places() {
+        const std::size_t count = places_.names.size();
+        std::vector<std::size_t> cells(count, 0);
+        std::vector<double> widest_m(count, 0.0);
+        for (std::uint32_t s = 0; s < places_.of_span.size(); ++s)
+            if (const std::uint32_t l = place(s); l != kNothing) {
+                ++cells[l];
+                widest_m[l] = std::max(widest_m[l], 2.0 * (wide_m(s) + radius_m_));
+            }
+        std::vector<bool> parts(count, false);
+        for (std::size_t l = 0; l < count; ++l)
+            parts[l] = l != places_.outside && places_.names[l].empty() && area(cells[l]) > kHuge_m2 &&
+                       area(cells[l]) > kLong * widest_m[l] * widest_m[l];
+        return parts;
+    }
+
+    // The straight stretch of each span of these places: a cell belongs to the longer of the two level runs through it,
+    // and a run never leaves the place.
+    std::vector<std::uint32_t> stretches_of(const std::vector<bool>& parts) {
+        const std::vector<std::uint32_t> east = runs(0, 2), north = runs(1, 3);
+        const auto along = [&](std::uint32_t s) { return east[s] >= north[s]; };
+        std::vector<std::uint32_t> stretch(places_.of_span.size(), kNothing), left;
+        std::uint32_t count = 0;
+        for (std::uint32_t s = 0; s < stretch.size(); ++s) {
+            if (place(s) == kNothing || !parts[place(s)] || stretch[s] != kNothing) continue;
+            left.assign(1, s);
+            stretch[s] = count++;
+            while (!left.empty()) {
+                const std::uint32_t here = left.back();
+                left.pop_back();
+                for (const std::uint32_t n : walls_.spans[here].next)
+                    if (n != kNothing && place(n) == place(s) && stretch[n] == kNothing && along(n) == along(s)) {
+                        stretch[n] = stretch[s];
+                        left.push_back(n);
+                    }
+            }
+        }
+        return stretch;
+    }
+
+    using Borders = std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t>;
+
+    // Recesses and crumbs of slanting walls go to the longest border.
+    void join_crumbs(std::vector<std::uint32_t>& stretch) {
+        std::vector<std::size_t> size;
+        for (int round = 0; round < 8 && !stop_.stop_requested(); ++round) {
+            const Borders borders = measure(stretch, size);
+            bool any = false;
+            std::vector<std::uint32_t> goes(size.size());
+            for (std::uint32_t part = 0; part < size.size(); ++part) {
+                const bool crumb = size[part] > 0 && area(size[part]) < kLeastOfHuge_m2;
+                goes[part] = crumb ? longest_border(part, borders, size) : part;
+                any = any || goes[part] != part;
+            }
+            if (!any) return;
+            for (std::uint32_t& part : stretch)
+                if (part != kNothing) part = goes[part];
+        }
+    }
+
+    // How many cells each stretch has, and of which so many lie beside another of the same place.
+    Borders measure(const std::vector<std::uint32_t>& stretch, std::vector<std::size_t>& size) {
+        Borders borders;
+        std::fill(size.begin(), size.end(), 0);
+        for (std::uint32_t s = 0; s < stretch.size(); ++s) {
+            if (stretch[s] == kNothing) continue;
+            if (stretch[s] >= size.size()) size.resize(stretch[s] + 1, 0);
+            ++size[stretch[s]];
+            for (const std::uint32_t n : walls_.spans[s].next)
+                if (n != kNothing && stretch[n] != kNothing && stretch[n] != stretch[s] && place(n) == place(s))
+                    ++borders[{stretch[s], stretch[n]}];
+        }
+        return borders;
+    }
+
+    // The larger stretch that this one has the longest border with; of two alike the first. Itself: there is none.
+    static std::uint32_t longest_border(std::uint32_t part, const Borders& borders,
+                                        const std::vector<std::size_t>& size) {
+        std::size_t longest = 0;
+        std::uint32_t best = part;
+        for (auto it = borders.lower_bound({part, 0}); it != borders.end() && it->first.first == part; ++it) {
+            const std::uint32_t other = it->first.second;
+            const bool smaller = size[other] < size[part] || (size[other] == size[part] && other > part);
+            if (smaller || it->second <= longest) continue;
+            longest = it->second;
+            best = other;
+        }
+        return best;
+    }
+
+    // Of each cell of a place, how many of it lie in one row with it, that way and back.
+    std::vector<std::uint32_t> runs(std::size_t way, std::size_t back) {
+        const auto on = [&](std::uint32_t s, std::size_t to) {
+            const std::uint32_t n = walls_.spans[s].next[to];
+            return n != kNothing && place(n) == place(s) && walls_.spans[n].next[(to + 2) % 4] == s ? n : kNothing;
+        };
+        std::vector<std::uint32_t> length(places_.of_span.size(), 0), row;
+        for (std::uint32_t s = 0; s < length.size(); ++s) {
+            if (place(s) == kNothing || on(s, back) != kNothing) continue;
+            row.clear();
+            for (std::uint32_t at = s; at != kNothing; at = on(at, way)) row.push_back(at);
+            for (const std::uint32_t at : row) length[at] = static_cast<std::uint32_t>(row.size());
+        }
+        return length;
+    }
+
+    const Scene& scene_;
+    const SpanGrid<WallSpan>& walls_;
+    const double cell_area_m2_, radius_m_;
+    const std::stop_token& stop_;
+    OpenPlaces places_;
+    std::vector<std::uint32_t> stated_;  // the stated room of each span
+    std::vector<std::uint32_t> parent_;  // of each span, up to the root of its basin
+    std::vector<Basin> basins_;
+};
+
+}  // namespace
+
+OpenPlaces open_places(const Scene& scene, const SpanGrid<WallSpan>& walls, double cell_area_m2, double radius_m,
+                       const std::stop_token& stop) {
+    return PlaceFinder(scene, walls, cell_area_m2, radius_m, stop).find();
+}
+
+}  // namespace handrail
