@@ -4,9 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "haptic/render/tick_assert.h"
+
 namespace handrail {
 
 Vec3 ForceLimiter::limit(const Vec3& wanted_n, double ceiling_n, ForceFlow flow, double dt_s, double fade_s) noexcept {
+    tick_assert(dt_s >= 0.0 && fade_s > 0.0);
     broken_ = !is_finite(wanted_n);
     if (broken_) flow = ForceFlow::Cut;
 
@@ -56,6 +59,8 @@ Vec3 ForceLimiter::limit(const Vec3& wanted_n, double ceiling_n, ForceFlow flow,
     // An untouched force passes bit for bit: no rounding through its own direction.
     const bool untouched = resume_offset_n_ == 0.0 && gain == 1.0 && wanted_length <= ceiling_n;
     last_n_ = untouched ? wanted_n : direction * std::max(0.0, allowed - resume_offset_n_);
+    tick_assert(gain_ >= 0.0 && gain_ <= 1.0 && resume_offset_n_ >= 0.0);
+    tick_assert(is_finite(last_n_) && glm::length(last_n_ / largest) * (largest / ceiling_n) <= 1.0 + 1e-9);
     return last_n_;
 }
 

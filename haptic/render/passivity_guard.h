@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 
+#include "haptic/render/tick_assert.h"
 #include "worlds/base/vec.h"
 
 namespace handrail {
@@ -22,6 +23,7 @@ public:
     // Damping to add now, in Ns/m. own_step_m: of the hand since the last tick, hand metres; delay_s: how much later
     // than the hold a force is felt.
     double watch(const Vec3& own_step_m, double dt_s, double delay_s) noexcept {
+        tick_assert(dt_s > 0.0 && delay_s >= 0.0);
         const auto late = static_cast<std::size_t>(std::clamp(delay_s / dt_s + 0.5, 0.0, kMostLate - 1.0));
         energy_j_ -= glm::dot(given_n_[(newest_ + kMostLate - late) % kMostLate], own_step_m);
         const double lacking_j = -kAllowance_j - energy_j_;
@@ -30,6 +32,7 @@ public:
         if (lacking_j > 0.0)
             wanted = speed2 > 0.0 ? std::min(lacking_j / (dt_s * speed2), kMost_ns_per_m) : damping_ns_per_m_;
         damping_ns_per_m_ += (wanted - damping_ns_per_m_) * (dt_s / (kPole_s + dt_s));
+        tick_assert(damping_ns_per_m_ >= 0.0 && damping_ns_per_m_ <= kMost_ns_per_m);
         return damping_ns_per_m_;
     }
     // The force of this tick, after everything.

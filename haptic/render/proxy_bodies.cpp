@@ -13,10 +13,6 @@ namespace {
 constexpr int kMostSubSteps = 64;  // of a body's way within one move; faster ones count as gone here and appeared there
 constexpr int kLongestWait = 500;  // moves that a body may lag behind where it was told to be
 
-// A tick follows only bodies that the ball can meet soon. All others are known to stay farther than far_m_ from
-// far_from_m_ on the ways that are being played; who comes nearer on the next ways is found when those begin, and the
-// rest when the ball has gone on.
-
 // Followed is whoever is nearer than the ball can be pushed or go within a tick by this much: as far as a fast hand
 // goes in 100 ms (2 m/s), and so far that no body can come from beyond it to the ball without having jumped
 // (kMostSubSteps).
@@ -24,26 +20,20 @@ constexpr double kLeadMargins = 10.0, kLeadRadii = 40.0;
 
 }  // namespace
 
-double ProxySolver::known_of_body(const Track& track, const Vec3& local_m) const noexcept {
-    return track.looked_at
-               ? track.known_m - glm::length(track.frame.to_own(local_m) - track.known_from_m) * track.frame.scale
-               : glm::length(local_m - track.frame.position_m) - track.reach_m;
-}
-
 void ProxySolver::spend_on_tracked(int work) noexcept {
-    if (tracked_count_ > kFewBodies && !tracks_all_) spend(static_cast<int>(tracked_count_) * work);
+    if (tracks_.count > kFewBodies && !tracks_.all) spend(static_cast<int>(tracks_.count) * work);
 }
 
 // Those that were looked at by one bound while none of them moves; every other by where it is.
 double ProxySolver::known_of_bodies(const Vec3& at_m, double known) noexcept {
     spend_on_tracked(kKnownWork);
     const Vec3 at = anchor_m_ + at_m;
-    if (!bodies_moved_) known = std::min(known, bodies_known_m_ - glm::length(at_m));
-    for (const std::uint16_t b : tracked_ids()) {
-        const Track& track = track_of(b);
-        if (track.present && (bodies_moved_ || !track.looked_at)) known = std::min(known, known_of_body(track, at));
+    if (!tracks_.moved) known = std::min(known, tracks_.known_m - glm::length(at_m));
+    for (const std::uint16_t b : tracks_.ids()) {
+        const ProxyTrack& track = tracks_.of(b);
+        if (track.present && (tracks_.moved || !track.looked_at)) known = std::min(known, track.known_around_m(at));
     }
-    return far_short_ ? std::min(known, far_m_ - glm::length(at - far_from_m_)) : known;
+    return tracks_.far_short ? std::min(known, tracks_.far_m - glm::length(at - tracks_.far_from_m)) : known;
 }
 
 // No point of a body comes nearer to a place on the ways of this request.
@@ -68,88 +58,72 @@ double ProxySolver::least_distance_m(const HapticScene& scene, const Request& re
 
 // False when there is no track left.
 bool ProxySolver::track_body(const HapticScene& scene, const Request& request, std::size_t body) noexcept {
-    if (slots_[body] != kNoSlot) return true;
-    if (tracked_count_ == tracked_.size()) return false;
-    const auto id = static_cast<std::uint16_t>(body);
-    const auto end = tracked_.begin() + static_cast<std::ptrdiff_t>(tracked_count_);
-    const auto at = std::lower_bound(tracked_.begin(), end, id);
-    std::copy_backward(at, end, end + 1);
-    *at = id;
-    slots_[body] = free_slots_[free_slots_.size() - 1 - tracked_count_++];
+    if (tracks_.follows(body)) return true;
+    ProxyTrack* const added = tracks_.add(static_cast<std::uint16_t>(body));
+    if (!added) return false;
+    ProxyTrack& track = *added;
     const BodyPose pose = wanted(scene, request, body);
-    Track& track = track_of(id);
-    track = {};
     stand(scene, track, pose.at);
     track.wanted = pose.at;
     track.reach_m = scene.bodies[body].reach_m * track.frame.scale;
     // Whoever is near at once has appeared or jumped here, and is met so in advance_bodies().
-    const bool near = known_of_body(track, local_m()) <= request.radius_m + request.path_cap_m;
+    const bool near = track.known_around_m(local_m()) <= request.radius_m + request.path_cap_m;
     track.present = pose.present && !near;
-    bodies_behind_ = bodies_behind_ || near;
+    tracks_.behind = tracks_.behind || near;
     return true;
 }
 
 // Lets go of whoever is farther and has no part in what is felt.
 void ProxySolver::untrack_far(const HapticScene& scene, double far_m) noexcept {
     const Vec3 at = local_m();
-    const auto has_ghost = [&](std::uint16_t b) {
-        const auto end = ghosts_.begin() + ghost_count_;
-        return std::find_if(ghosts_.begin(), end, [&](const Ghost& g) { return g.body == b; }) != end;
-    };
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k < tracked_count_; ++k) {
-        const std::uint16_t b = tracked_[k];
-        const Track& track = track_of(b);
+    tracks_.keep_those([&](std::uint16_t b, const ProxyTrack& track) {
         const double distance = glm::length(at - track.frame.position_m) - scene.bodies[b].reach_m * track.frame.scale;
-        if (track.looked_at || carrier_ == b || (track.present && distance < far_m) || has_ghost(b)) {
-            tracked_[kept++] = b;
-            continue;
-        }
-        free_slots_[free_slots_.size() - tracked_count_ + (k - kept)] = slots_[b];
-        slots_[b] = kNoSlot;
-    }
-    tracked_count_ = kept;
+        return track.looked_at || carrier_ == b || (track.present && distance < far_m) || ghosts_.has_of(b);
+    });
 }
 
 // Looks at every body of the scene once: on most ticks not, as long as the hand stays within 0.2 m and bodies move on
 // ways that are known. Where more are near than there are tracks, those nearer than half as far are followed, and so
 // on.
 void ProxySolver::track_near(const HapticScene& scene, const Request& request) noexcept {
-    far_from_m_ = local_m();
-    far_m_ = tracks_all_ ? std::numeric_limits<double>::infinity()
-                         : near_m_ + std::max(kLeadMargins * request.margin_m, kLeadRadii * request.radius_m);
-    if (body_count_ > kFewBodies && !tracks_all_) spend(static_cast<int>(body_count_) * kGlanceWork);
-    for (std::size_t b = 0; b < body_count_; ++b) least_m_[b] = least_distance_m(scene, request, b, far_from_m_);
+    tracks_.far_from_m = local_m();
+    tracks_.far_m = tracks_.all
+                        ? std::numeric_limits<double>::infinity()
+                        : tracks_.near_m + std::max(kLeadMargins * request.margin_m, kLeadRadii * request.radius_m);
+    if (tracks_.bodies > kFewBodies && !tracks_.all) spend(static_cast<int>(tracks_.bodies) * kGlanceWork);
+    for (std::size_t b = 0; b < tracks_.bodies; ++b)
+        tracks_.least_m[b] = least_distance_m(scene, request, b, tracks_.far_from_m);
     const auto wants_track = [&](std::size_t b) {
-        return slots_[b] == kNoSlot && (least_m_[b] < far_m_ || tracks_all_);
+        return !tracks_.follows(b) && (tracks_.least_m[b] < tracks_.far_m || tracks_.all);
     };
     for (;;) {
-        untrack_far(scene, far_m_);
+        untrack_far(scene, tracks_.far_m);
         std::size_t wants = 0;
-        for (std::size_t b = 0; b < body_count_; ++b) wants += wants_track(b) ? 1U : 0U;
-        if (tracked_count_ + wants <= tracked_.size() || !(far_m_ > 1e-3 * request.radius_m)) break;
-        far_m_ = tracks_all_ ? near_m_ : 0.5 * far_m_;
-        tracks_all_ = false;
+        for (std::size_t b = 0; b < tracks_.bodies; ++b) wants += wants_track(b) ? 1U : 0U;
+        if (tracks_.count + wants <= tracks_.followed.size() || !(tracks_.far_m > 1e-3 * request.radius_m)) break;
+        tracks_.far_m = tracks_.all ? tracks_.near_m : 0.5 * tracks_.far_m;
+        tracks_.all = false;
     }
-    for (std::size_t b = 0; b < body_count_; ++b)
+    for (std::size_t b = 0; b < tracks_.bodies; ++b)
         if (wants_track(b) && !track_body(scene, request, b)) {
-            far_m_ = -1.0;  // nothing is known
+            tracks_.far_m = -1.0;  // nothing is known
             break;
         }
 }
 
 // The same for those alone who move on new ways.
 void ProxySolver::track_coming(const HapticScene& scene, const Request& request) noexcept {
-    const Vec3 here = scene.origin_m + far_from_m_;
+    const Vec3 here = scene.origin_m + tracks_.far_from_m;
     for (const MovingBody& moving : request.bodies->ways->moving) {
         const std::size_t b = moving.body;
-        if (b >= body_count_) continue;
+        if (b >= tracks_.bodies) continue;
         // Most are far at the first glance: from the middle of their way.
         const Vec3 off = moving.middle_m - here;
-        const double beyond = far_m_ + moving.half_way_m + scene.bodies[b].reach_m * moving.most_scale;
-        if (glm::dot(off, off) > beyond * beyond || slots_[b] != kNoSlot) continue;
-        const double distance = least_distance_m(scene, request, b, far_from_m_);
-        if (distance < far_m_ && !track_body(scene, request, b)) far_m_ = std::min(far_m_, distance);
+        const double beyond = tracks_.far_m + moving.half_way_m + scene.bodies[b].reach_m * moving.most_scale;
+        if (glm::dot(off, off) > beyond * beyond || tracks_.follows(b)) continue;
+        const double distance = least_distance_m(scene, request, b, tracks_.far_from_m);
+        if (distance < tracks_.far_m && !track_body(scene, request, b))
+            tracks_.far_m = std::min(tracks_.far_m, distance);
     }
 }
 
@@ -157,48 +131,45 @@ void ProxySolver::track_coming(const HapticScene& scene, const Request& request)
 void ProxySolver::watch_bodies(const HapticScene& scene, const Request& request, double radius_m) noexcept {
     const std::uint64_t number = request.bodies ? request.bodies->ways_number() : 0;
     const double near_m = near_for(radius_m, request.margin_m, request.path_cap_m);
-    const Vec3 way = local_m() - far_from_m_;
-    const bool went = glm::dot(way, way) > far_enough_m2_ || near_m > near_m_;
-    if (number == ways_ && !went) return;
+    const Vec3 way = local_m() - tracks_.far_from_m;
+    const bool went = glm::dot(way, way) > tracks_.far_enough_m2 || near_m > tracks_.near_m;
+    if (number == tracks_.ways && !went) return;
     const BodyWays* const ways = request.bodies ? request.bodies->ways : nullptr;
-    const bool follows = ways && ways->number_before != 0 && ways->number_before == ways_;
-    if (went || (number != ways_ && !follows)) {
-        near_m_ = 1.5 * near_m;  // a hand that only grows a little faster needs no new look
+    const bool follows = ways && ways->number_before != 0 && ways->number_before == tracks_.ways;
+    if (went || (number != tracks_.ways && !follows)) {
+        tracks_.near_m = 1.5 * near_m;  // a hand that only grows a little faster needs no new look
         track_near(scene, request);
     } else {
         track_coming(scene, request);
     }
-    ways_ = number;
-    far_short_ = far_m_ < near_m_;
-    const double free_m = far_m_ - near_m_;
-    far_enough_m2_ = far_short_ ? -1.0 : free_m < 1e150 ? free_m * free_m : free_m;
+    tracks_.ways = number;
+    tracks_.far_short = tracks_.far_m < tracks_.near_m;
+    const double free_m = tracks_.far_m - tracks_.near_m;
+    tracks_.far_enough_m2 = tracks_.far_short ? -1.0 : free_m < 1e150 ? free_m * free_m : free_m;
 }
 
 bool ProxySolver::bodies_are_far(const HapticScene& scene, const Request& request) noexcept {
     all_far_in_ = nullptr;
     if (!placed_ || scene_ != &scene || generation_ != scene.generation || hurry_ > 0) return false;
     watch_bodies(scene, request, std::max(request.radius_m, kSmallestRadius_m));
-    if (tracked_count_ > 0 || far_short_) return false;
+    if (tracks_.count > 0 || tracks_.far_short) return false;
     all_far_in_ = &scene;
-    bodies_number_ = request.bodies ? request.bodies->number : 0;
-    bodies_behind_ = false;
+    tracks_.number = request.bodies ? request.bodies->number : 0;
+    tracks_.behind = false;
     return true;
 }
 
 // Takes every body near the ball as it stands, with no way in between.
 void ProxySolver::take_bodies(const HapticScene& scene, const Request& request, double radius_m) noexcept {
-    for (const std::uint16_t b : tracked_ids()) slots_[b] = kNoSlot;
-    for (std::size_t i = 0; i < free_slots_.size(); ++i)
-        free_slots_[i] = static_cast<std::uint16_t>(free_slots_.size() - 1 - i);
-    tracked_count_ = 0;
-    body_count_ = std::min(scene.bodies.size(), slots_.size());
-    bodies_number_ = request.bodies ? request.bodies->number : 0;
-    bodies_behind_ = false;
-    far_enough_m2_ = -1.0;
-    near_m_ = 0.0;
-    if (body_count_ > 0) watch_bodies(scene, request, radius_m);
-    for (const std::uint16_t b : tracked_ids()) track_of(b).present = wanted(scene, request, b).present;
-    bodies_behind_ = false;
+    tracks_.clear();
+    tracks_.bodies = std::min(scene.bodies.size(), tracks_.slots.size());
+    tracks_.number = request.bodies ? request.bodies->number : 0;
+    tracks_.behind = false;
+    tracks_.far_enough_m2 = -1.0;
+    tracks_.near_m = 0.0;
+    if (tracks_.bodies > 0) watch_bodies(scene, request, radius_m);
+    for (const std::uint16_t b : tracks_.ids()) tracks_.of(b).present = wanted(scene, request, b).present;
+    tracks_.behind = false;
 }
 
 BodyPose ProxySolver::wanted(const HapticScene& scene, const Request& request, std::size_t body) noexcept {
@@ -207,7 +178,7 @@ BodyPose ProxySolver::wanted(const HapticScene& scene, const Request& request, s
                : BodyPose{scene.bodies[body].start, scene.bodies[body].present};
 }
 
-void ProxySolver::stand(const HapticScene& scene, Track& track, const Placement& at) noexcept {
+void ProxySolver::stand(const HapticScene& scene, ProxyTrack& track, const Placement& at) noexcept {
     track.at = at;
     track.frame = PlacedFrame(at);
     track.frame.position_m -= scene.origin_m;
@@ -215,11 +186,10 @@ void ProxySolver::stand(const HapticScene& scene, Track& track, const Placement&
 
 void ProxySolver::drop_body(std::uint16_t body) noexcept {
     for (int k = 0; k < basis_.count; ++k)
-        if (owners_[static_cast<std::size_t>(basis_.index[static_cast<std::size_t>(k)])] == body) hurry_ = kHurryMoves;
+        if (cuts_.owners[static_cast<std::size_t>(basis_.index[static_cast<std::size_t>(k)])] == body)
+            hurry_ = kHurryMoves;
     drop_candidates(body);
-    for (int i = ghost_count_ - 1; i >= 0; --i)
-        if (ghosts_[static_cast<std::size_t>(i)].body == body)
-            ghosts_[static_cast<std::size_t>(i)] = ghosts_[static_cast<std::size_t>(--ghost_count_)];
+    ghosts_.remove_of(body);
     if (carrier_ == body) carrier_ = kStill;
 }
 
@@ -229,13 +199,13 @@ void ProxySolver::drop_candidates(std::uint16_t body) noexcept {
 
 // Brings every body to where it is wanted, and the ball out of its way; as far as there is time.
 void ProxySolver::advance_bodies(const HapticScene& scene, const Request& request, double radius_m) noexcept {
-    bodies_number_ = request.bodies ? request.bodies->number : 0;
+    tracks_.number = request.bodies ? request.bodies->number : 0;
     const double margin = std::max(request.margin_m, 2.0 * request.path_cap_m);
-    if (bodies_unknown_) gather(scene, radius_m + margin, 2.0 * radius_m);
+    if (tracks_.unknown) gather(scene, radius_m + margin, 2.0 * radius_m);
     spend_on_tracked(kSupportWork);
     double steps = 0.0;
-    for (const std::uint16_t id : tracked_ids()) {
-        Track& track = track_of(id);
+    for (const std::uint16_t id : tracks_.ids()) {
+        ProxyTrack& track = tracks_.of(id);
         const BodyPose pose = wanted(scene, request, id);
         track.from = track.to = track.at;
         if (track.present == pose.present && track.at == pose.at) {
@@ -252,7 +222,7 @@ void ProxySolver::advance_bodies(const HapticScene& scene, const Request& reques
         const double travel = farthest_travel_m(track.at, pose.at, reach);
         const double needs = travel / (0.5 * radius_m_);
         // What was told in one go counts, not what has come together while the body waited.
-        track.waited = bodies_behind_ ? track.waited + 1 : 0;
+        track.waited = tracks_.behind ? track.waited + 1 : 0;
         track.jumped =
             track.jumped ||
             (track.wanted == track.at ? travel : farthest_travel_m(track.wanted, pose.at, reach)) / (0.5 * radius_m_) >
@@ -266,7 +236,7 @@ void ProxySolver::advance_bodies(const HapticScene& scene, const Request& reques
         const bool met = track.looked_at || gap_there <= radius_m + request.path_cap_m;
         // Whoever could not go for a long time, and is far by now, is let go.
         const bool gone = track.waited > kLongestWait && gap_there > radius_m + request.path_cap_m + request.margin_m &&
-                          work_left_ > 0;
+                          work_.left > 0;
         if (track.present != pose.present || (near && track.jumped) || gone) {
             if (!met) {
                 stand(scene, track, pose.at);
@@ -287,7 +257,7 @@ void ProxySolver::advance_bodies(const HapticScene& scene, const Request& reques
             place_in(scene, id, radius_m);
             continue;
         }
-        bodies_moved_ = bodies_moved_ || track.looked_at;
+        tracks_.moved = tracks_.moved || track.looked_at;
         if (!near && !track.looked_at) {
             stand(scene, track, pose.at);
             track.reach_m = reach * track.frame.scale;
@@ -298,32 +268,32 @@ void ProxySolver::advance_bodies(const HapticScene& scene, const Request& reques
         track.to = pose.at;
         if (near) steps = std::max(steps, needs);
     }
-    path_size_ = 0;
+    path_.size = 0;
     const double count = std::max(1.0, std::ceil(steps));
     const int most = static_cast<int>(std::min(count, static_cast<double>(kMostSubSteps)));
-    bodies_behind_ = true;
-    for (int k = 1; k <= most && !bodies_unknown_; ++k) {
+    tracks_.behind = true;
+    for (int k = 1; k <= most && !tracks_.unknown; ++k) {
         const bool last = k == count;
         if (!sub_step(scene, request, radius_m, last ? 1.0 : k / count)) break;
-        if (last) bodies_behind_ = false;
-        else if (work_left_ <= 0) break;
+        if (last) tracks_.behind = false;
+        else if (work_.left <= 0) break;
     }
-    step_.waits = step_.waits || bodies_behind_;
+    step_.waits = step_.waits || tracks_.behind;
 }
 
 // False, and all stays, where there was no time to look at what the bodies bring.
 bool ProxySolver::sub_step(const HapticScene& scene, const Request& request, double radius_m, double part) noexcept {
     Vec3 wish = ball_m_;
     bool any = false;
-    for (const std::uint16_t b : tracked_ids()) {
-        Track& track = track_of(b);
+    for (const std::uint16_t b : tracks_.ids()) {
+        ProxyTrack& track = tracks_.of(b);
         track.moved = !(track.from == track.to);
         if (!track.moved) continue;
         any = any || track.present;
         const PlacedFrame before = track.frame;
         track.before = track.at;
         stand(scene, track, part == 1.0 ? track.to : between(track.from, track.to, part));
-        if (one_sided_count_ > 0) turn_sheets_of(scene, b, before);
+        if (cuts_.one_sided > 0) turn_sheets_of(scene, b, before);
         track.reach_m = scene.bodies[b].reach_m * track.frame.scale;
         if (carrier_ == b) wish = track.frame.to_world(before.to_own(local_m())) - anchor_m_;
     }
@@ -338,9 +308,9 @@ bool ProxySolver::sub_step(const HapticScene& scene, const Request& request, dou
         wish += ball_m_ - was;
     }
     // What comes in a sub-step must be known, or it would be met too late.
-    if (bodies_unknown_ || known_around(ball_m_) < 1.5 * radius_m_ + carried) {
-        for (const std::uint16_t b : tracked_ids())
-            if (Track& track = track_of(b); track.moved) stand(scene, track, track.before);
+    if (tracks_.unknown || known_around(ball_m_) < 1.5 * radius_m_ + carried) {
+        for (const std::uint16_t b : tracks_.ids())
+            if (ProxyTrack& track = tracks_.of(b); track.moved) stand(scene, track, track.before);
         renew_moved_cuts(scene);
         return false;
     }
@@ -351,17 +321,18 @@ bool ProxySolver::sub_step(const HapticScene& scene, const Request& request, dou
 
 // The cuts of bodies that have just moved, where they are now; those that the ball would break are renewed at the ball.
 void ProxySolver::renew_moved_cuts(const HapticScene& scene) noexcept {
-    for (int i = 0; i < count_; ++i) {
+    for (int i = 0; i < cuts_.count; ++i) {
         const auto at = static_cast<std::size_t>(i);
-        if (owners_[at] == kStill || !track_of(owners_[at]).moved) continue;
-        const PlacedFrame& frame = track_of(owners_[at]).frame;
-        const Vec3 normal = frame.turned(own_cuts_[at].normal);
-        cuts_[at] = {normal, own_cuts_[at].offset_m * frame.scale + glm::dot(normal, frame.position_m - anchor_m_)};
-        work_left_ -= kTurnWork;
-        if (glm::dot(normal, ball_m_) - cuts_[at].offset_m >= radius_m_) continue;
+        if (cuts_.owners[at] == kStill || !tracks_.of(cuts_.owners[at]).moved) continue;
+        const PlacedFrame& frame = tracks_.of(cuts_.owners[at]).frame;
+        const Vec3 normal = frame.turned(cuts_.own_planes[at].normal);
+        cuts_.planes[at] = {
+            normal, cuts_.own_planes[at].offset_m * frame.scale + glm::dot(normal, frame.position_m - anchor_m_)};
+        work_.left -= kTurnWork;
+        if (glm::dot(normal, ball_m_) - cuts_.planes[at].offset_m >= radius_m_) continue;
         double distance = 0.0;
         keep_cut(i, support(scene, i, ball_m_, distance));
-        work_left_ -= kSupportWork;
+        work_.left -= kSupportWork;
     }
     spend(0);
 }
@@ -379,11 +350,11 @@ void ProxySolver::make_room(const HapticScene& scene, const Vec3& wish_m) noexce
         ball_m_ = room.point_m;
     };
     if (fits()) return take();
-    for (int i = 0; i < count_; ++i) {
-        if (asleep(i)) continue;
+    for (int i = 0; i < cuts_.count; ++i) {
+        if (cuts_.asleep(i)) continue;
         // Where time is short, only those that the ball breaks: with them it fits where it is, if smaller.
         const HalfSpace held = wall(i);
-        if (work_left_ <= 0 && glm::dot(held.normal, ball_m_) >= held.offset_m) continue;
+        if (work_.left <= 0 && glm::dot(held.normal, ball_m_) >= held.offset_m) continue;
         double distance = 0.0;
         keep_cut(i, support(scene, i, ball_m_, distance));
         spend(kSupportWork);
@@ -395,22 +366,23 @@ void ProxySolver::make_room(const HapticScene& scene, const Vec3& wish_m) noexce
     radius_m_ = low;
     if (!fits()) {
         radius_m_ = wanted;
-        for (int i = count_ - 1; i >= 0; --i) {
+        for (int i = cuts_.count - 1; i >= 0; --i) {
             const auto at = static_cast<std::size_t>(i);
-            if (i >= count_ || owners_[at] == kStill || !track_of(owners_[at]).moved || asleep(i)) continue;
+            if (i >= cuts_.count || cuts_.owners[at] == kStill || !tracks_.of(cuts_.owners[at]).moved ||
+                cuts_.asleep(i))
+                continue;
             double distance = 0.0;
             support(scene, i, ball_m_, distance);
-            if (distance < radius_m_ && ghost_count_ < kMaxGhosts)
-                ghosts_[static_cast<std::size_t>(ghost_count_++)] = {obstacles_[at], owners_[at]};
+            if (distance < radius_m_) ghosts_.add(cuts_.of(at));
         }
         known_m_ = -1.0;
-        count_ = 0;
+        cuts_.count = 0;
         basis_.count = 0;
-        gathers_on_ = bodies_unknown_ = false;
+        gathers_on_ = tracks_.unknown = false;
         return;
     }
     ProjectionBasis best = room;
-    for (int round = 0; round < 20 && work_left_ > -kMostWork / 4; ++round) {
+    for (int round = 0; round < 20 && work_.left > -kMostWork / 4; ++round) {
         radius_m_ = 0.5 * (low + high);
         if (fits()) {
             low = radius_m_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptic/render/tick_assert.h"
+
 namespace handrail {
 
 using namespace proxy_parts;
@@ -21,9 +23,9 @@ constexpr double kHangs = 0.1;  // of the ball's radius: so near a surface is on
 template <class Has>
 void ProxySolver::touch_down(const HapticScene& scene) noexcept {
     ball_m_ = path_[0];
-    double way_left = path_cap_m_;
-    while (rounds_left_ > 0 && work_left_ > 0) {
-        --rounds_left_;
+    double way_left = path_.longest_m;
+    while (path_.rounds_left > 0 && work_.left > 0) {
+        --path_.rounds_left;
         Vec3 way = goal_m_ - ball_m_;
         if (const double length = glm::length(way); length > way_left) way *= way_left / length;
         int met = -1;
@@ -36,8 +38,8 @@ void ProxySolver::touch_down(const HapticScene& scene) noexcept {
         if (distance - radius_m_ <= kTouching_m) break;
     }
     path_[1] = ball_m_;
-    path_size_ = 2;
-    rubs_from_ = 1;
+    path_.size = 2;
+    path_.rubs_from = 1;
 }
 
 // Renews every cut that the ball stands behind, as cuts that were renewed further along may be, and tells the surfaces
@@ -45,7 +47,7 @@ void ProxySolver::touch_down(const HapticScene& scene) noexcept {
 template <class Has>
 int ProxySolver::touched(const HapticScene& scene, std::array<HalfSpace, kMostTouched>& surfaces) noexcept {
     int count = 0;
-    for (int i = 0; i < count_; ++i) {
+    for (int i = 0; i < cuts_.count; ++i) {
         const HalfSpace h = wall(i);
         const double slack = glm::dot(h.normal, ball_m_) - h.offset_m;
         const bool behind = slack < -0.1 * kProjectionTolerance_m;
@@ -65,7 +67,7 @@ template <class Has>
 int ProxySolver::hangs_over(const HapticScene& scene, const Vec3& goal_m, HalfSpace& surface) noexcept {
     double least = kHangs * radius_m_;
     int count = 0;
-    for (int i = 0; i < count_; ++i) {
+    for (int i = 0; i < cuts_.count; ++i) {
         const HalfSpace h = wall(i);
         if (glm::dot(h.normal, ball_m_) - h.offset_m >= least) continue;
         double distance = 0.0;
@@ -83,12 +85,12 @@ int ProxySolver::hangs_over(const HapticScene& scene, const Vec3& goal_m, HalfSp
 template <class Has>
 void ProxySolver::draw(const HapticScene& scene) noexcept {
     ++moves_;
-    while (rounds_left_ > 0 && work_left_ > 0) {
-        --rounds_left_;
+    while (path_.rounds_left > 0 && work_.left > 0) {
+        --path_.rounds_left;
         bool solved = project();
         Vec3 way = basis_.point_m - ball_m_;
         if (!solved) way *= fraction_inside(way);
-        if (Has::kOneSided && one_sided_count_ > 0) {
+        if (Has::kOneSided && cuts_.one_sided > 0) {
             if (const double fraction = fraction_to_waking(scene, way); fraction < 1.0) {
                 way *= fraction;
                 solved = false;
@@ -97,9 +99,9 @@ void ProxySolver::draw(const HapticScene& scene) noexcept {
         const double length = glm::length(way), known = std::max(0.0, known_around<Has>(ball_m_) - radius_m_);
         const bool short_of = length > known;
         ball_m_ = short_of ? ball_m_ + way * (known / length) : solved ? basis_.point_m : ball_m_ + way;
-        path_[static_cast<std::size_t>(path_size_++)] = ball_m_;
+        path_.add(ball_m_);
         if (short_of) return;
-        if (Has::kOneSided && one_sided_count_ > 0 && turn_sheets(scene)) continue;
+        if (Has::kOneSided && cuts_.one_sided > 0 && turn_sheets(scene)) continue;
         if (basis_.count == 0 || !renew_holding_cuts<Has>(scene)) return;
     }
 }
@@ -113,7 +115,7 @@ void ProxySolver::rub(const HapticScene& scene, double share) noexcept {
     const Vec3 goal = goal_m_;
     Vec3 lag = ball_m_ - rest.point_m;
     std::array<HalfSpace, kMostTouched> surfaces;
-    for (int round = 0; round < kMostRubs && rounds_left_ > 0 && work_left_ > 0; ++round) {
+    for (int round = 0; round < kMostRubs && path_.rounds_left > 0 && work_.left > 0; ++round) {
         int count = touched<Has>(scene, surfaces);
         const bool hangs = count == 0;
         if (hangs) count = hangs_over<Has>(scene, goal, surfaces[0]);
@@ -136,6 +138,7 @@ void ProxySolver::rub(const HapticScene& scene, double share) noexcept {
 
 template <class Has>
 void ProxySolver::hold_back(const HapticScene& scene, double reach_m) noexcept {
+    tick_assert(reach_m >= 0.0 && step_.count > 0);
     const Vec3 target = basis_.point_m;
     const double reach2 = reach_m * reach_m;
     const auto beyond = [&](const Vec3& p) { return glm::dot(p - target, p - target) - reach2; };
@@ -146,38 +149,38 @@ void ProxySolver::hold_back(const HapticScene& scene, double reach_m) noexcept {
         }
         return false;
     };
-    bool rubs = rounds_left_ > 0;
+    bool rubs = path_.rounds_left > 0;
     // Where not all of that way is known, as after a gathering that was cut short or lay further along, the path that
     // the ball went is.
     const auto knows_the_way = [&] {
-        return known_around<Has>(path_[0]) - radius_m_ >= std::min(path_cap_m_, glm::length(goal_m_ - path_[0]));
+        return known_around<Has>(path_[0]) - radius_m_ >= std::min(path_.longest_m, glm::length(goal_m_ - path_[0]));
     };
-    if (was_free_ && rubs && path_size_ > 1 && knows_the_way()) {
+    if (path_.was_free && rubs && path_.size > 1 && knows_the_way()) {
         touch_down<Has>(scene);
     } else {
         if (beyond(ball_m_) >= 0.0) return;
-        const bool bent = path_size_ > 2;  // pieces of such a path bridge round surfaces
-        while (path_size_ > 1) {
-            const Vec3 from = path_[static_cast<std::size_t>(path_size_ - 2)];
+        const bool bent = path_.size > 2;  // pieces of such a path bridge round surfaces
+        while (path_.size > 1) {
+            const Vec3 from = path_[path_.size - 2];
             const double outside = beyond(from);
             if (outside >= 0.0) {
-                const Vec3 way = path_[static_cast<std::size_t>(path_size_ - 1)] - from;
+                const Vec3 way = path_[path_.size - 1] - from;
                 const double a = glm::dot(way, way), b = glm::dot(way, from - target);
                 if (a > 0.0)
                     ball_m_ =
                         from + way * std::clamp((-b - std::sqrt(std::max(0.0, b * b - a * outside))) / a, 0.0, 1.0);
-                path_[static_cast<std::size_t>(path_size_ - 1)] = ball_m_;
+                path_[path_.size - 1] = ball_m_;
                 break;
             }
             ball_m_ = from;
-            --path_size_;
+            --path_.size;
         }
         rubs = rubs && (bent || off_a_hold());
     }
     const double press_m = glm::length(target - goal_m_);
     if (rubs && press_m > 0.0) rub<Has>(scene, reach_m / press_m);
     // Cuts renewed further along may lie across the place where the ball stopped.
-    for (int i = 0; i < count_; ++i) {
+    for (int i = 0; i < cuts_.count; ++i) {
         const HalfSpace h = wall(i);
         if (glm::dot(h.normal, ball_m_) >= h.offset_m - 0.1 * kProjectionTolerance_m) continue;
         double distance = 0.0;

@@ -30,31 +30,25 @@ bool nearer(double distance_a, std::uint32_t a, double distance_b, std::uint32_t
 
 }  // namespace
 
-bool ProxySolver::is_ghost(std::uint32_t obstacle, std::uint16_t body) const noexcept {
-    const auto end = ghosts_.begin() + ghost_count_;
-    return std::find_if(ghosts_.begin(), end,
-                        [&](const Ghost& g) { return g.obstacle == obstacle && g.body == body; }) != end;
-}
-
-// The same for the obstacles of one body that has just appeared, or of everything still.
+// Starts the ball among the obstacles of one body that has just appeared, or of everything still.
 void ProxySolver::place_in(const HapticScene& scene, std::uint16_t body, double radius_m) noexcept {
-    if (body != kStill && !track_of(body).present) return;
+    if (body != kStill && !tracks_.of(body).present) return;
     const HapticScene& shape = body == kStill ? scene : *scene.bodies[body].shape;
     const Vec3 at = local_m();
-    const double scale = body == kStill ? 1.0 : track_of(body).frame.scale;
-    const Vec3 own = body == kStill ? at : track_of(body).frame.to_own(at) - shape.origin_m;
-    const int most_looks = std::clamp((work_left_ - kRoundsWork) / kLookWork, 4, kMostLooks);
+    const double scale = body == kStill ? 1.0 : tracks_.of(body).frame.scale;
+    const Vec3 own = body == kStill ? at : tracks_.of(body).frame.to_own(at) - shape.origin_m;
+    const int most_looks = std::clamp((work_.left - kRoundsWork) / kLookWork, 4, kMostLooks);
     int looks = most_looks;
     const double known =
         shape.obstacle_bvh.nearest_first(own, radius_m / scale, looks, queue_, [&](std::uint32_t item, double&) {
             const double distance = shape.closest(item, own).distance_m * scale;
             if (shape.solid(item) && distance <= 0.0) {
-                if (ghost_count_ < kMaxGhosts) ghosts_[static_cast<std::size_t>(ghost_count_++)] = {item, body};
+                ghosts_.add({item, body});
             } else if (shape.obstacles[item].side == TouchSide::Both || shape.in_front_m(item, own) >= 0.0) {
                 radius_m_ = std::min(radius_m_, std::max(distance, kSmallestRadius_m));
             }
         });
-    looks_ += most_looks - looks;
+    work_.looks += most_looks - looks;
     spend((most_looks - looks) * kLookWork);
     // Where there was too much to look at, what was not looked at may begin here.
     if (looks <= 0) radius_m_ = std::min(radius_m_, std::max(known * scale, kSmallestRadius_m));
@@ -77,8 +71,8 @@ double ProxySolver::gather_nearest(const HapticScene& shape, std::uint16_t body,
         return last->distance_m;
     };
     double known =
-        shape.obstacle_bvh.nearest_first(at, reach_m, looks_left_, queue_, [&](std::uint32_t item, double& reach) {
-            if (ghost_count_ > 0 && is_ghost(item, body)) return;
+        shape.obstacle_bvh.nearest_first(at, reach_m, work_.looks_left, queue_, [&](std::uint32_t item, double& reach) {
+            if (ghosts_.count() > 0 && ghosts_.has({item, body})) return;
             // Places behind the kept ones hold numbers of normals that are free again.
             Candidate& candidate = nearest_[nearest_count_];
             if (nearest_count_ == normals) candidate.normal = normals++;
@@ -86,7 +80,7 @@ double ProxySolver::gather_nearest(const HapticScene& shape, std::uint16_t body,
             double distance = shape.quick_support(item, at, normal);
             if (distance > reach) return;
             if (distance < needed_m + kExact * (reach - needed_m)) {
-                looks_left_ -= shape.obstacles[item].planes * kPlaneWork / kLookWork;
+                work_.looks_left -= shape.obstacles[item].planes * kPlaneWork / kLookWork;
                 const ClosestPoint found = shape.closest(item, at);
                 distance = -glm::dot(found.normal, found.point_m - at);
                 if (found.distance_m > reach) return;
@@ -105,13 +99,13 @@ double ProxySolver::gather_nearest(const HapticScene& shape, std::uint16_t body,
 double ProxySolver::collect(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m,
                             double needed_m, std::size_t room) noexcept {
     const std::size_t comfortable = std::min<std::size_t>(kComfortableCandidates, room);
-    bool& crowded = body == kStill ? crowded_ : track_of(body).crowded;
+    bool& crowded = body == kStill ? crowded_ : tracks_.of(body).crowded;
     const auto look = [&](double reach, std::size_t most) {
-        const int looks = std::clamp((work_left_ - kRoundsWork) / kLookWork, kLeastLooks, kMostLooks);
-        looks_left_ = looks;
+        const int looks = std::clamp((work_.left - kRoundsWork) / kLookWork, kLeastLooks, kMostLooks);
+        work_.looks_left = looks;
         const double known = gather_nearest(shape, body, at, reach, needed_m, most);
-        looks_ += looks - looks_left_;
-        spend((looks - looks_left_) * kLookWork);
+        work_.looks += looks - work_.looks_left;
+        spend((looks - work_.looks_left) * kLookWork);
         return known;
     };
     double known = 0.0;
@@ -131,16 +125,9 @@ double ProxySolver::collect(const HapticScene& shape, std::uint16_t body, const 
         step_.truncated = step_.truncated || known < needed_m;
     }
     for (std::size_t k = 0; k < nearest_count_; ++k) {
-        const auto i = static_cast<std::size_t>(count_++);
-        cuts_[i] = {nearest_normals_[nearest_[k].normal], -nearest_[k].distance_m};
-        obstacles_[i] = nearest_[k].obstacle;
-        owners_[i] = body;
-        looked_ahead_[i] = 0;
-        sheets_[i] = Sheet::No;
-        if (!shape.one_sided_sheets || shape.obstacles[obstacles_[i]].side == TouchSide::Both) continue;
-        sheets_[i] = Sheet::Asleep;
-        cuts_[i].offset_m = kNoCut_m;
-        ++one_sided_count_;
+        const Candidate& found = nearest_[k];
+        const bool one_sided = shape.one_sided_sheets && shape.obstacles[found.obstacle].side != TouchSide::Both;
+        cuts_.add({found.obstacle, body}, {nearest_normals_[found.normal], -found.distance_m}, one_sided);
     }
     return known;
 }
@@ -150,74 +137,73 @@ void ProxySolver::gather(const HapticScene& scene, double reach_m, double needed
     ++gatherings_;
     if (gathers_on_) return gather_waiting(scene, reach_m, needed_m);
     const Vec3 at = local_m();
-    for (int i = 0; i < path_size_; ++i) path_[static_cast<std::size_t>(i)] -= ball_m_;
+    path_.move_anchor(ball_m_);
     anchor_m_ = at;
     ball_m_ = Vec3(0.0);
     basis_.count = 0;
-    if (one_sided_count_ > 0) remember_awake();
-    count_ = 0;
-    one_sided_count_ = 0;
+    if (cuts_.one_sided > 0) cuts_.remember_awake();
+    cuts_.clear();
     known_m_ = collect(scene, kStill, at, reach_m, needed_m, kMaxCandidates);
-    if (count_ == 0) {
+    if (cuts_.count == 0) {
         double best = std::max(kFarthestLook_m, 2.0 * reach_m);
         const double free_m = scene.obstacle_bvh.nearest_first(
-            at, kLoose * best, looks_left_, queue_, [&](std::uint32_t item, double& reach) {
-                if (ghost_count_ > 0 && is_ghost(item, kStill)) return;
+            at, kLoose * best, work_.looks_left, queue_, [&](std::uint32_t item, double& reach) {
+                if (ghosts_.count() > 0 && ghosts_.has({item, kStill})) return;
                 best = std::min(best, scene.closest(item, at).distance_m);
                 reach = std::min(reach, kLoose * best);
             });
         known_m_ = std::max(known_m_, free_m);
     }
     spend_on_tracked(kKnownWork);
-    bodies_known_m_ = std::numeric_limits<double>::infinity();
-    bodies_moved_ = bodies_unknown_ = false;
+    tracks_.known_m = std::numeric_limits<double>::infinity();
+    tracks_.moved = tracks_.unknown = false;
     std::size_t near = 0;
-    for (const std::uint16_t b : tracked_ids()) {
-        Track& track = track_of(b);
+    for (const std::uint16_t b : tracks_.ids()) {
+        ProxyTrack& track = tracks_.of(b);
         track.unknown = track.looked_at = false;
         if (!track.present) continue;
         track.reach_m = scene.bodies[b].reach_m * track.frame.scale;
-        track.looked_at = known_of_body(track, at) <= reach_m;  // no part of it is nearer than this
+        track.looked_at = track.known_around_m(at) <= reach_m;  // no part of it is nearer than this
         if (track.looked_at) ++near;
     }
     // All of them at once where that is not too much; else those that there is time for, and the others on the next
     // moves.
     for (std::size_t k = 0; near > 0; ++k) {
-        Track& track = track_of(tracked_[k]);
+        ProxyTrack& track = tracks_.of(tracks_.followed[k]);
         if (!track.present || !track.looked_at) continue;
         track.known_from_m = track.frame.to_own(at);
-        if (work_left_ > 0) {
-            look_at_body(scene, tracked_[k], reach_m, needed_m, near);
+        if (work_.left > 0) {
+            look_at_body(scene, tracks_.followed[k], reach_m, needed_m, near);
         } else {
             track.known_m = -1.0;
-            track.unknown = bodies_unknown_ = true;
+            track.unknown = tracks_.unknown = true;
         }
-        bodies_known_m_ = std::min(bodies_known_m_, track.known_m);
+        tracks_.known_m = std::min(tracks_.known_m, track.known_m);
         --near;
     }
-    gathers_on_ = bodies_unknown_;
-    if (one_sided_count_ > 0) turn_sheets(scene);
-    awake_count_ = 0;
+    gathers_on_ = tracks_.unknown;
+    if (cuts_.one_sided > 0) turn_sheets(scene);
+    cuts_.awake_count = 0;
 }
 
 // Makes candidates of what is near of one body, where `share` bodies share the room that is left.
 void ProxySolver::look_at_body(const HapticScene& scene, std::uint16_t body, double reach_m, double needed_m,
                                std::size_t share) noexcept {
-    Track& track = track_of(body);
+    ProxyTrack& track = tracks_.of(body);
     const HapticScene& shape = *scene.bodies[body].shape;
     const PlacedFrame& frame = track.frame;
     const Vec3 at = local_m(), own = frame.to_own(at);
-    const auto left = static_cast<std::size_t>(kMaxCandidates - count_);
+    const auto left = static_cast<std::size_t>(kMaxCandidates - cuts_.count);
     const std::size_t room = std::min(left, std::max<std::size_t>(left / share, 8));
-    const int first = count_;
+    const int first = cuts_.count;
     track.unknown = false;
     track.known_from_m = own;
     track.known_m = collect(shape, body, own - shape.origin_m, reach_m / frame.scale, needed_m / frame.scale,
                             share == 1 ? left : room) *
                     frame.scale;
     track.short_of_room = track.known_m < needed_m;
-    for (int i = first; i < count_; ++i) {
-        const HalfSpace cut = cuts_[static_cast<std::size_t>(i)];  // own axes and metres, from `own`
+    for (int i = first; i < cuts_.count; ++i) {
+        const HalfSpace cut = cuts_.planes[static_cast<std::size_t>(i)];  // own axes and metres, from `own`
         const Vec3 normal = frame.turned(cut.normal);
         keep_cut(i, {normal, cut.offset_m * frame.scale + glm::dot(normal, ball_m_)});
     }
@@ -231,35 +217,36 @@ void ProxySolver::gather_waiting(const HapticScene& scene, double reach_m, doubl
     const Vec3 at = local_m();
     const double still_known = known_m_ - glm::length(ball_m_);
     const bool look_at_still = still_known < needed_m && (glm::length(ball_m_) > enough_m || known_m_ < 0.0);
-    if (one_sided_count_ > 0) remember_awake();
-    for (int i = 0; i < path_size_; ++i) path_[static_cast<std::size_t>(i)] -= ball_m_;
-    for (int i = 0; i < count_; ++i) {
-        HalfSpace& cut = cuts_[static_cast<std::size_t>(i)];
+    if (cuts_.one_sided > 0) cuts_.remember_awake();
+    path_.move_anchor(ball_m_);
+    for (int i = 0; i < cuts_.count; ++i) {
+        HalfSpace& cut = cuts_.planes[static_cast<std::size_t>(i)];
         cut.offset_m -= glm::dot(cut.normal, ball_m_);
     }
     anchor_m_ = at;
     ball_m_ = Vec3(0.0);
     known_m_ = still_known;
     basis_.count = 0;
-    bodies_unknown_ = false;
-    bodies_moved_ = true;  // known_around() then asks each body
+    tracks_.unknown = false;
+    tracks_.moved = true;  // known_around() then asks each body
     if (look_at_still) {
         drop_candidates(kStill);
-        known_m_ = collect(scene, kStill, at, reach_m, needed_m, static_cast<std::size_t>(kMaxCandidates - count_));
+        known_m_ =
+            collect(scene, kStill, at, reach_m, needed_m, static_cast<std::size_t>(kMaxCandidates - cuts_.count));
     }
     spend_on_tracked(2 * kKnownWork);
     std::size_t near = 0, left = 0;
-    const auto wants_look = [&](const Track& track) {
+    const auto wants_look = [&](const ProxyTrack& track) {
         if (!track.present) return false;
-        if (!track.looked_at) return known_of_body(track, at) < needed_m;
+        if (!track.looked_at) return track.known_around_m(at) < needed_m;
         return track.unknown ||
-               (known_of_body(track, at) < needed_m &&
+               (track.known_around_m(at) < needed_m &&
                 !(track.short_of_room &&
                   glm::length(track.frame.to_own(at) - track.known_from_m) * track.frame.scale <= enough_m));
     };
     bool any_leaves = false;
-    for (const std::uint16_t b : tracked_ids()) {
-        Track& track = track_of(b);
+    for (const std::uint16_t b : tracks_.ids()) {
+        ProxyTrack& track = tracks_.of(b);
         const bool is_far =
             track.present && track.looked_at && glm::length(at - track.frame.position_m) - track.reach_m > reach_m;
         track.leaves = is_far;
@@ -271,24 +258,25 @@ void ProxySolver::gather_waiting(const HapticScene& scene, double reach_m, doubl
         }
         any_leaves = any_leaves || track.leaves;
     }
-    if (any_leaves) drop_candidates_of([&](std::uint16_t owner) { return owner != kStill && track_of(owner).leaves; });
+    if (any_leaves)
+        drop_candidates_of([&](std::uint16_t owner) { return owner != kStill && tracks_.of(owner).leaves; });
     for (std::size_t k = 0; left > 0; ++k) {
-        const std::uint16_t id = tracked_[k];
-        Track& track = track_of(id);
+        const std::uint16_t id = tracks_.followed[k];
+        ProxyTrack& track = tracks_.of(id);
         if (!wants_look(track)) continue;
         track.looked_at = true;
-        if (work_left_ > 0) {
+        if (work_.left > 0) {
             look_at_body(scene, id, reach_m, needed_m, left);
         } else {
             track.known_from_m = track.frame.to_own(at);
             track.known_m = -1.0;
-            track.unknown = bodies_unknown_ = true;
+            track.unknown = tracks_.unknown = true;
         }
         --left;
     }
-    gathers_on_ = bodies_unknown_ || near > 1;
-    if (one_sided_count_ > 0) turn_sheets(scene);
-    awake_count_ = 0;
+    gathers_on_ = tracks_.unknown || near > 1;
+    if (cuts_.one_sided > 0) turn_sheets(scene);
+    cuts_.awake_count = 0;
 }
 
 }  // namespace handrail

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "haptic/render/proxy_solver.h"
+#include "haptic/render/tick_assert.h"
 
 namespace handrail::proxy_parts {
 
@@ -31,7 +32,6 @@ inline constexpr int kTurnWork = 20;           // a cut of a moving body turned
 inline constexpr std::size_t kFewBodies = 16;  // so many need not be counted
 
 inline constexpr int kHurryMoves = 8;  // moves in which the ball reaches a goal that only a vanished thing kept it from
-inline constexpr double kNoCut_m = -1e30;  // offset of a half-space that holds everything, as that of a sleeping sheet
 
 }  // namespace handrail::proxy_parts
 
@@ -41,9 +41,9 @@ template <class Has>
 HalfSpace ProxySolver::support(const HapticScene& scene, int candidate, const Vec3& at,
                                double& distance_m) const noexcept {
     const auto i = static_cast<std::size_t>(candidate);
-    const ClosestPoint found = !Has::kBodies || owners_[i] == kStill
-                                   ? scene.closest(obstacles_[i], anchor_m_ + at)
-                                   : closest_of_body(scene, obstacles_[i], owners_[i], anchor_m_ + at);
+    const ClosestPoint found = !Has::kBodies || cuts_.owners[i] == kStill
+                                   ? scene.closest(cuts_.obstacles[i], anchor_m_ + at)
+                                   : closest_of_body(scene, cuts_.obstacles[i], cuts_.owners[i], anchor_m_ + at);
     distance_m = found.distance_m;
     return {found.normal, glm::dot(found.normal, found.point_m - anchor_m_)};
 }
@@ -51,33 +51,19 @@ HalfSpace ProxySolver::support(const HapticScene& scene, int candidate, const Ve
 // A body's cut is kept in the body's frame too, where it stays valid however the body moves.
 template <class Has>
 void ProxySolver::keep_cut(int candidate, const HalfSpace& cut) noexcept {
+    tick_assert(candidate >= 0 && candidate < cuts_.count);
     const auto i = static_cast<std::size_t>(candidate);
-    cuts_[i] = cut;
-    if (!Has::kBodies || owners_[i] == kStill) return;
-    const PlacedFrame& frame = track_of(owners_[i]).frame;
-    own_cuts_[i] = {frame.turned_back(cut.normal),
-                    (cut.offset_m + glm::dot(cut.normal, anchor_m_ - frame.position_m)) / frame.scale};
+    cuts_.planes[i] = cut;
+    if (!Has::kBodies || cuts_.owners[i] == kStill) return;
+    const PlacedFrame& frame = tracks_.of(cuts_.owners[i]).frame;
+    cuts_.own_planes[i] = {frame.turned_back(cut.normal),
+                           (cut.offset_m + glm::dot(cut.normal, anchor_m_ - frame.position_m)) / frame.scale};
 }
 
 template <class Leaves>
 void ProxySolver::drop_candidates_of(const Leaves& leaves) noexcept {
-    spend(count_ * proxy_parts::kDropWork);
-    int kept = 0;
-    for (int i = 0; i < count_; ++i) {
-        const auto from = static_cast<std::size_t>(i), to = static_cast<std::size_t>(kept);
-        if (leaves(owners_[from])) {
-            one_sided_count_ -= sheets_[from] != Sheet::No;
-            continue;
-        }
-        cuts_[to] = cuts_[from];
-        obstacles_[to] = obstacles_[from];
-        owners_[to] = owners_[from];
-        own_cuts_[to] = own_cuts_[from];
-        looked_ahead_[to] = looked_ahead_[from];
-        sheets_[to] = sheets_[from];
-        ++kept;
-    }
-    count_ = kept;
+    spend(cuts_.count * proxy_parts::kDropWork);
+    cuts_.drop_of(leaves);
     basis_.count = 0;
 }
 

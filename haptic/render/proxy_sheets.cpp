@@ -19,45 +19,30 @@ double ProxySolver::in_front_m(const HapticScene& scene, int candidate, const Pl
                                const Vec3& at_m) const noexcept {
     const auto i = static_cast<std::size_t>(candidate);
     const Vec3 local = anchor_m_ + at_m;
-    if (owners_[i] == kStill) return scene.in_front_m(obstacles_[i], local);
-    const HapticScene& shape = *scene.bodies[owners_[i]].shape;
-    return shape.in_front_m(obstacles_[i], frame.to_own(local) - shape.origin_m) * frame.scale;
-}
-
-// Before candidates are gathered anew: what is awake stays so, even where a moving body has just come nearer than the
-// ball's radius.
-void ProxySolver::remember_awake() noexcept {
-    awake_count_ = 0;
-    for (int i = 0; i < count_; ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        if (sheets_[at] == Sheet::Awake)
-            awake_[static_cast<std::size_t>(awake_count_++)] = {obstacles_[at], owners_[at]};
-    }
+    if (cuts_.owners[i] == kStill) return scene.in_front_m(cuts_.obstacles[i], local);
+    const HapticScene& shape = *scene.bodies[cuts_.owners[i]].shape;
+    return shape.in_front_m(cuts_.obstacles[i], frame.to_own(local) - shape.origin_m) * frame.scale;
 }
 
 // A sheet of one side acts while the ball is on that side, and only once the ball was there with room to spare: one
 // that comes through from behind is not pushed out. True when a sheet woke or fell asleep.
 bool ProxySolver::turn_sheets(const HapticScene& scene) noexcept {
     bool turned = false;
-    for (int i = 0; i < count_; ++i) {
+    for (int i = 0; i < cuts_.count; ++i) {
         const auto at = static_cast<std::size_t>(i);
-        if (sheets_[at] == Sheet::No) continue;
-        const bool sleeps = sheets_[at] == Sheet::Asleep;
+        if (cuts_.sheets[at] == ProxyCuts::Sheet::No) continue;
+        const bool sleeps = cuts_.sheets[at] == ProxyCuts::Sheet::Asleep;
         const double in_front = in_front_m(scene, i, ball_m_);
         if (sleeps ? in_front < -kWakes_m : in_front >= -kSleeps_m) continue;
         if (sleeps) {
             double distance = 0.0;
             const HalfSpace cut = support(scene, i, ball_m_, distance);
-            const auto end = awake_.begin() + awake_count_;
-            const auto was_awake = [&](const Ghost& g) {
-                return g.obstacle == obstacles_[at] && g.body == owners_[at];
-            };
-            if (distance < radius_m_ - kSleeps_m && std::find_if(awake_.begin(), end, was_awake) == end) continue;
+            if (distance < radius_m_ - kSleeps_m && !cuts_.was_awake(at)) continue;
             keep_cut(i, cut);
         } else {
-            keep_cut(i, {cuts_[at].normal, kNoCut_m});
+            keep_cut(i, {cuts_.planes[at].normal, ProxyCuts::kNoCut_m});
         }
-        sheets_[at] = sleeps ? Sheet::Awake : Sheet::Asleep;
+        cuts_.sheets[at] = sleeps ? ProxyCuts::Sheet::Awake : ProxyCuts::Sheet::Asleep;
         turned = true;
     }
     return turned;
@@ -66,15 +51,15 @@ bool ProxySolver::turn_sheets(const HapticScene& scene) noexcept {
 // After a sub-step of a body: its sleeping sheets whose plane has passed over the ball. Sub-steps are half a radius
 // long at most, so one whose own surface passed is still nearer than that, and any other had room to spare.
 void ProxySolver::turn_sheets_of(const HapticScene& scene, std::uint16_t body, const PlacedFrame& before) noexcept {
-    for (int i = 0; i < count_; ++i) {
+    for (int i = 0; i < cuts_.count; ++i) {
         const auto at = static_cast<std::size_t>(i);
-        if (owners_[at] != body || sheets_[at] != Sheet::Asleep) continue;
+        if (cuts_.owners[at] != body || cuts_.sheets[at] != ProxyCuts::Sheet::Asleep) continue;
         if (in_front_m(scene, i, before, ball_m_) >= -kWakes_m || in_front_m(scene, i, ball_m_) < -kWakes_m) continue;
         double distance = 0.0;
         const HalfSpace cut = support(scene, i, ball_m_, distance);
         if (distance <= 0.5 * radius_m_) continue;
         keep_cut(i, cut);
-        sheets_[at] = Sheet::Awake;
+        cuts_.sheets[at] = ProxyCuts::Sheet::Awake;
     }
 }
 
@@ -83,8 +68,8 @@ void ProxySolver::turn_sheets_of(const HapticScene& scene, std::uint16_t body, c
 // where the line crosses the sheet's plane can this happen with the ball going on to touch.
 double ProxySolver::fraction_to_waking(const HapticScene& scene, const Vec3& step) const noexcept {
     double fraction = 1.0;
-    for (int i = 0; i < count_; ++i) {
-        if (sheets_[static_cast<std::size_t>(i)] != Sheet::Asleep) continue;
+    for (int i = 0; i < cuts_.count; ++i) {
+        if (cuts_.sheets[static_cast<std::size_t>(i)] != ProxyCuts::Sheet::Asleep) continue;
         const double before = in_front_m(scene, i, ball_m_);
         if (before >= -kWakes_m) continue;
         const double after = in_front_m(scene, i, ball_m_ + step);

@@ -3,29 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptic/render/tick_assert.h"
+
 namespace handrail {
 
 using namespace proxy_parts;
-
-ProxySolver::ProxySolver()
-    : cuts_(kMaxCandidates),
-      obstacles_(kMaxCandidates),
-      owners_(kMaxCandidates, kStill),
-      own_cuts_(kMaxCandidates),
-      looked_ahead_(kMaxCandidates),
-      sheets_(kMaxCandidates),
-      awake_(kMaxCandidates),
-      nearest_(kMaxCandidates + kSpareCandidates),
-      nearest_normals_(kMaxCandidates + kSpareCandidates),
-      ghosts_(kMaxGhosts),
-      tracks_(kMostTracked),
-      slots_(HapticScene::kMostBodies, kNoSlot),
-      least_m_(HapticScene::kMostBodies),
-      tracked_(kMostTracked),
-      free_slots_(kMostTracked) {
-    for (std::size_t i = 0; i < free_slots_.size(); ++i)
-        free_slots_[i] = static_cast<std::uint16_t>(free_slots_.size() - 1 - i);
-}
 
 void ProxySolver::reset() noexcept {
     placed_ = false;
@@ -33,17 +15,17 @@ void ProxySolver::reset() noexcept {
     basis_.count = 0;
     known_m_ = -1.0;
     dense_m_ = kFarthestLook_m;
-    ghost_count_ = 0;
+    ghosts_.clear();
     gatherings_ = 0;
     carrier_ = kStill;
     hurry_ = 0;
-    gathers_on_ = bodies_unknown_ = bodies_behind_ = crowded_ = false;
+    gathers_on_ = tracks_.unknown = tracks_.behind = crowded_ = false;
 }
 
 ClosestPoint ProxySolver::closest_of_body(const HapticScene& scene, std::uint32_t obstacle, std::uint16_t body,
                                           const Vec3& local_m) const noexcept {
     const HapticScene& shape = *scene.bodies[body].shape;
-    const PlacedFrame& frame = track_of(body).frame;
+    const PlacedFrame& frame = tracks_.of(body).frame;
     ClosestPoint found = shape.closest(obstacle, frame.to_own(local_m) - shape.origin_m);
     found.point_m = frame.to_world(found.point_m + shape.origin_m);
     found.normal = frame.turned(found.normal);
@@ -54,7 +36,7 @@ ClosestPoint ProxySolver::closest_of_body(const HapticScene& scene, std::uint32_
 Vec3 ProxySolver::to_own(const HapticScene& scene, const Hold& hold, const Vec3& world_m) const noexcept {
     const Vec3 local = world_m - scene.origin_m;
     return hold.body == kStill ? local
-                               : track_of(hold.body).frame.to_own(local) - scene.bodies[hold.body].shape->origin_m;
+                               : tracks_.of(hold.body).frame.to_own(local) - scene.bodies[hold.body].shape->origin_m;
 }
 
 // Starts the ball at a place: solids around it become ghosts, anything else nearer than the radius shrinks the ball.
@@ -64,10 +46,9 @@ void ProxySolver::place(const HapticScene& scene, const Request& request, const 
     all_far_in_ = nullptr;
     basis_.count = 0;
     known_m_ = -1.0;
-    ghost_count_ = 0;
-    count_ = 0;
-    one_sided_count_ = 0;
-    gathers_on_ = bodies_unknown_ = false;
+    ghosts_.clear();
+    cuts_.clear();
+    gathers_on_ = tracks_.unknown = false;
     carrier_ = kStill;
     scene_origin_m_ = scene.origin_m;
     anchor_m_ = local_m;
@@ -75,31 +56,30 @@ void ProxySolver::place(const HapticScene& scene, const Request& request, const 
     radius_m_ = radius_m;
     take_bodies(scene, request, radius_m);
     place_in(scene, kStill, radius_m);
-    for (const std::uint16_t b : tracked_ids()) place_in(scene, b, radius_m);
+    for (const std::uint16_t b : tracks_.ids()) place_in(scene, b, radius_m);
 }
 
 // A ghost is solid again as soon as all of the ball is out of it, wherever the goal is: a ball that has been outside
 // must never come in. Nothing knocks, since the new cut holds the ball where it is: a ball that rests nearest to its
 // goal stays so.
 void ProxySolver::release_ghosts(const HapticScene& scene) noexcept {
-    for (int i = ghost_count_ - 1; i >= 0; --i) {
-        const Ghost ghost = ghosts_[static_cast<std::size_t>(i)];
+    for (int i = ghosts_.count() - 1; i >= 0; --i) {
+        const OwnedObstacle ghost = ghosts_[i];
         const ClosestPoint nearest = ghost.body == kStill
                                          ? scene.closest(ghost.obstacle, local_m())
                                          : closest_of_body(scene, ghost.obstacle, ghost.body, local_m());
         if (nearest.distance_m < radius_m_) continue;
-        ghosts_[static_cast<std::size_t>(i)] = ghosts_[static_cast<std::size_t>(--ghost_count_)];
+        ghosts_.remove(i);
         known_m_ = -1.0;
-        gathers_on_ = bodies_unknown_ = false;
+        gathers_on_ = tracks_.unknown = false;
     }
 }
 
 bool ProxySolver::project() noexcept {
     spend(kRoundWork);
-    if (static_cast<unsigned>(count_ - 1) < static_cast<unsigned>(kComfortableCandidates))  // some and not many
-        return project_on_half_spaces(goal_m_, std::span(cuts_).first(static_cast<std::size_t>(count_)), radius_m_,
-                                      basis_);
-    if (count_ > 0) return project_many(goal_m_, basis_);
+    if (static_cast<unsigned>(cuts_.count - 1) < static_cast<unsigned>(kComfortableCandidates))  // some and not many
+        return project_on_half_spaces(goal_m_, cuts_.in_use(), radius_m_, basis_);
+    if (cuts_.count > 0) return project_many(goal_m_, basis_);
     basis_.count = 0;
     basis_.point_m = goal_m_;
     return true;
@@ -107,31 +87,31 @@ bool ProxySolver::project() noexcept {
 
 // On all walls, counting the work.
 bool ProxySolver::project_many(const Vec3& goal_m, ProjectionBasis& basis) noexcept {
-    const auto walls = std::span(cuts_).first(static_cast<std::size_t>(count_));
+    const auto walls = cuts_.in_use();
     int scans = 0;
     const bool solved = projection_detail::exchange(
-        goal_m, count_, [this](int i) { return wall(i); },
+        goal_m, cuts_.count, [this](int i) { return wall(i); },
         [&](const Vec3& point_m) {
             ++scans;
             return projection_detail::most_violated_of(walls, radius_m_, point_m);
         },
         basis);
-    spend(scans * (count_ / kCutsOfAWork + kExchangeWork));
+    spend(scans * (cuts_.count / kCutsOfAWork + kExchangeWork));
     return solved;
 }
 
 // A ball that had to shrink grows while the space lets it: pushed out by its own cuts, never through another.
 void ProxySolver::grow(const HapticScene& scene, double radius_m, double growth_m) noexcept {
-    if (growth_m <= 0.0 || work_left_ <= 0 || step_.truncated) return;  // never into what is not known
-    for (int i = 0; i < count_; ++i) {
-        if (asleep(i)) continue;
+    if (growth_m <= 0.0 || work_.left <= 0 || step_.truncated) return;  // never into what is not known
+    for (int i = 0; i < cuts_.count; ++i) {
+        if (cuts_.asleep(i)) continue;
         double distance = 0.0;
         keep_cut(i, support(scene, i, ball_m_, distance));
         spend(kSupportWork);
     }
     const double before = radius_m_;
     double growth = std::min(growth_m, radius_m - radius_m_);
-    for (int round = 0; round < 8 && work_left_ > 0; ++round, growth *= 0.5) {
+    for (int round = 0; round < 8 && work_.left > 0; ++round, growth *= 0.5) {
         radius_m_ = before + growth;
         ProjectionBasis grown;
         const bool fits = project_many(ball_m_, grown);
@@ -146,7 +126,7 @@ void ProxySolver::grow(const HapticScene& scene, double radius_m, double growth_
 
 double ProxySolver::fraction_inside(const Vec3& step, int* met) const noexcept {
     double fraction = 1.0;
-    for (int i = 0; i < count_; ++i) {
+    for (int i = 0; i < cuts_.count; ++i) {
         const HalfSpace h = wall(i);
         const double towards = -glm::dot(h.normal, step);
         if (towards <= 0.0) continue;
@@ -184,12 +164,12 @@ bool ProxySolver::renew_holding_cuts(const HapticScene& scene) noexcept {
     bool stale = false;
     for (int a = 0; a < basis_.count; ++a) {
         const int i = basis_.index[static_cast<std::size_t>(a)];
-        const Vec3 old_normal = cuts_[static_cast<std::size_t>(i)].normal;
+        const Vec3 old_normal = cuts_.planes[static_cast<std::size_t>(i)].normal;
         double distance = 0.0;
         HalfSpace cut = support<Has>(scene, i, ball_m_, distance);
         const bool apart = distance - radius_m_ > kTouching_m;
-        if (apart && looked_ahead_[static_cast<std::size_t>(i)] != moves_) {
-            looked_ahead_[static_cast<std::size_t>(i)] = moves_;
+        if (apart && cuts_.looked_ahead[static_cast<std::size_t>(i)] != moves_) {
+            cuts_.looked_ahead[static_cast<std::size_t>(i)] = moves_;
             double distance_ahead = 0.0;
             const HalfSpace further = support<Has>(scene, i, ahead[static_cast<std::size_t>(a)], distance_ahead);
             if (distance_ahead > 1e-12 &&
@@ -208,10 +188,10 @@ bool ProxySolver::renew_holding_cuts(const HapticScene& scene) noexcept {
 // the cut at the ball, the second in the cut at the goal. Without it an edge pressed 4.5 mm deep by a 5 mm ball takes
 // 45 rounds.
 bool ProxySolver::arc_step(const HapticScene& scene, double way_left_m) noexcept {
-    if (basis_.count != 1 || one_sided_count_ > 0) return false;
+    if (basis_.count != 1 || cuts_.one_sided > 0) return false;
     const int i = basis_.index[0];
-    const std::uint32_t obstacle = obstacles_[static_cast<std::size_t>(i)];
-    const std::uint16_t body = owners_[static_cast<std::size_t>(i)];
+    const std::uint32_t obstacle = cuts_.obstacles[static_cast<std::size_t>(i)];
+    const std::uint16_t body = cuts_.owners[static_cast<std::size_t>(i)];
     if (!shape_at(scene, i).solid(obstacle)) return false;
     double at_goal = 0.0, at_ball = 0.0;
     const HalfSpace goal_cut = support(scene, i, goal_m_, at_goal);
@@ -222,7 +202,7 @@ bool ProxySolver::arc_step(const HapticScene& scene, double way_left_m) noexcept
     // A goal inside the solid may be nearer to another face than the one the ball would roll to, unless no edge lies
     // between.
     const auto own = [&](const Vec3& normal) {
-        return body == kStill ? normal : track_of(body).frame.turned_back(normal);
+        return body == kStill ? normal : tracks_.of(body).frame.turned_back(normal);
     };
     if (at_goal <= 1e-12 && !shape_at(scene, i).smooth_between(obstacle, own(ball_cut.normal), own(goal_cut.normal)))
         return false;
@@ -235,7 +215,7 @@ bool ProxySolver::arc_step(const HapticScene& scene, double way_left_m) noexcept
         return false;
     const Vec3 middle = bend.point_m;
     if (glm::length(middle - ball_m_) + glm::length(end - middle) > way_left_m) return false;
-    for (int j = 0; j < count_; ++j) {
+    for (int j = 0; j < cuts_.count; ++j) {
         if (j == i) continue;
         const HalfSpace h = wall(j);
         if (glm::dot(h.normal, middle) < h.offset_m - kProjectionTolerance_m ||
@@ -243,8 +223,8 @@ bool ProxySolver::arc_step(const HapticScene& scene, double way_left_m) noexcept
             return false;
     }
     keep_cut(i, goal_cut);
-    path_[static_cast<std::size_t>(path_size_++)] = middle;
-    path_[static_cast<std::size_t>(path_size_++)] = end;
+    path_.add(middle);
+    path_.add(end);
     ball_m_ = end;
     basis_.multiplier_m[0] = radius_m_ - at_goal;
     basis_.point_m = end;
@@ -253,13 +233,15 @@ bool ProxySolver::arc_step(const HapticScene& scene, double way_left_m) noexcept
 
 template <class Has>
 const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Request& request) noexcept {
+    tick_assert(is_finite(request.goal_m) && request.path_cap_m >= 0.0 && request.margin_m >= 0.0);
+    tick_assert(request.growth_m >= 0.0 && (!request.bodies || !scene.bodies.empty() || !Has::kBodies));
     const double radius = std::max(request.radius_m, kSmallestRadius_m);
     const Vec3 goal_local = request.goal_m - scene.origin_m;
-    was_free_ = step_.count == 0;
+    path_.was_free = step_.count == 0;
     step_.begin();
-    looks_ = 0;
-    work_left_ = kMostWork;
-    most_rounds_ = std::clamp(request.most_rounds, 1, kMaxIterations);
+    work_.looks = 0;
+    work_.left = kMostWork;
+    work_.most_rounds = std::clamp(request.most_rounds, 1, kMaxIterations);
     if (scene_ != &scene || generation_ != scene.generation) {
         // The same world with something added or removed: the ball is where it was, and what kept it from its goal may
         // be gone.
@@ -272,44 +254,43 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
     }
     ++moves_;
     radius_m_ = std::min(radius_m_, radius);
-    if (ghost_count_ > 0) release_ghosts(scene);
-    if (Has::kBodies && body_count_ > 0) {
+    if (ghosts_.count() > 0) release_ghosts(scene);
+    if (Has::kBodies && tracks_.bodies > 0) {
         all_far_in_ = nullptr;
         watch_bodies(scene, request, radius);
         const std::uint64_t number = request.bodies ? request.bodies->number : 0;
-        if (tracked_count_ == 0) bodies_number_ = number, bodies_behind_ = false;
-        else if (bodies_behind_ || number != bodies_number_) advance_bodies(scene, request, radius);
+        if (tracks_.count == 0) tracks_.number = number, tracks_.behind = false;
+        else if (tracks_.behind || number != tracks_.number) advance_bodies(scene, request, radius);
     }
     carrier_ = kStill;
-    step_.ghosted = ghost_count_ > 0;
+    step_.ghosted = ghosts_.count() > 0;
 
     // Everything the ball can meet on this move lies within its path's length and its radius. Where that is more than
     // fits, the move is made in stages, each as far as the candidates are known.
     double way_left = request.path_cap_m;
     if (hurry_ > 0) {
         way_left = std::max(way_left, glm::length(goal_local - local_m()) / hurry_--);
-        far_short_ = far_short_ || way_left > request.path_cap_m;
+        tracks_.far_short = tracks_.far_short || way_left > request.path_cap_m;
     }
     const double margin = std::max(request.margin_m, 2.0 * way_left);
-    path_cap_m_ = way_left;
-    rubs_from_ = 0;
-    path_size_ = 0;
+    path_.longest_m = way_left;
+    path_.rubs_from = 0;
+    path_.size = 0;
     const bool looks = request.most_rounds > 0;
     if (looks && known_around<Has>(ball_m_) < way_left + radius) gather(scene, radius + margin, radius + way_left);
     goal_m_ = goal_local - anchor_m_;
-    if (Has::kOneSided && one_sided_count_ > 0) turn_sheets(scene);
-    if (looks && radius_m_ < radius && !bodies_unknown_) grow(scene, radius, request.growth_m);
-    path_[0] = ball_m_;
-    path_size_ = 1;
+    if (Has::kOneSided && cuts_.one_sided > 0) turn_sheets(scene);
+    if (looks && radius_m_ < radius && !tracks_.unknown) grow(scene, radius, request.growth_m);
+    path_.begin(ball_m_);
     step_.converged = false;
     int stages_left = looks ? kMaxStages : 0;
-    while (step_.iterations < most_rounds_) {
+    while (step_.iterations < work_.most_rounds) {
         ++step_.iterations;
         bool solved = project();
         Vec3 way = basis_.point_m - ball_m_;
         if (!solved) way *= fraction_inside(way);
-        if (Has::kOneSided && one_sided_count_ > 0) {
-            spend(2 * one_sided_count_ * kTurnWork);
+        if (Has::kOneSided && cuts_.one_sided > 0) {
+            spend(2 * cuts_.one_sided * kTurnWork);
             if (const double fraction = fraction_to_waking(scene, way); fraction < 1.0) {
                 way *= fraction;
                 solved = false;
@@ -320,9 +301,9 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
         if (length > 0.0 && length > std::min(way_left, known_way)) {
             const double part = std::clamp(known_way, 0.0, way_left);
             ball_m_ += way * (part / length);
-            path_[static_cast<std::size_t>(path_size_++)] = ball_m_;
+            path_.add(ball_m_);
             way_left -= part;
-            if (way_left > 0.0 && stages_left-- > 0 && looks_ < kMostLooks && work_left_ > 0) {
+            if (way_left > 0.0 && stages_left-- > 0 && work_.looks < kMostLooks && work_.left > 0) {
                 gather(scene, radius + margin, radius + way_left);
                 goal_m_ = goal_local - anchor_m_;
                 if (known_around<Has>(ball_m_) > radius) continue;
@@ -332,8 +313,8 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
         }
         way_left -= length;
         ball_m_ = solved ? basis_.point_m : ball_m_ + way;
-        path_[static_cast<std::size_t>(path_size_++)] = ball_m_;
-        if (Has::kOneSided && one_sided_count_ > 0 && turn_sheets(scene)) continue;
+        path_.add(ball_m_);
+        if (Has::kOneSided && cuts_.one_sided > 0 && turn_sheets(scene)) continue;
         if (basis_.count == 0) {
             step_.converged = solved;
             break;
@@ -351,10 +332,12 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
     for (int k = 0; k < basis_.count; ++k) {
         const auto at = static_cast<std::size_t>(k);
         const auto i = static_cast<std::size_t>(basis_.index[at]);
-        step_.holds[at] = {obstacles_[i], owners_[i], cuts_[i].normal, basis_.multiplier_m[at]};
+        step_.holds[at] = {cuts_.obstacles[i], cuts_.owners[i], cuts_.planes[i].normal, basis_.multiplier_m[at]};
     }
     step_.count = basis_.count;
-    rounds_left_ = looks ? most_rounds_ - step_.iterations : 0;
+    tick_assert(step_.count >= 0 && step_.count <= 3 && step_.iterations <= kMaxIterations);
+    tick_assert(is_finite(ball_m_) && radius_m_ >= kSmallestRadius_m && radius_m_ <= radius);
+    path_.rounds_left = looks ? work_.most_rounds - step_.iterations : 0;
     return step_;
 }
 

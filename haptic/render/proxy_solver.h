@@ -18,6 +18,9 @@
 #include <vector>
 
 #include "haptic/render/haptic_scene.h"
+#include "haptic/render/proxy_cuts.h"
+#include "haptic/render/proxy_path.h"
+#include "haptic/render/proxy_tracks.h"
 #include "haptic/render/tick_features.h"
 #include "worlds/geometry/half_space_projection.h"
 
@@ -25,25 +28,22 @@ namespace handrail {
 
 class ProxySolver {
 public:
-    static constexpr int kMaxCandidates =
-        1024;  // 32 kB of cuts; beyond it the nearest are kept and Step::truncated is set
-    static constexpr int kComfortableCandidates =
-        38;  // more make the margin shrink first: each costs 6 instructions in every scan
+    // Beyond it the nearest are kept and Step::truncated is set.
+    static constexpr int kMaxCandidates = ProxyCuts::kMost;
+    // More make the margin shrink first: each costs 6 instructions in every scan.
+    static constexpr int kComfortableCandidates = 38;
     static constexpr int kSpareCandidates = 16;  // found beyond these before the farthest are dropped
-    static constexpr int kMaxIterations = 64;
-    static constexpr int kMaxGhosts = 256;
-    static constexpr int kMostTracked =
-        1024;  // bodies near enough to be met soon; of more the nearest, and the ball stops short of the rest
+    static constexpr int kMaxIterations = ProxyPath::kMostRounds;
     static constexpr int kMaxStages = 8;  // gatherings within one move, for leaps through crowded places
-    static constexpr int kMostLooks =
-        2048;  // nodes and obstacles looked at in one gathering in one shape; what lies farther counts as unknown
+    // Nodes and obstacles looked at in one gathering in one shape; what lies farther counts as unknown.
+    static constexpr int kMostLooks = 2048;
     static constexpr double kSmallestRadius_m = 1e-5;
     // What one move may do, counted and not clocked, so that every machine does the same: in units of about a
     // nanosecond (see kLookWork and its like). Over it what is not known counts as occupied, the cuts that there are
     // go on, and the ball, or a body that comes at it, waits for the next move.
     static constexpr int kMostWork = 88'000;
-    static constexpr int kRoundsWork =
-        18'000;  // of it gatherings leave for the rounds: cuts that were found and not used help nobody
+    // Of it gatherings leave that for the rounds: cuts that were found and not used help nobody.
+    static constexpr int kRoundsWork = 18'000;
 
     struct Request {
         Vec3 goal_m{0.0};  // world
@@ -58,7 +58,7 @@ public:
         const BodyPoses* bodies = nullptr;  // each scale > 0; null: all as the scene has them
     };
 
-    static constexpr std::uint16_t kStill = 0xFFFF;  // belongs to no body
+    static constexpr std::uint16_t kStill = OwnedObstacle::kStill;  // belongs to no body
 
     // One surface that holds the ball.
     struct Hold {
@@ -85,8 +85,6 @@ public:
         }
     };
 
-    ProxySolver();
-
     // The next move starts at its goal.
     void reset() noexcept;
     // Has: AllFeatures, or PlainFeatures where scene.plain.
@@ -98,11 +96,11 @@ public:
     bool bodies_stay_far(const HapticScene& scene, const BodyPoses& bodies, double radius_m, double margin_m,
                          double path_cap_m) noexcept {
         if (all_far_in_ != &scene || generation_ != scene.generation) return false;
-        const Vec3 way = local_m() - far_from_m_;
-        if (bodies.ways_number() != ways_ || glm::dot(way, way) > far_enough_m2_ ||
-            near_for(radius_m, margin_m, path_cap_m) > near_m_)
+        const Vec3 way = local_m() - tracks_.far_from_m;
+        if (bodies.ways_number() != tracks_.ways || glm::dot(way, way) > tracks_.far_enough_m2 ||
+            near_for(radius_m, margin_m, path_cap_m) > tracks_.near_m)
             return false;
-        bodies_number_ = bodies.number;
+        tracks_.number = bodies.number;
         return true;
     }
     // After move(), with at least one hold: the friction cone. Walks back along the path until the ball is reach_m from
@@ -115,13 +113,13 @@ public:
 
     // The frame of a body as it stands, in world metres, and the shape that holds.
     Vec3 turned_to_own(const Hold& hold, const Vec3& direction) const noexcept {
-        return hold.body == kStill ? direction : track_of(hold.body).frame.turned_back(direction);
+        return hold.body == kStill ? direction : tracks_.of(hold.body).frame.turned_back(direction);
     }
     Vec3 turned_from_own(const Hold& hold, const Vec3& direction) const noexcept {
-        return hold.body == kStill ? direction : track_of(hold.body).frame.turned(direction);
+        return hold.body == kStill ? direction : tracks_.of(hold.body).frame.turned(direction);
     }
     double own_scale(const Hold& hold) const noexcept {
-        return hold.body == kStill ? 1.0 : track_of(hold.body).frame.scale;
+        return hold.body == kStill ? 1.0 : tracks_.of(hold.body).frame.scale;
     }
     static const HapticScene& shape_of(const HapticScene& scene, const Hold& hold) noexcept {
         return hold.body == kStill ? scene : *scene.bodies[hold.body].shape;
@@ -134,37 +132,34 @@ public:
     Vec3 offset_m() const noexcept { return ball_m_ - goal_m_; }
     Vec3 slide_m() const noexcept { return ball_m_ - path_[0]; }
     // The same without the way through the air to the first touch, after hold_back().
-    Vec3 rubbed_m() const noexcept { return ball_m_ - path_[static_cast<std::size_t>(rubs_from_)]; }
+    Vec3 rubbed_m() const noexcept { return ball_m_ - path_[path_.rubs_from]; }
     Vec3 press_m() const noexcept { return basis_.point_m - goal_m_; }
     Vec3 rest_m() const noexcept { return anchor_m_ + basis_.point_m; }  // of that, in the scene's own coordinates
     double radius_m() const noexcept { return radius_m_; }
     Vec3 local_m() const noexcept { return anchor_m_ + ball_m_; }  // in the scene's own coordinates
     Vec3 world_m() const noexcept { return scene_origin_m_ + anchor_m_ + ball_m_; }
     // For checks: every point of the last path, in world metres.
-    int path_size() const noexcept { return path_size_; }
-    Vec3 path_m(int i) const noexcept { return scene_origin_m_ + anchor_m_ + path_[static_cast<std::size_t>(i)]; }
+    int path_size() const noexcept { return path_.size; }
+    Vec3 path_m(int i) const noexcept { return scene_origin_m_ + anchor_m_ + path_[i]; }
     // For checks: the candidates with their cuts (in the scene's own coordinates), and gatherings since the reset.
-    int candidates() const noexcept { return count_; }
-    std::uint32_t candidate(int i) const noexcept { return obstacles_[static_cast<std::size_t>(i)]; }
+    int candidates() const noexcept { return cuts_.count; }
+    std::uint32_t candidate(int i) const noexcept { return cuts_.obstacles[static_cast<std::size_t>(i)]; }
     HalfSpace cut(int i) const noexcept {
-        const HalfSpace& cut = cuts_[static_cast<std::size_t>(i)];
+        const HalfSpace& cut = cuts_.planes[static_cast<std::size_t>(i)];
         return {cut.normal, cut.offset_m + glm::dot(cut.normal, anchor_m_)};
     }
     std::uint64_t gatherings() const noexcept { return gatherings_; }
-    int looks() const noexcept {
-        return looks_;
-    }  // nodes and obstacles looked at in the last move for starting and gathering
-    int work() const noexcept {
-        return kMostWork - work_left_;
-    }  // of the last move; what is cheap anyhow is not counted
+    // Nodes and obstacles looked at in the last move for starting and gathering, and its work, without what is cheap.
+    int looks() const noexcept { return work_.looks; }
+    int work() const noexcept { return kMostWork - work_.left; }
     // Bodies that the tick follows, and where it has one of them, which lags while it waits.
-    std::size_t tracked() const noexcept { return tracked_count_; }
-    bool tracks(std::size_t body) const noexcept { return slots_[body] != kNoSlot; }
-    Placement body_at(std::size_t body) const noexcept { return tracks_[slots_[body]].at; }
+    std::size_t tracked() const noexcept { return tracks_.count; }
+    bool tracks(std::size_t body) const noexcept { return tracks_.follows(body); }
+    Placement body_at(std::size_t body) const noexcept { return tracks_.of(body).at; }
     // For checks: follows every body of the scene, however far, as far as there is room. The same numbers come out, bit
     // for bit, and it costs more; except while the ball hurries after something that vanished, where who follows few
     // stops sooner.
-    void track_all() noexcept { tracks_all_ = true; }
+    void track_all() noexcept { tracks_.all = true; }
     bool hurries() const noexcept { return hurry_ > 0; }
 
 private:
@@ -173,32 +168,7 @@ private:
         std::uint32_t obstacle;
         std::uint32_t normal;  // of nearest_normals_
     };
-    struct Ghost {
-        std::uint32_t obstacle;
-        std::uint16_t body;
-    };
-    // A sheet that can be touched from one side only sleeps, without a cut, while the ball is not on that side.
-    enum class Sheet : std::uint8_t { No, Awake, Asleep };
     static inline const PlacedFrame kWorldFrame{};
-    // A body as the ball last met it.
-    struct Track {
-        Placement at, from, to;  // world: now, and the way of this move
-        Placement before;        // this sub-step
-        Placement wanted;        // where it was told to be last; `at` is behind it while it waits
-        PlacedFrame frame;       // of `at`, in the scene's own coordinates
-        bool present = false;
-        bool moved = false;          // on this sub-step
-        bool jumped = false;         // it was told to be elsewhere than it can have come to
-        bool short_of_room = false;  // there was none for all that is near enough
-        int waited = 0;              // moves
-        bool unknown = false;        // there was no time yet to look for its candidates
-        bool crowded = false;        // had more near than are comfortable when it was looked at last
-        bool leaves = false;         // while gathering: what there is of it goes, to be looked at anew or not at all
-        bool looked_at = false;      // some of it may be candidates; else all of it is as far as its sphere
-        double reach_m = 0.0;        // of that sphere around its frame's zero, world metres
-        Vec3 known_from_m{0.0};      // looked at: own frame; every obstacle nearer to here than known_m is a candidate
-        double known_m = -1.0;       // world metres
-    };
 
     void place(const HapticScene& scene, const Request& request, const Vec3& local_m, double radius_m) noexcept;
     void place_in(const HapticScene& scene, std::uint16_t body, double radius_m) noexcept;
@@ -207,9 +177,6 @@ private:
     static double near_for(double radius_m, double margin_m, double path_cap_m) noexcept {
         return 70.0 * radius_m + 2.0 * margin_m + 5.0 * path_cap_m;
     }
-    Track& track_of(std::uint16_t body) noexcept { return tracks_[slots_[body]]; }
-    const Track& track_of(std::uint16_t body) const noexcept { return tracks_[slots_[body]]; }
-    std::span<const std::uint16_t> tracked_ids() const noexcept { return std::span(tracked_).first(tracked_count_); }
     double least_distance_m(const HapticScene& scene, const Request& request, std::size_t body,
                             const Vec3& from_m) const noexcept;
     bool track_body(const HapticScene& scene, const Request& request, std::size_t body) noexcept;
@@ -219,7 +186,7 @@ private:
     void watch_bodies(const HapticScene& scene, const Request& request, double radius_m) noexcept;
     void take_bodies(const HapticScene& scene, const Request& request, double radius_m) noexcept;
     static BodyPose wanted(const HapticScene& scene, const Request& request, std::size_t body) noexcept;
-    static void stand(const HapticScene& scene, Track& track, const Placement& at) noexcept;
+    static void stand(const HapticScene& scene, ProxyTrack& track, const Placement& at) noexcept;
     void advance_bodies(const HapticScene& scene, const Request& request, double radius_m) noexcept;
     bool sub_step(const HapticScene& scene, const Request& request, double radius_m, double part) noexcept;
     void renew_moved_cuts(const HapticScene& scene) noexcept;
@@ -229,7 +196,7 @@ private:
     template <class Has = AllFeatures>
     double known_around(const Vec3& at_m) noexcept {
         const double known = known_m_ - glm::length(at_m);
-        return !Has::kBodies || (tracked_count_ == 0 && !far_short_) ? known : known_of_bodies(at_m, known);
+        return !Has::kBodies || (tracks_.count == 0 && !tracks_.far_short) ? known : known_of_bodies(at_m, known);
     }
     double known_of_bodies(const Vec3& at_m, double known_m) noexcept;
     // Something done with each body that is followed. A few need not be counted.
@@ -242,12 +209,11 @@ private:
     // leaves(owner): what is of that body goes.
     template <class Leaves>
     void drop_candidates_of(const Leaves& leaves) noexcept;
-    double known_of_body(const Track& track, const Vec3& local_m) const noexcept;
     // After something costly: over the budget the rounds end.
     void spend(int work) noexcept {
-        work_left_ -= work;
-        if (work_left_ > 0) return;
-        most_rounds_ = 1;  // one at least, with what is known
+        work_.left -= work;
+        if (work_.left > 0) return;
+        work_.most_rounds = 1;  // one at least, with what is known
         step_.waits = true;
     }
     bool project_many(const Vec3& goal_m, ProjectionBasis& basis) noexcept;
@@ -256,11 +222,10 @@ private:
     double gather_nearest(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m, double needed_m,
                           std::size_t most) noexcept;
     void release_ghosts(const HapticScene& scene) noexcept;
-    bool is_ghost(std::uint32_t obstacle, std::uint16_t body) const noexcept;
     ClosestPoint closest_of_body(const HapticScene& scene, std::uint32_t obstacle, std::uint16_t body,
                                  const Vec3& local_m) const noexcept;
     const HapticScene& shape_at(const HapticScene& scene, int candidate) const noexcept {
-        const std::uint16_t body = owners_[static_cast<std::size_t>(candidate)];
+        const std::uint16_t body = cuts_.owners[static_cast<std::size_t>(candidate)];
         return body == kStill ? scene : *scene.bodies[body].shape;
     }
     template <class Has = AllFeatures>
@@ -273,16 +238,12 @@ private:
     double in_front_m(const HapticScene& scene, int candidate, const PlacedFrame& frame,
                       const Vec3& at_m) const noexcept;
     double in_front_m(const HapticScene& scene, int candidate, const Vec3& at_m) const noexcept {
-        const std::uint16_t body = owners_[static_cast<std::size_t>(candidate)];
-        return in_front_m(scene, candidate, body == kStill ? kWorldFrame : track_of(body).frame, at_m);
+        const std::uint16_t body = cuts_.owners[static_cast<std::size_t>(candidate)];
+        return in_front_m(scene, candidate, body == kStill ? kWorldFrame : tracks_.of(body).frame, at_m);
     }
-    void remember_awake() noexcept;
     bool turn_sheets(const HapticScene& scene) noexcept;
     void turn_sheets_of(const HapticScene& scene, std::uint16_t body, const PlacedFrame& before) noexcept;
     double fraction_to_waking(const HapticScene& scene, const Vec3& step) const noexcept;
-    bool asleep(int candidate) const noexcept {
-        return one_sided_count_ > 0 && sheets_[static_cast<std::size_t>(candidate)] == Sheet::Asleep;
-    }
     bool arc_step(const HapticScene& scene, double way_left_m) noexcept;
     // Of a step from the ball, before it leaves the first cut; met, where given, is that cut, and untouched when it
     // leaves none.
@@ -302,75 +263,36 @@ private:
     template <class Has = AllFeatures>
     HalfSpace support(const HapticScene& scene, int candidate, const Vec3& at, double& distance_m) const noexcept;
     // The cut with the ball's radius: what the ball's centre must satisfy.
-    HalfSpace wall(int i) const noexcept {
-        const HalfSpace& cut = cuts_[static_cast<std::size_t>(i)];
-        return {cut.normal, cut.offset_m + radius_m_};
-    }
+    HalfSpace wall(int i) const noexcept { return cuts_.wall(i, radius_m_); }
 
-    // Vectors below are relative to anchor_m_, the ball's place (scene coordinates) when candidates were last gathered:
-    // short numbers, so rounding does not grow with the building.
-    std::vector<HalfSpace> cuts_;           // supports of the bare obstacles: without the ball's radius, which may grow
-    std::vector<std::uint32_t> obstacles_;  // of the cuts
-    std::vector<std::uint16_t> owners_;     // of the cuts: a body or kStill
-    std::vector<HalfSpace> own_cuts_;       // of bodies, in the body's frame and metres
-    std::vector<std::uint64_t> looked_ahead_;  // move number in which the cut was last renewed from ahead
-    std::vector<Sheet> sheets_;                // per candidate
-    std::vector<Ghost> awake_;                 // sheets of one side that were awake when candidates were last gathered
-    int awake_count_ = 0, one_sided_count_ = 0;
-    std::vector<Candidate> nearest_;  // of gather_nearest
-    std::vector<Vec3> nearest_normals_;
-    std::size_t nearest_count_ = 0;
-    std::vector<Ghost> ghosts_;
-    static constexpr std::uint16_t kNoSlot = 0xFFFF;
-    std::vector<Track> tracks_;           // by slot
-    std::vector<std::uint16_t> slots_;    // by body: where its track is, or kNoSlot
-    std::vector<double> least_m_;         // by body: its least_distance_m(), while track_near() works
-    std::vector<std::uint16_t> tracked_;  // bodies with a track, in rising order
-    std::vector<std::uint16_t> free_slots_;
-    std::size_t tracked_count_ = 0;
-    std::size_t body_count_ = 0;  // of the scene
-    Vec3 far_from_m_{
-        0.0};  // scene coordinates: on the ways of ways_ no body without a track comes nearer to here than far_m_
-    double far_m_ = 0.0;
-    double near_m_ = 0.0;          // how far around the ball bodies must have a track
-    double far_enough_m2_ = -1.0;  // squared: how far the ball may be from far_from_m_ until bodies are looked for anew
-    bool far_short_ = false;       // the ball may go beyond what far_m_ is good for; then it stops there
-    const HapticScene* all_far_in_ =
-        nullptr;  // the scene whose bodies were all found far at the last look; never looked into
-    bool tracks_all_ = false;
-    std::uint64_t ways_ = 0;
-    double bodies_known_m_ = 0.0;  // around the anchor, of those that were looked at, at the last gathering
-    bool bodies_moved_ = false;    // some of those, since then
-    std::uint64_t bodies_number_ = 0;
-    std::uint16_t carrier_ = kStill;
-    int hurry_ = 0;  // moves left in which the ball may hasten to a goal that a vanished thing kept it from
-    int ghost_count_ = 0;
-    int count_ = 0;
-    double known_m_ = -1.0;  // every obstacle nearer to the anchor than this is a candidate
-    double dense_m_ = 4.0;   // as far as the last gathering of what stands still went
-    ProjectionBasis basis_;
+    // Vectors below, of cuts and of the path, too, are relative to anchor_m_, the ball's place (scene coordinates) when
+    // candidates were last gathered: short numbers, so rounding does not grow with the building.
     Vec3 scene_origin_m_{0.0}, anchor_m_{0.0}, ball_m_{0.0}, goal_m_{0.0};
     double radius_m_ = 0.0;
-    const HapticScene* scene_ = nullptr;  // only compared, together with the generation
-    std::uint32_t generation_ = 0;
+    ProjectionBasis basis_;
+    ProxyCuts cuts_;
+    ProxyGhosts ghosts_;
+    ProxyTracks tracks_;
+    ProxyPath path_;
+    ProxyWork work_;
+    Step step_;
+    // Of what is gathered.
+    std::vector<Candidate> nearest_ = std::vector<Candidate>(kMaxCandidates + kSpareCandidates);
+    std::vector<Vec3> nearest_normals_ = std::vector<Vec3>(kMaxCandidates + kSpareCandidates);
+    std::size_t nearest_count_ = 0;
     Bvh::Queue queue_{kMostLooks};
-    int looks_left_ = 0;           // of this gathering in one shape
-    int looks_ = 0;                // of this move, all together
-    int work_left_ = kMostWork;    // of this move
-    int most_rounds_ = 0;          // of this move
-    bool crowded_ = false;         // more than are comfortable stood near when what stands still was looked at last
-    bool gathers_on_ = false;      // a gathering takes more than one move
-    bool bodies_unknown_ = false;  // some body waits to be looked at
-    bool bodies_behind_ = false;   // some body is not where it was told to be
+    double known_m_ = -1.0;    // every obstacle nearer to the anchor than this is a candidate
+    double dense_m_ = 4.0;     // as far as the last gathering of what stands still went
+    bool crowded_ = false;     // more than are comfortable stood near when what stands still was looked at last
+    bool gathers_on_ = false;  // a gathering takes more than one move
+    // Of moves.
+    const HapticScene* scene_ = nullptr;       // only compared, together with the generation
+    const HapticScene* all_far_in_ = nullptr;  // whose bodies were all found far at the last look; only compared
+    std::uint32_t generation_ = 0;
+    std::uint16_t carrier_ = kStill;
+    int hurry_ = 0;  // moves left in which the ball may hasten to a goal that a vanished thing kept it from
     bool placed_ = false;
     std::uint64_t moves_ = 0, gatherings_ = 0;
-    std::array<Vec3, 2 * kMaxIterations + 4> path_{};
-    int path_size_ = 0;
-    int rubs_from_ = 0;        // of the path: from here on the ball was never in the air, as far as hold_back knows
-    int rounds_left_ = 0;      // of the last move, for hold_back
-    bool was_free_ = true;     // nothing held the ball before this move
-    double path_cap_m_ = 0.0;  // of this move
-    Step step_;
 };
 
 }  // namespace handrail

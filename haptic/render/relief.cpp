@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "haptic/render/tick_assert.h"
+
 namespace handrail {
 namespace {
 
@@ -178,6 +180,7 @@ ReliefAxes relief_axes(const Vec3& n) noexcept {
 
 ReliefValue relief_at(const Relief& relief, const ReliefAxes& axes, const Vec3& local_m, double scale, double stiffness,
                       double swing) noexcept {
+    tick_assert(scale > 0.0 && stiffness >= 0.0 && swing >= 0.0 && swing <= 1.0);
     ReliefValue out;
     const Vec3 along_u = axes.u * relief.turn_cos + axes.v * relief.turn_sin;
     const double period_m = relief.period_hand_m * scale;
@@ -212,6 +215,7 @@ ReliefValue relief_at(const Relief& relief, const ReliefAxes& axes, const Vec3& 
             out.depth_m = depth_m * (0.5 + swing * (wave.value - 0.5));
             out.gradient = along_u * (depth_m * swing * wave.slope / period_m);
             out.swing_to_depth = depth_m * (wave.value - 0.5);
+            tick_assert(out.depth_m >= 0.0 && glm::length(out.gradient) <= Relief::kSteepest * (1.0 + 1e-9));
             return out;
         }
         case ReliefKind::Picture: {

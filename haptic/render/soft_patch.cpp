@@ -5,6 +5,7 @@
 
 #include "haptic/render/effects.h"
 #include "haptic/render/haptic_scene.h"
+#include "haptic/render/tick_assert.h"
 #include "haptic/render/tick_math.h"
 
 namespace handrail {
@@ -69,6 +70,7 @@ void SoftState::clear() noexcept {
 
 Vec3 SoftState::press(const SoftPatch& patch, bool& awake, const HandMotion& hand, const Vec3& ball_m, double radius_m,
                       bool& pressed) noexcept {
+    tick_assert(patch.cells_u > 0 && patch.cells_v > 0 && radius_m > 0.0 && hand.dt_s >= 0.0 && hand.scale > 0.0);
     const Vec3 normal = patch.normal();
     const Vec3 from_corner = hand.goal_m - patch.corner_m;
     const double at_u = glm::dot(from_corner, patch.u), at_v = glm::dot(from_corner, patch.v),
@@ -140,6 +142,7 @@ Vec3 SoftState::press(const SoftPatch& patch, bool& awake, const HandMotion& han
                 // Implicit in the cell itself, so no step is too long.
                 s = (s + share * (g * squeeze + kShear * neighbours)) / (1.0 + share * (g + 1.0 + kShear * links));
             }
+            tick_assert(s >= 0.0 && s <= patch.depth_m * (1.0 + 1e-9));
             most = std::max(most, s);
         }
     awake = !patch.plastic && most > kBack_hand_m * hand.scale;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptic/render/tick_assert.h"
 #include "worlds/base/vec.h"
 
 namespace handrail {
@@ -12,11 +13,13 @@ namespace handrail {
 // exp(-u) for u >= 0: within 0.4 % for u <= 1, falling for every u. For shares and healing, where only the trend
 // matters.
 inline double decay(double u) noexcept {
+    tick_assert(!(u < 0.0));
     return 1.0 / (1.0 + u * (1.0 + u * (0.5 + u * (1.0 / 6.0 + u * (1.0 / 24.0)))));
 }
 
 // exp(-u) for u >= 0, relative error below 1e-8 up to u = 40, 0 beyond: for forces that must be the slope of an energy.
 inline double exp_minus(double u) noexcept {
+    tick_assert(!(u < 0.0));
     if (!(u < 40.0)) return 0.0;
     const double t = u * (1.0 / 64.0);
     double series = 1.0;
@@ -68,6 +71,7 @@ inline double length_of(const Vec3& v) noexcept { return std::sqrt(glm::dot(v, v
 
 // The vector, shortened to `longest` where it is longer.
 inline Vec3 shortened(const Vec3& v, double longest) noexcept {
+    tick_assert(!(longest < 0.0));
     const double length = length_of(v);
     return length > longest ? v * (longest / length) : v;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptic/render/tick_assert.h"
 #include "haptic/servo/vectors.h"
 
 namespace handrail {
@@ -158,6 +159,8 @@ Vec3 Guidance::grooves(const GuidancePath& path, const Vec3& hand_m, double scal
 
 Vec3 Guidance::tick(const GuidancePath& path, const Vec3& hand_m, double scale, double peak_force_n, bool allowed,
                     double dt_s) noexcept {
+    tick_assert(scale > 0.0 && dt_s > 0.0 && path.count <= GuidancePath::kMostPoints);
+    tick_assert(path.strength >= 0.0 && path.strength <= 1.0);
     // 1. Another wish: what acts fades, and only then the next begins.
     if (state_.phase == GuidancePhase::Acts && (path.number != state_.number || !allowed)) end(GuidancePhase::Ended);
     if (path.number != state_.number && fade_ <= 0.0) {
@@ -183,6 +186,7 @@ Vec3 Guidance::tick(const GuidancePath& path, const Vec3& hand_m, double scale, 
                         : path.kind == GuidanceKind::CrossLines ? lines(path, hand_m, scale, most_n)
                                                                 : grooves(path, hand_m, scale, most_n);
     state_.force_n = at_most(full_n * ramp, most_n);
+    tick_assert(glm::length(state_.force_n) <= kMostForce_n * (1.0 + 1e-9));
     hand_before_m_ = hand_m;
     // 4. What ends it.
     if (path.kind != GuidanceKind::Pull) return state_.force_n;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptic/render/tick_assert.h"
 #include "haptic/servo/vectors.h"
 
 namespace handrail {
@@ -257,6 +258,7 @@ Vec3 HandBodies::grip_point_m() const noexcept {
 }
 
 Vec3 HandBodies::grip_force_n(const Vec3& hand_m, double dt_s, const BodyFeel& feel) noexcept {
+    tick_assert(dt_s > 0.0 && feel.world_m_per_hand_m > 0.0 && feel.ceiling_n >= 0.0);
     // The hand's speed through one pole at 50 Hz, as everywhere.
     const double u = 2.0 * kPi * 50.0 * dt_s;
     if (has_hand_) hand_m_per_s_ += ((hand_m - last_hand_m_) / dt_s - hand_m_per_s_) * (u / (1.0 + u));
@@ -329,6 +331,7 @@ bool HandBodies::take_back(std::uint32_t refused, const HandPush& push) noexcept
 void HandBodies::react(const TouchResult& touch, double share, double now_s, double dt_s, const BodyFeel& feel,
                        HandPushRing& pushes) noexcept {
     if (!scene_) return;
+    tick_assert(share >= 0.0 && share <= 1.0 + 1e-9 && feel.felt_gain > 0.0);
     const ContactSet& set = touch.contacts;
     Vec3 sum(0.0);
     for (std::size_t k = 0; k < set.count; ++k) sum += set.contacts[k].normal * set.contacts[k].share;

@@ -3,6 +3,8 @@
 // three multiplications a tick.
 #pragma once
 
+#include "haptic/render/tick_assert.h"
+
 namespace handrail {
 
 class HeatBudget {
@@ -14,6 +16,7 @@ public:
     // Adds dt_s of a force of this size. sustained_n: root mean square over the window that the motors bear; infinity:
     // any.
     void add(double force_n, double sustained_n, double dt_s) noexcept {
+        tick_assert(force_n >= 0.0 && sustained_n > 0.0 && dt_s >= 0.0);
         mean_square_n2_ += (force_n * force_n - mean_square_n2_) * (dt_s / (kWindowS + dt_s));
         warmth_ = mean_square_n2_ / (sustained_n * sustained_n);
         too_warm_ = warmth_ > 1.0 || (too_warm_ && warmth_ > kCooledShare);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptic/render/tick_assert.h"
+
 namespace handrail {
 
 PersonalWall personal_wall_of(const DeviceSpec& spec, double ceiling_n, double wall_n_per_m) noexcept {
@@ -17,6 +19,7 @@ PersonalWall personal_wall_of(const DeviceSpec& spec, double ceiling_n, double w
 }
 
 bool PersonalSpace::tick(const Vec3& hand_m, const PersonalWall& wall, bool whole, double dt_s) noexcept {
+    tick_assert(dt_s >= 0.0 && wall.stiffness_n_per_m >= 0.0 && wall.depth_m >= 0.0);
     if (!known_ || (inside_m_ <= 0.0 && stretch_m_ == 0.0)) wall_ = wall;
     const double inside_m = -hand_m.y - wall_.at_m;
     const double way_m = known_ ? inside_m - inside_m_ : 0.0;
@@ -61,6 +64,7 @@ void LeftoverForce::begin(const Vec3& force_n, double stiffness_n_per_m) noexcep
 }
 
 void LeftoverForce::tick(const Vec3& hand_step_m, double dt_s) noexcept {
+    tick_assert(stretch_m_ >= 0.0 && dt_s >= 0.0);
     if (stretch_m_ == 0.0) return;
     stretch_m_ = std::max(0.0, stretch_m_ - std::max(0.0, glm::dot(hand_step_m, direction_))) *
                  (PersonalSpace::kReleaseS / (PersonalSpace::kReleaseS + dt_s));

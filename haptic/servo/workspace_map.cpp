@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptic/render/tick_assert.h"
+
 namespace handrail {
 namespace {
 
@@ -106,6 +108,7 @@ WorkspaceFrame PosePlayback::at(double now_s, double dt_s) noexcept {
     const WorkspacePose& a = pose(0);
     const WorkspacePose& b = pose(1);
     const double part = (play_s_ - a.time_s) / (b.time_s - a.time_s);
+    tick_assert(part >= 0.0 && part <= 1.0);
     double turn = b.heading_rad - a.heading_rad;  // the shorter way round
     turn -= kTurn * std::floor((turn + kPi) / kTurn);
     return frame(a.origin_m + (b.origin_m - a.origin_m) * part, a.heading_rad + turn * part);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptic/render/tick_assert.h"
 #include "haptic/servo/vectors.h"
 
 namespace handrail {
@@ -70,6 +71,7 @@ double Rim::speed(double distance_m) const noexcept {
 
 Vec3 WorkspaceMover::rim_force_n() const noexcept {
     const double force = rim_gain_ * rim_.force_n(distance_m_);
+    tick_assert(force >= 0.0 && rim_gain_ >= 0.0 && rim_gain_ <= 1.0);
     return rim_on_ && force > 0.0 ? out_m_ * (-force / distance_m_) : Vec3(0.0);
 }
 

@@ -1,0 +1,145 @@
+// What the proxy keeps of the obstacles near it: of each candidate one cut, a half-space that supports it, and the
+// obstacles that it stands in and does not feel. Plain values of fixed room: they allocate in their constructors only.
+// Owned by ProxySolver; its thread and rules.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "haptic/render/tick_assert.h"
+#include "worlds/geometry/half_space_projection.h"
+
+namespace handrail {
+
+// An obstacle of a body, or of what stands still.
+struct OwnedObstacle {
+    static constexpr std::uint16_t kStill = 0xFFFF;  // in the place of a body
+
+    std::uint32_t obstacle = 0;
+    std::uint16_t body = kStill;
+    bool operator==(const OwnedObstacle&) const = default;
+};
+
+// Of obstacles that one starts inside of, until one has left them.
+class ProxyGhosts {
+public:
+    static constexpr int kMost = 256;
+
+    int count() const noexcept { return count_; }
+    const OwnedObstacle& operator[](int i) const noexcept {
+        tick_assert(i >= 0 && i < count_);
+        return list_[static_cast<std::size_t>(i)];
+    }
+    void clear() noexcept { count_ = 0; }
+    // Of more than kMost the rest is left out.
+    void add(const OwnedObstacle& ghost) noexcept {
+        if (count_ < kMost) list_[static_cast<std::size_t>(count_++)] = ghost;
+    }
+    // The last takes its place.
+    void remove(int i) noexcept {
+        tick_assert(i >= 0 && i < count_);
+        list_[static_cast<std::size_t>(i)] = list_[static_cast<std::size_t>(--count_)];
+    }
+    bool has(const OwnedObstacle& one) const noexcept {
+        const auto end = list_.begin() + count_;
+        return std::find(list_.begin(), end, one) != end;
+    }
+    bool has_of(std::uint16_t body) const noexcept {
+        const auto end = list_.begin() + count_;
+        return std::find_if(list_.begin(), end, [&](const OwnedObstacle& g) { return g.body == body; }) != end;
+    }
+    void remove_of(std::uint16_t body) noexcept {
+        for (int i = count_ - 1; i >= 0; --i)
+            if (list_[static_cast<std::size_t>(i)].body == body) remove(i);
+    }
+
+private:
+    std::vector<OwnedObstacle> list_ = std::vector<OwnedObstacle>(kMost);
+    int count_ = 0;
+};
+
+// One element of each vector is one candidate; the first `count` are in use.
+struct ProxyCuts {
+    static constexpr int kMost = 1024;  // 32 kB of cuts
+    // A sheet that can be touched from one side only sleeps, without a cut, while the ball is not on that side.
+    enum class Sheet : std::uint8_t { No, Awake, Asleep };
+    static constexpr double kNoCut_m = -1e30;  // offset of a half-space that holds everything, as a sleeping sheet's
+
+    int count = 0;
+    int one_sided = 0;  // so many of them are sheets of one side
+    // Supports of the bare obstacles: without the ball's radius, which may grow. Relative to the solver's anchor.
+    std::vector<HalfSpace> planes = std::vector<HalfSpace>(kMost);
+    std::vector<std::uint32_t> obstacles = std::vector<std::uint32_t>(kMost);
+    std::vector<std::uint16_t> owners = std::vector<std::uint16_t>(kMost, OwnedObstacle::kStill);
+    std::vector<HalfSpace> own_planes = std::vector<HalfSpace>(kMost);  // of bodies, in the body's frame and metres
+    // The number of the move in which the cut was last renewed from ahead.
+    std::vector<std::uint64_t> looked_ahead = std::vector<std::uint64_t>(kMost);
+    std::vector<Sheet> sheets = std::vector<Sheet>(kMost);
+    // Sheets of one side that were awake when candidates were last gathered.
+    std::vector<OwnedObstacle> awake = std::vector<OwnedObstacle>(kMost);
+    int awake_count = 0;
+
+    void clear() noexcept { count = one_sided = 0; }
+    std::span<const HalfSpace> in_use() const noexcept {
+        return std::span(planes).first(static_cast<std::size_t>(count));
+    }
+    OwnedObstacle of(std::size_t i) const noexcept { return {obstacles[i], owners[i]}; }
+    // The cut with the ball's radius: what the ball's centre must satisfy.
+    HalfSpace wall(int i, double radius_m) const noexcept {
+        tick_assert(i >= 0 && i < count);
+        const HalfSpace& cut = planes[static_cast<std::size_t>(i)];
+        return {cut.normal, cut.offset_m + radius_m};
+    }
+    bool asleep(int i) const noexcept { return one_sided > 0 && sheets[static_cast<std::size_t>(i)] == Sheet::Asleep; }
+
+    // Before: count < kMost. A sheet of one side begins asleep.
+    void add(const OwnedObstacle& what, const HalfSpace& plane, bool is_one_sided) noexcept {
+        tick_assert(count < kMost);
+        const auto i = static_cast<std::size_t>(count++);
+        planes[i] = plane;
+        obstacles[i] = what.obstacle;
+        owners[i] = what.body;
+        looked_ahead[i] = 0;
+        sheets[i] = is_one_sided ? Sheet::Asleep : Sheet::No;
+        if (!is_one_sided) return;
+        planes[i].offset_m = kNoCut_m;
+        ++one_sided;
+    }
+
+    // Before candidates are gathered anew: what is awake stays so, even where a moving body has just come nearer than
+    // the ball's radius.
+    void remember_awake() noexcept {
+        awake_count = 0;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+            if (sheets[i] == Sheet::Awake) awake[static_cast<std::size_t>(awake_count++)] = of(i);
+    }
+    bool was_awake(std::size_t i) const noexcept {
+        const auto end = awake.begin() + awake_count;
+        return std::find(awake.begin(), end, of(i)) != end;
+    }
+
+    // leaves(owner): what is of that body goes. The others keep their order.
+    template <class Leaves>
+    void drop_of(const Leaves& leaves) noexcept {
+        std::size_t to = 0;
+        for (std::size_t from = 0; from < static_cast<std::size_t>(count); ++from) {
+            if (leaves(owners[from])) {
+                one_sided -= sheets[from] != Sheet::No;
+                continue;
+            }
+            planes[to] = planes[from];
+            obstacles[to] = obstacles[from];
+            owners[to] = owners[from];
+            own_planes[to] = own_planes[from];
+            looked_ahead[to] = looked_ahead[from];
+            sheets[to] = sheets[from];
+            ++to;
+        }
+        count = static_cast<int>(to);
+        tick_assert(one_sided >= 0 && one_sided <= count);
+    }
+};
+
+}  // namespace handrail
