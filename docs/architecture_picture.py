@@ -12,8 +12,8 @@ from xml.sax.saxutils import escape
 
 ROOT = Path(__file__).resolve().parent.parent
 PICTURE = ROOT / "docs" / "architecture.svg"
-PARTS = ("app", "audio-cues", "haptic", "settings", "worlds", "tests/bench/compare")  # all that is in the program
-COLOURS = {"app": "#f6d9a8", "audio-cues": "#f3c6d3", "haptic": "#c5dcf5", "settings": "#e4e0d8", "worlds": "#cfe8c5", "tests": "#e2d5f0"}
+PARTS = ("app", "audio-cues", "haptic", "settings", "worlds")  # all that is in the program
+COLOURS = {"app": "#f6d9a8", "audio-cues": "#f3c6d3", "haptic": "#c5dcf5", "settings": "#e4e0d8", "worlds": "#cfe8c5"}
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.MULTILINE)
 ROOM_HEIGHT, FLOOR_HEIGHT, GAP, LETTER, MARGIN = 30, 92, 22, 7.4, 24
 

@@ -1,104 +1,120 @@
 #include <fmt/format.h>
 
-#include <cstdlib>
+#include <cmath>
+#include <nlohmann/json.hpp>
 
+#include "app/core/world/entering.h"
 #include "app/main/commands.h"
 #include "app/main/world_files.h"
-#include "tests/bench/compare/report.h"
-#include "worlds/base/files.h"
+#include "haptic/device/simulated_device.h"
+#include "haptic/servo/servo_loop.h"
+#include "settings/settings.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
 namespace handrail {
 namespace {
 
-namespace fs = std::filesystem;
+constexpr double kSeconds = 10.0;
+constexpr double kSweep_m = 0.035;  // of the hand, from the middle of its reach
+constexpr double kLookEvery_s = 0.016;
 
-// The worlds that ship with the program, in the order of their names.
-std::vector<fs::path> bundled_maps() {
-    std::vector<fs::path> maps;
-    std::error_code ec;
-    for (const fs::directory_entry& entry : fs::directory_iterator(world_folder(), ec))
-        if (entry.path().extension() == ".map") maps.push_back(entry.path());
-    std::sort(maps.begin(), maps.end());
-    return maps;
+struct ServoMeasured {
+    std::uint64_t ticks = 0, overruns = 0;
+    double touching = 0.0;  // share of the looks at which the hand touched something
+    PeriodHistogram periods;
+    DurationHistogram durations;
+    std::string scheduling;
+};
+
+// The servo as it runs in the program: its own thread, real time, a simulated hand that sweeps around the place where
+// one begins in this world. Returns after that many seconds.
+Result<ServoMeasured> measure_servo(const EnteringWorld& world, double seconds) {
+    SteadyClock clock;
+    auto hand = std::make_shared<SimulatedHand>();
+    ServoLoop loop(std::make_unique<SimulatedDevice>(*find_device_spec("sim-f"), hand), clock);
+    if (const Result<void> opened = loop.open(); !opened) return tl::unexpected(opened.error());
+    const Settings settings;
+    ServoTuning tuning;
+    tuning.touch.world_m_per_hand_m = settings.workspace.scale;
+    loop.set_tuning(tuning);
+    WorkspacePose pose;
+    pose.origin_m = world.feet_m + Vec3(0.0, 0.0, settings.workspace.hand_height_m);
+    pose.heading_rad = world.heading_rad;
+    loop.set_pose(pose);
+    loop.set_scene(world.sharp);
+    const double begun_s = clock.now_s();
+    loop.start();
+    std::uint64_t looks = 0, touching = 0;
+    // Round three axes at once, so that it meets what is on all sides.
+    for (double at_s = 0.0; at_s < seconds; at_s = clock.now_s() - begun_s) {
+        const double turn = 2.0 * kPi * at_s;
+        const Vec3 at(std::sin(turn), std::sin(0.7 * turn), std::cos(0.3 * turn));
+        hand->command.publish({HandMode::Follow, at * kSweep_m, 0.0, Vec3(0.0), 0});
+        ++looks;
+        touching += loop.tool().contacts.count > 0 ? 1 : 0;
+        clock.sleep_until_s(clock.now_s() + kLookEvery_s);
+    }
+    loop.stop();
+    const ServoReport& report = loop.report();
+    return ServoMeasured{
+        loop.tool().ticks,       report.overruns,  static_cast<double>(touching) / static_cast<double>(looks),
+        report.counters.periods, report.durations, scheduling_sentence(report.scheduling)};
 }
 
-// False, and a sentence on `err`, if it could not be written.
-bool told(const Result<void>& written, std::ostream& err) {
-    if (!written) err << written.error().sentence() << '\n';
-    return written.has_value();
+std::string json_of(const ServoMeasured& measured, double seconds, const std::string& world) {
+    const auto quantiles = [](const auto& times) {
+        return nlohmann::ordered_json{{"p50_s", times.quantile_s(0.5)},
+                                      {"p99_s", times.quantile_s(0.99)},
+                                      {"p999_s", times.quantile_s(0.999)},
+                                      {"worst_s", times.worst_s}};
+    };
+    const nlohmann::ordered_json json{{"world", world},
+                                      {"seconds", seconds},
+                                      {"ticks", measured.ticks},
+                                      {"overruns", measured.overruns},
+                                      {"touching", measured.touching},
+                                      {"period", quantiles(measured.periods)},
+                                      {"tick", quantiles(measured.durations)},
+                                      {"scheduling", measured.scheduling}};
+    return json.dump(2) + "\n";
+}
+
+std::string text_of(const ServoMeasured& measured, double seconds, const std::string& world) {
+    return phrase("bench.servo", {{"world", world},
+                                  {"seconds", seconds},
+                                  {"ticks", static_cast<double>(measured.ticks)},
+                                  {"touching", std::round(100.0 * measured.touching)},
+                                  {"period", 1e3 * measured.periods.quantile_s(0.99)},
+                                  {"longest", 1e3 * measured.periods.worst_s},
+                                  {"tick", 1e6 * measured.durations.quantile_s(0.99)},
+                                  {"most", 1e6 * measured.durations.worst_s},
+                                  {"overruns", static_cast<double>(measured.overruns)}}) +
+           "\n" + measured.scheduling + "\n";
 }
 
 }  // namespace
 
 int run_bench_command(const BenchArguments& arguments, std::ostream& out, std::ostream& err, const LongWork& progress) {
-    bench::BenchOptions options;
-    options.maps = bundled_maps();
-    for (const fs::path& map : arguments.maps) {
-        std::error_code ec;
-        if (!fs::is_regular_file(map, ec)) {
-            err << one_line(phrase("program.no_map", {{"file", map.string()}})) << '\n';
-            return 1;
-        }
-        options.maps.push_back(map);
-    }
-    options.only = arguments.scene;
-    options.quick = arguments.quick;
-    options.servo_s = arguments.seconds.value_or(arguments.quick ? 1.0 : 60.0);
-    const std::vector<std::string> names = bench::scene_names(options);
-    if (names.empty()) {
-        err << one_line(phrase("program.no_scene", {{"name", arguments.scene}})) << '\n';
+    const auto refuse = [&](const Error& error) {
+        progress.done();
+        err << error.sentence() << '\n';
         return 1;
-    }
-    if (arguments.list) {
-        for (const std::string& name : names) out << name << '\n';
-        return 0;
-    }
-    if (arguments.count) {
-        std::size_t ticks = 0;
-        const Result<double> sum = bench::count_once(options, *arguments.count, ticks);
-        if (!sum) {
-            err << sum.error().sentence() << '\n';
-            return 1;
-        }
-        out << fmt::format("{}\t{}\t{}\t{}\n", names.front(), *arguments.count, ticks, *sum);
-        return 0;
-    }
-    std::string counted;
-    if (arguments.instructions) {
-        auto read = read_whole_file(*arguments.instructions);
-        if (!read) {
-            err << read.error().sentence() << '\n';
-            return 1;
-        }
-        counted = std::move(*read);
-    }
-    if (!arguments.json)
-        options.progress = [&progress](const std::string& scene) {
-            progress.at(phrase("progress.bench", {{"scene", scene}}));
-        };
-    bench::BenchReport report = bench::run_bench(options);
+    };
+    const Result<std::filesystem::path> file = world_given(arguments.world.value_or("house"));
+    if (!file) return refuse(file.error());
+    ReadOptions options = arguments.common.read_options(*file);
+    const Result<ImportedWorld> read = imported(*file, progress.followed(options));
+    if (!read) return refuse(read.error());
+    const EnteringWorld world = make_ready_to_touch(std::make_shared<const Scene>(read->scene));
+    progress.at(phrase("progress.bench"));
+    const double seconds = arguments.seconds.value_or(kSeconds);
+    const Result<ServoMeasured> measured = measure_servo(world, seconds);
+    if (!measured) return refuse(measured.error());
     progress.done();
-    bench::merge_instructions(report, counted);
-    out << (arguments.json ? bench::json_of(report) : bench::text_of(report)) << std::flush;
-    bool written = true;
-    if (arguments.svg_folder) {
-        std::error_code ec;
-        fs::create_directories(*arguments.svg_folder, ec);
-        for (const auto& [name, content] : bench::plots_of(report))
-            written = written && told(write_file_atomically(*arguments.svg_folder / name, content), err);
-    }
-    if (arguments.markdown) {
-        const fs::path& file = *arguments.markdown;
-        fs::path families = file;
-        families.replace_filename(file.stem().string() + "-families" + file.extension().string());
-        const std::string markdown = bench::markdown_of(report, families.filename().string()),
-                          of_families = bench::families_markdown_of(report, file.filename().string());
-        written = written && told(write_named_file_atomically(file, markdown), err) &&
-                  told(write_file_atomically(families, of_families), err);
-    }
-    return written ? 0 : 1;
+    const std::string name = one_line(spoken_name(*world.file));
+    out << (arguments.json ? json_of(*measured, seconds, name) : text_of(*measured, seconds, name)) << std::flush;
+    return 0;
 }
 
 }  // namespace handrail

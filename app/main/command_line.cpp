@@ -178,20 +178,9 @@ struct Grammar {
 
         add_export();
         bench_app = app.add_subcommand("bench", phrase("help.bench"));
-        bench_app->add_flag("--quick", bench.quick, phrase("help.quick"));
+        bench_app->add_option("WORLD", bench.world, phrase("help.world_to_measure"))->type_name("");
+        add_map_scale(*bench_app, bench.common);
         bench_app->add_flag("--json", bench.json, phrase("help.json"));
-        bench_app->add_option("--scene", bench.scene, phrase("help.scene"))->type_name("NAME");
-        bench_app->add_flag("--list", bench.list, phrase("help.list"));
-        bench_app->add_option("--map", bench.maps, phrase("help.map"))
-            ->type_name("FILE")
-            ->type_size(1)
-            ->expected(1)
-            ->allow_extra_args(false)
-            ->take_all();
-        bench_app->add_option("--svg", bench.svg_folder, phrase("help.svg"))->type_name("FOLDER");
-        bench_app->add_option("--markdown", bench.markdown, phrase("help.markdown"))->type_name("FILE");
-        bench_app->add_option("--instructions", bench.instructions, phrase("help.instructions"))->type_name("FILE");
-        bench_app->add_option("--count", bench.count, phrase("help.count"))->type_name("RENDERER");
         add_number(
             *bench_app, "--seconds", "S", [this](double v) { bench.seconds = v; }, true, phrase("help.seconds"));
 

@@ -98,15 +98,12 @@ struct ExportArguments {
 };
 int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream& err, const LongWork& progress = {});
 
-// How fast and how exact the touch renderer is, beside others.
+// How steadily the servo runs on this machine, and how long a tick takes, in one world.
 struct BenchArguments {
-    bool json = false, quick = false;
-    std::string scene;                        // --scene: only scenes and families named like this
-    std::vector<std::filesystem::path> maps;  // --map: besides the worlds that ship with the program
-    std::optional<std::filesystem::path> svg_folder, markdown, instructions;
-    std::optional<double> seconds;     // --seconds of the servo thread; 60, or 1 with --quick
-    std::optional<std::string> count;  // --count RENDERER: its ticks on the first scene alone, for callgrind
-    bool list = false;                 // --list: the scenes' names
+    CommonArguments common;
+    std::optional<std::filesystem::path> world;  // none: the house that ships with the program
+    std::optional<double> seconds;               // --seconds; none: 10
+    bool json = false;
 };
 int run_bench_command(const BenchArguments& arguments, std::ostream& out, std::ostream& err,
                       const LongWork& progress = {});

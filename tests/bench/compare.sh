@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Instructions per tick of every renderer on some scenes, counted by callgrind: the same on any machine. Lines "SCENE<tab>RENDERER<tab>INSTRUCTIONS" on
-# standard output, for `handrail bench --instructions FILE`.
-#   tests/bench/compare.sh [BUILD_FOLDER] [SCENE...]      default build/release and the scenes below, as `handrail bench --list` names them
+# standard output, for `compare_renderers --instructions FILE`.
+#   tests/bench/compare.sh [BUILD_FOLDER] [SCENE...]      default build/release and the scenes below, as `compare_renderers --list` names them
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=${1:-build/release}
@@ -14,7 +14,7 @@ trap 'rm -f "$out"' EXIT
 for scene in "${scenes[@]}"; do
     [ "$scene" != worst ] || continue
     for renderer in handrail penalty_sum sequential_planes active_set single_precision; do
-        line=$(valgrind --tool=callgrind --callgrind-out-file="$out" --toggle-collect='*measured_ticks*' "$build/bin/handrail" bench --scene "$scene" --count "$renderer" 2>/dev/null)
+        line=$(valgrind --tool=callgrind --callgrind-out-file="$out" --toggle-collect='*measured_ticks*' "$build/bin/compare_renderers" --scene "$scene" --count "$renderer" 2>/dev/null)
         awk -F'\t' -v OFS='\t' -v total="$(awk '/^summary:/ {print $2}' "$out")" '{printf "%s\t%s\t%.0f\n", $1, $2, total / $3}' <<<"$line"
     done
 done

@@ -12,6 +12,6 @@ tests/bench/compare.sh "$build" >"$counted"
 mkdir -p build/bench
 maps=()
 for map in "$@"; do maps+=(--map "$map"); done
-"$build/bin/handrail" bench "${maps[@]}" --instructions "$counted" --svg build/bench --markdown build/bench/bench.md
+"$build/bin/compare_renderers" "${maps[@]}" --instructions "$counted" --svg build/bench --markdown build/bench/bench.md
 sed 's|\[each family separately\](bench-families.md)|`tests/bench/remake_results.sh` makes the tables of each family in build/bench|' build/bench/bench.md >docs/bench.md
 for plot in density hard-cases simplified triangles; do cp "build/bench/bench-$plot.svg" docs; done

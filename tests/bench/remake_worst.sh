@@ -8,7 +8,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 counted=$folder/counted fresh=$folder/fresh.md
 tests/bench/compare.sh "$build" worst >"$counted"
-"$build/bin/handrail" bench --scene worst --instructions "$counted" --markdown "$fresh" >/dev/null
+"$build/bin/compare_renderers" --scene worst --instructions "$counted" --markdown "$fresh" >/dev/null
 machine=$(lscpu | sed -n 's/^Model name: *//p')
 awk -v fresh="$fresh" -v day="$(date -u +%F)" -v machine="$machine" '
     function section(line) { while ((getline line < fresh) > 0) { if (line ~ /^## /) on = line ~ /^## The worst ticks/; if (on) print line } done = 1 }

@@ -239,6 +239,8 @@ std::string fault_of_program(const Reader& reader, Words words) {
                    ? fault_of_test_program(words[1], Words(words.begin() + 2, words.end()))
                    : "";
     }
+    if (words.size() > 1 && words[0] == "bench" && words[1] == "--compare")
+        return script.find("\nbench)\n") == std::string::npos ? "./run knows no bench" : "";
     if (!words.empty() && words[0] == "COMMAND") words.erase(words.begin());
     const bool command = !words.empty() && kCommands.contains(words[0]);
     // A lesson goes on as long as somebody learns: of that command its options are held against its help.
@@ -256,7 +258,7 @@ std::string fault_of_program(const Reader& reader, Words words) {
             if (help.out.find(words[i]) == std::string::npos) return words[0] + " has no option " + words[i];
         return {};
     }
-    if (command && words[0] == "bench") words.emplace_back("--list");
+    if (command && words[0] == "bench") words.insert(words.end(), {"--seconds", "0.1"});
     if (command && words[0] == "replay" && words.size() == 1) words.insert(words.end(), {"--speed", "4"});
     if (!words.empty()) reader.make_learner_for(words);
     const bool asks = !words.empty() && words[0] == "learner";

@@ -1,4 +1,4 @@
-// `handrail bench`: every renderer on every scene family, speed against error; the stiffest wall a hand can lean on
+// Every renderer on every scene family, speed against error; the stiffest wall a hand can lean on
 // with each; and the servo thread. Off the real-time path, one thread (and the servo's own). Sources of the renderers
 // stand in their files.
 #pragma once

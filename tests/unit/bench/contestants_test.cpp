@@ -1,4 +1,4 @@
-// The renderers of `handrail bench` do what is said of them, and what measures them is right.
+// The renderers of the comparison do what is said of them, and what measures them is right.
 #include <random>
 
 #include "tests/bench/compare/measure.h"

@@ -1,9 +1,9 @@
-// The outputs of `handrail bench`: one JSON object, tables, and pictures that can be read without seeing them.
+// The outputs of the comparison of renderers: one JSON object, tables, and pictures that can be read without seeing
+// them.
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
-#include "app/main/command_line.h"
 #include "tests/bench/compare/report.h"
 #include "tests/bench/compare/svg_plot.h"
 #include "tests/support/temporary_folder.h"
@@ -106,40 +106,6 @@ TEST(BenchPlots, survive_empty_and_zero_series_and_names_with_markup) {
     EXPECT_NE(svg.find("&lt;one&gt;"), std::string::npos);
     EXPECT_EQ(svg.find("nan"), std::string::npos);
     EXPECT_NE(svg_of({}).find("</svg>"), std::string::npos);
-}
-
-TEST(BenchCommand, writes_tables_and_plots_and_names_what_is_missing) {
-    const test::TemporaryFolder folder;
-    const auto run = [&](std::vector<std::string> words) {
-        std::ostringstream out, err;
-        words.insert(words.begin(), "bench");
-        const int status = run_command_line(words, out, err);
-        return std::tuple(status, out.str(), err.str());
-    };
-    const auto [status, out, err] =
-        run({"--quick", "--scene", "T11a", "--seconds", "0", "--svg", (folder.path() / "plots").string(), "--markdown",
-             (folder.path() / "bench.md").string()});
-    EXPECT_EQ(status, 0) << err;
-    EXPECT_NE(out.find("T11"), std::string::npos);
-    EXPECT_TRUE(std::filesystem::exists(folder.path() / "plots" / "bench-t11.svg"));
-    const std::string first = test::content_of(folder.path() / "bench.md"),
-                      families = test::content_of(folder.path() / "bench-families.md");
-    EXPECT_NE(first.find("(bench-families.md)"), std::string::npos) << first;
-    EXPECT_NE(first.find("\n## All hard cases together\n"), std::string::npos) << first;
-    EXPECT_EQ(first.find("## T11"), std::string::npos) << first;
-    EXPECT_EQ(first.find("At a glance"), std::string::npos) << first;
-    EXPECT_NE(families.find("\n## At a glance: "), std::string::npos) << families;
-    EXPECT_NE(families.find("(bench.md)"), std::string::npos) << families;
-    EXPECT_NE(families.find("\n## T11"), std::string::npos) << families;
-    EXPECT_EQ(std::get<0>(run({"--scene", "no such scene"})), 1);
-    EXPECT_NE(std::get<2>(run({"--scene", "no such scene"})).find("--list"), std::string::npos);
-    EXPECT_EQ(std::get<0>(run({"--map", "missing.map"})), 1);
-    EXPECT_EQ(std::get<0>(run({"--quick", "--scene", "T11a", "--count", "nobody"})), 1);
-    EXPECT_EQ(std::get<0>(run({"--seconds", "-1"})), 2);
-    EXPECT_NE(std::get<1>(run({"--list"})).find("T16a"), std::string::npos);
-    const auto [counted, line, nothing] = run({"--quick", "--scene", "T11a", "--count", "penalty_sum"});
-    EXPECT_EQ(counted, 0);
-    EXPECT_TRUE(line.starts_with("T11a thin wall at 2 m/s\tpenalty_sum\t128\t")) << line;
 }
 
 }  // namespace report_test

@@ -233,8 +233,7 @@ TEST(CommandLine, prints_no_control_character_of_a_word_that_it_quotes) {
                                {"info", "a.map", evil},
                                {"learner", evil},
                                {"learner", "show", evil},
-                               {"bench", "--scene", evil},
-                               {"bench", "--map", evil},
+                               {"bench", evil},
                                {"touch", "a.map", "--path", "b.csv", "--out", "c.csv", "--device", evil},
                                {"info", evil},
                                {"check", evil},
@@ -373,7 +372,7 @@ TEST(CommandLine, helps_and_refuses_in_german_while_its_words_stay) {
     EXPECT_THAT(std::get<PrintedText>(parse_command_line({"--help"})).text, HasSubstr("Befehle:\n  info "));
     const auto refusal = [](const Words& words) { return std::get<UsageError>(parse_command_line(words)).sentence; };
     EXPECT_EQ(refusal({"info"}), "WORLD fehlt. Mehr zeigt dieser Befehl mit --help.");
-    EXPECT_EQ(refusal({"bench", "--map"}), "--map braucht einen Wert: FILE. Mehr zeigt dieser Befehl mit --help.");
+    EXPECT_EQ(refusal({"bench", "--seconds"}), "--seconds braucht einen Wert: S. Mehr zeigt dieser Befehl mit --help.");
     EXPECT_EQ(refusal({"info", "a.map", "--lint", "--json"}),
               "--json und --lint schließen einander aus. Mehr zeigt dieser Befehl mit --help.");
     EXPECT_EQ(refusal({"info", "x.map", "--jsno"}), "Die Option --jsno gibt es nicht; am nächsten kommt --json.");

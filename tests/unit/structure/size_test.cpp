@@ -10,7 +10,7 @@
 namespace handrail {
 namespace size_test {
 
-constexpr int kMostPublicFunctions = 40, kMostMembers = 25, kMostLinesOfApp = 500;
+constexpr int kMostPublicFunctions = 40, kMostMembers = 25, kMostLinesOfApp = 500, kMostBranches = 40;
 
 struct ClassSize {
     int public_functions = 0, members = 0;
@@ -232,6 +232,28 @@ TEST(Lines, of_sources_have_at_most_120_columns) {
             EXPECT_LE(columns, 120) << file << ":" << number;
         }
     }
+}
+
+// By pmccabe: McCabe's cyclomatic number, a switch counted once.
+TEST(Functions, have_few_branches) {
+    if (std::system("command -v pmccabe >/dev/null") != 0) GTEST_SKIP() << "pmccabe is not installed";
+    std::string command = "cd '" + test::project_root().string() + "' && pmccabe";
+    for (const std::string& file : test::project_files())
+        if (file.ends_with(".cpp") && !file.starts_with("tests/")) command += " '" + file + "'";
+    FILE* pipe = ::popen((command + " 2>/dev/null").c_str(), "r");
+    ASSERT_NE(pipe, nullptr);
+    std::size_t looked_at = 0;
+    std::array<char, 4096> line{};
+    while (std::fgets(line.data(), line.size(), pipe)) {
+        // branches, with each case counted, statements, first line, lines, place: name
+        std::istringstream fields(line.data());
+        int branches = 0;
+        fields >> branches;
+        ++looked_at;
+        EXPECT_LE(branches, kMostBranches) << line.data() << "Divide it into stages.";
+    }
+    ::pclose(pipe);
+    EXPECT_GT(looked_at, 5000U);
 }
 
 }  // namespace size_test

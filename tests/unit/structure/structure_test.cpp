@@ -85,11 +85,10 @@ const std::map<std::string, std::vector<std::string>> kMayLink{
     {"app/accessible", {"app/window", "audio-cues/sinks"}},
     {"app/companions", {"app/core/session", "haptic/drivers"}},
     {"app/guard", {"haptic/drivers"}},
-    {"tests/bench/compare", {"worlds/readers", "haptic/compile", "haptic/servo", "haptic/loop", "haptic/dynamics"}},
     {"app/main",
      {"app/core/scenario", "app/import", "app/record", "app/learners", "app/report", "app/results", "app/teaching",
       "app/companions", "app/terminal", "app/wizard", "app/window", "app/accessible", "audio-cues/sinks",
-      "haptic/drivers", "worlds/confine", "worlds/exports", "tests/bench/compare", "worlds/check"}},
+      "haptic/drivers", "worlds/confine", "worlds/exports", "worlds/check"}},
 };
 
 void reach(const std::string& folder, std::set<std::string>& reached) {
@@ -109,24 +108,11 @@ std::vector<std::string> includes_of(const std::string& text) {
     return found;
 }
 
-// The comparison of renderers is in the program and shares these with the tests; they need no test library.
-bool shared_with_tests(const std::string& file) {
-    for (const char* stem : {"tests/support/brute_force.", "tests/support/random_families.",
-                             "tests/support/reference_proxy.", "tests/support/sphere_mesh.",
-                             "tests/support/touch_worlds.", "tests/support/worst_cases.", "tests/bench/walk."})
-        if (file.starts_with(stem)) return true;
-    return false;
-}
-
 // A part of the program, wherever it lies.
-bool is_program(const std::string& file) {
-    return !file.starts_with("tests/") || file.starts_with("tests/bench/compare/") || shared_with_tests(file);
-}
+bool is_program(const std::string& file) { return !file.starts_with("tests/"); }
 
 // Nothing, or why this file may not include that one.
 std::string refusal(const std::string& file, const std::string& included) {
-    if (shared_with_tests(included) && (file.starts_with("tests/bench/compare/") || shared_with_tests(file))) return "";
-    if (shared_with_tests(file)) return refusal("haptic/compile/" + fs::path(file).filename().string(), included);
     const std::string from = folder_of(file), to = folder_of(included);
     if (!kMayLink.contains(from)) return file + " lies in a folder that the table does not list: " + from;
     if (!kMayLink.contains(to))
@@ -144,7 +130,7 @@ TEST(IncludeDirection, holds_in_every_source_file_of_the_program) {
         const std::string text = test::content_of(kRoot / file);
         if (text.empty()) continue;  // deleted, not committed yet
         ++looked_at;
-        EXPECT_TRUE(shared_with_tests(file) || kMayLink.contains(folder_of(file)))
+        EXPECT_TRUE(kMayLink.contains(folder_of(file)))
             << file << " lies in a folder that the table does not list";
         for (const std::string& included : includes_of(text)) EXPECT_EQ(refusal(file, included), "");
     }
@@ -160,8 +146,6 @@ TEST(IncludeDirection, is_seen_to_be_broken_by_this_test) {
     EXPECT_NE(refusal("app/core/hand/hand.cpp", "app/core/desk/desk.h"), "");
     EXPECT_NE(refusal("haptic/render/touch.cpp", "tests/bench/compare/bench.h"), "");
     EXPECT_NE(refusal("app/main/main.cpp", "tests/support/touch_worlds.h"), "");
-    EXPECT_NE(refusal("tests/bench/compare/bench.cpp", "tests/support/run_program.h"), "");
-    EXPECT_NE(refusal("tests/support/touch_worlds.cpp", "tests/support/box_scene.h"), "");
     EXPECT_NE(refusal("app/core/session/core.cpp", "audio-cues/sinks/openal_sink.h"), "");
     EXPECT_NE(refusal("worlds/new/file.cpp", "worlds/base/text.h"), "");
     EXPECT_NE(refusal("worlds/base/text.cpp", "text.h"), "");
@@ -186,8 +170,6 @@ TEST(IncludeDirection, holds_in_the_link_lines_too) {
     }
     EXPECT_GE(folder_by_library.size(), 10U) << "the CMake lists were not understood";
     for (const auto& [folder, library] : links) {
-        if (library == "handrail_hard_cases" && folder == "tests/bench/compare")
-            continue;  // what shared_with_tests lists
         ASSERT_TRUE(folder_by_library.contains(library)) << library;
         EXPECT_EQ(refusal(folder + "/CMakeLists.txt", folder_by_library[library] + "/x.h"), "");
     }
