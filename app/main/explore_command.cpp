@@ -36,7 +36,6 @@
 namespace handrail {
 namespace {
 
-constexpr double kFrame_s = 1.0 / 60.0;
 // How long the end waits for what is being said: "Goodbye." takes as long. With what follows it is a second at most.
 constexpr double kLastWords_s = 0.6;
 constexpr double kAfterLastWord_s = 0.3;  // the process ends then, whatever other threads are at

@@ -10,6 +10,7 @@
 #include "app/core/dialogue/command_words.h"
 #include "app/core/kept/side_file.h"
 #include "app/core/kept/spoken_language.h"
+#include "app/core/session/session.h"
 #include "app/learners/way_out.h"
 #include "app/main/commands.h"
 #include "app/main/end_signals.h"
@@ -31,10 +32,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kFrame_s = 1.0 / 60.0;
-constexpr double kBegins_s = 0.1;     // after which a line that was handed over is being said
-constexpr double kLastWords_s = 3.0;  // how long the end waits for what is being said
-constexpr double kEars_m = 1.6;       // above the soles
+constexpr double kBegins_s = 0.1;           // after which a line that was handed over is being said
+constexpr double kReplayLastWords_s = 3.0;  // how long the end waits for what is being said
+constexpr double kEars_m = 1.6;             // above the soles
 
 // ---- heard again ----
 
@@ -109,7 +109,7 @@ public:
                 if (line.voiced) say(std::move(line.text));
             clock_.sleep_until_s(now_s + kFrame_s);
         }
-        sound_->stop(signals.asked() ? 0.0 : kLastWords_s);
+        sound_->stop(signals.asked() ? 0.0 : kReplayLastWords_s);
     }
 
 private:

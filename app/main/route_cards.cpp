@@ -57,11 +57,10 @@ public:
     std::vector<std::string> legs(const Vec3& from_m, double heading_rad, const CardPlace& to) {
         session_.apply(Placed{from_m, heading_rad}, now_s_);
         // Until the body stands.
-        for (int i = 0; i < 30 && (i < 2 || !session_.standing()); ++i)
-            session_.tick(now_s_ += 1.0 / 60.0, ToolState{});
+        for (int i = 0; i < 30 && (i < 2 || !session_.standing()); ++i) session_.tick(now_s_ += kFrame_s, ToolState{});
         const bool leads = session_.guide().follow_to(to.at_m, to.name, to.room, now_s_);
         for (int i = 0; i < 10 && leads && session_.guide().plans_legs(); ++i)
-            session_.tick(now_s_ += 1.0 / 60.0, ToolState{});
+            session_.tick(now_s_ += kFrame_s, ToolState{});
         std::vector<std::string> legs = session_.guide().take_legs();
         if (!leads) legs.clear();
         session_.take_cues();

@@ -10,8 +10,8 @@ namespace handrail {
 
 // So near on the level, and on this storey.
 inline bool near_place(const Vec3& a, const Vec3& b, double level_m) {
-    constexpr double kStorey_m = 1.0;
-    return std::abs(a.z - b.z) < kStorey_m && std::hypot(a.x - b.x, a.y - b.y) < level_m;
+    constexpr double kSameHeight_m = 1.0;
+    return std::abs(a.z - b.z) < kSameHeight_m && std::hypot(a.x - b.x, a.y - b.y) < level_m;
 }
 
 // Two sentences, either of which may be empty.

@@ -12,7 +12,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kSample_s = 0.1, kArrived_m = 1.5, kStorey_m = 1.0;
+constexpr double kSample_s = 0.1, kArrived_m = 1.5, kNotReachedHigh_m = 1.0;
 constexpr double kAtDoor_m = 1.5, kLeftDoor_m = 2.0;
 constexpr std::size_t kMostSamples = 36000;  // an hour
 constexpr double kWallTouched_s = 0.5;
@@ -205,7 +205,7 @@ void TeachingRun::tick(double now_s, const LessonView& view, bool speaking) {
     for (const FeatureId door : laps_.blocked) {
         const Aabb& box = world_->scene()->features[door.value].bounds_m;
         const Vec3 nearest = glm::clamp(view.feet_m, box.min_m, box.max_m);
-        if (std::abs(nearest.z - view.feet_m.z) > kStorey_m) continue;
+        if (std::abs(nearest.z - view.feet_m.z) > kNotReachedHigh_m) continue;
         const double away_m = std::hypot(nearest.x - view.feet_m.x, nearest.y - view.feet_m.y);
         if (!laps_.met_s && away_m < kAtDoor_m) laps_.met_s = laps_.left_s = now_s;
         if (laps_.met_s && away_m < kLeftDoor_m) laps_.left_s = now_s;

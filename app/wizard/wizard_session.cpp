@@ -5,13 +5,13 @@
 #include <array>
 
 #include "app/core/dialogue/command_words.h"
+#include "worlds/base/human_measures.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
 namespace handrail {
 namespace {
 
-constexpr double kHandTap_m = 0.005;
 constexpr double kHandSettles_s = 0.4;  // a simulated hand that was told to move needs a moment to be there
 constexpr double kButton_s = 0.1;
 constexpr double kLongestWait_s = 60.0;

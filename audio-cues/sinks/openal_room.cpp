@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "worlds/base/contract.h"
+
 namespace handrail {
 namespace {
 
@@ -43,6 +45,7 @@ void OpenALRoom::drop() {
 }
 
 void OpenALRoom::update(double now_s, double reverberation_s, double share) {
+    contract_pre(share >= 0.0 && share <= 1.0);
     if (slot_ == 0) return;
     const double wanted_s = std::clamp(reverberation_s, 0.0, 8.0);
     const double gain = wanted_s <= 0.0 || hushed_ ? 0.0 : share;

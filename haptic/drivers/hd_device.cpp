@@ -22,9 +22,9 @@ struct ErrorInfo {
 };
 
 constexpr Handle kInvalid = 0xFFFFFFFFU;
-constexpr Enum kButtons = 0x2000, kPosition = 0x2050, kGimbal = 0x2150, kModel = 0x2501, kCalibrationStyle = 0x2555,
-               kStiffness = 0x2602, kMaxForce = 0x2603, kForce = 0x2700, kForceOutput = 0x4000, kForceClamping = 0x4001,
-               kCalibrated = 0x5000,
+constexpr Enum kButtonsParameter = 0x2000, kPosition = 0x2050, kGimbal = 0x2150, kModel = 0x2501,
+               kCalibrationStyle = 0x2555, kStiffness = 0x2602, kMaxForce = 0x2603, kForce = 0x2700,
+               kForceOutput = 0x4000, kForceClamping = 0x4001, kCalibrated = 0x5000,
                kCalibrationNeedsUpdate = 0x5001;  // anything else: by hand, such as into the inkwell
 constexpr unsigned short kPriority = 32767;
 constexpr unsigned kFirstForceError = 0x0200, kWarmMotors = 0x0200, kLastForceError = 0x0204,
@@ -113,7 +113,7 @@ private:
         Vec3 theirs{0.0};
         int buttons = 0;
         call_.get_double(kPosition, &theirs.x);
-        call_.get_integer(kButtons, &buttons);
+        call_.get_integer(kButtonsParameter, &buttons);
         Vec3 gimbal{0.0};
         call_.get_double(kGimbal, &gimbal.x);
         const Enum calibration = call_.check_calibration();

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 
+#include "worlds/base/human_measures.h"
 #include "worlds/check/examined.h"
 #include "worlds/geometry/clip.h"
 #include "worlds/scene/stated_building.h"
@@ -11,7 +12,6 @@ namespace {
 
 constexpr double kJamb_m = 0.06;       // beside a leaf, where its wall or frame is
 constexpr double kBesideDoor_m = 1.0;  // floors looked at on both sides of it
-constexpr double kStorey_m = 1.5;      // floors further apart are two levels
 constexpr double kTallest_m = 4.0;     // where there is no floor to go by
 constexpr double kInFront_m = 0.5;     // what stands nearer than that may be in the way
 
@@ -152,7 +152,7 @@ double levels_apart(const Examined& world, const Doorway& door) {
                 if (floor < door.box.min_m.z - 0.3 || floor > door.box.max_m.z - 0.5 || space.spans[s].stairs) continue;
                 low = std::min(low, floor), high = std::max(high, floor);
             }
-    return high - low > kStorey_m ? high - low : 0.0;
+    return high - low > kAboveOrBelow_m ? high - low : 0.0;
 }
 
 }  // namespace

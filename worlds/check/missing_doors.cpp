@@ -5,6 +5,7 @@
 #include <map>
 
 #include "worlds/base/contract.h"
+#include "worlds/base/human_measures.h"
 #include "worlds/check/examined.h"
 #include "worlds/geometry/clip.h"
 
@@ -15,7 +16,6 @@ constexpr double kThickest_m = 0.8, kThinnest_m = 0.03;
 constexpr double kWidth_m = 0.9;      // of a doorway, where the wall is long enough
 constexpr double kNarrowest_m = 0.7;  // which bodies pass still
 constexpr double kSameFloor_m = 0.15;
-constexpr double kReach_m = 1.2;      // of who stands at a wall, to its middle
 constexpr double kNear_m = 1e6;       // before whatever is long
 constexpr double kChest_m = 1.0;      // above the floor, where walls are looked for
 constexpr double kUpright = 1e-3;     // of a normal's rise
@@ -127,7 +127,7 @@ std::vector<MissingDoor> missing_doors(const Scene& scene, const WalkSpace& spac
             const double long_m = last_m - first_m + 2.0 * space.body.radius_m, width_m = std::min(kWidth_m, long_m);
             const double beside_m = std::max(0.0, 0.5 * width_m - space.body.radius_m);
             const Facing::Place* middle = &places[begin];
-            double score_m = long_m, nearest_m = kReach_m;
+            double score_m = long_m, nearest_m = kArmsReach_m;
             for (std::size_t i = begin; i < end; ++i)
                 if (std::abs(places[i].along_m - 0.5 * (first_m + last_m)) <
                     std::abs(middle->along_m - 0.5 * (first_m + last_m)))

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 
+#include "worlds/base/human_measures.h"
 #include "worlds/check/examined.h"
 #include "worlds/geometry/clip.h"
 
@@ -14,7 +15,6 @@ constexpr double kNarrowestCrack_m = 1e-3, kWidestCrack_m = 0.06;
 constexpr double kLevelCrack = 0.7, kWidestJoint_m = 0.02;
 constexpr double kLeastCrack_m2 = 0.01;  // of the faces that look at each other
 constexpr double kLeastOpen_m2 = 0.05;
-constexpr double kMostDrop_m = 1.2;
 constexpr double kRail_m = 1.1;
 
 // Walls, floors and what has no name of its own.

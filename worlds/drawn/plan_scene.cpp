@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "worlds/base/human_measures.h"
 #include "worlds/base/text.h"
 #include "worlds/drawn/plan_builder.h"
 #include "worlds/drawn/upright.h"
@@ -15,9 +16,8 @@ namespace {
 constexpr std::size_t kMostSolids = 150'000;
 constexpr double kSurfaceUnit_m = 1.0 / 32.0;  // what derive_surfaces measures its tolerances in: those of maps
 constexpr double kSlab_m = 0.2, kCeiling_m = 0.1, kFacts_m = 2.0;
-constexpr double kLeastStorey_m = 2.2, kMostStorey_m = 12.0;
-constexpr double kGroundAround_m = 8.0, kUnderThreshold_m = 0.02, kNearGround_m = 0.6;
-constexpr double kBeforeDoor_m = 1.5;
+constexpr double kLeastStorey_m = 2.2;
+constexpr double kNearGround_m = 0.6;
 
 }  // namespace
 
@@ -119,7 +119,7 @@ void PlanBuilder::add_solid(std::optional<ConvexSolid> shape, SolidRole role, Fe
 double PlanBuilder::storey_of(std::size_t level) const {
     for (std::size_t above = level + 1; above < plan_.levels.size(); ++above)
         if (const double rise = plan_.levels[above].floor_m - plan_.levels[level].floor_m;
-            rise >= kLeastStorey_m && rise <= kMostStorey_m)
+            rise >= kLeastStorey_m && rise <= kHighestStorey_m)
             return rise;
     return plan_.storey_m;
 }
@@ -389,7 +389,7 @@ void PlanBuilder::add_starts() {
                      [](const OuterDoor& a, const OuterDoor& b) { return a.entrance < b.entrance; });
     for (const OuterDoor& door : outer_) {
         Start start;
-        start.feet_m = door.at_m + Vec3(door.out * kBeforeDoor_m, 0.0);
+        start.feet_m = door.at_m + Vec3(door.out * kOutsideDoor_m, 0.0);
         start.heading_rad = std::atan2(-door.out.x, -door.out.y);
         start.name = door.name;
         scene_.starts.push_back(std::move(start));

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "worlds/base/human_measures.h"
 #include "worlds/drawn/plan_builder.h"
 #include "worlds/drawn/upright.h"
 #include "worlds/geometry/clip.h"
@@ -11,9 +12,9 @@
 namespace handrail {
 namespace {
 
-constexpr double kLeafThick_m = 0.04, kClear_m = 0.005, kLeafTravel_s = 1.0, kTwoLeaves_m = 1.4;
+constexpr double kClear_m = 0.005, kLeafTravel_s = 1.0, kTwoLeaves_m = 1.4;
 constexpr double kStepThick_m = 0.3, kRail_m = 1.0, kRailThick_m = 0.08, kFloorThick_m = 0.2;
-constexpr double kLiftSpeed_m_per_s = 0.75, kLiftDoorWait_s = 5.0, kDoorWait_s = 3.0, kStandingRoom_m = 1.8;
+constexpr double kLiftSpeed_m_per_s = 0.75;
 constexpr double kNearDoor_m = 1.5, kAtGround_m = 0.6, kCabinClear_m = 0.03, kLeastCabin_m = 0.7;
 constexpr double kLeastRise_m = 0.5, kStepRise_m = 0.17;
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "worlds/base/human_measures.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 #include "worlds/geometry/clip.h"
@@ -14,11 +15,10 @@
 namespace handrail {
 namespace {
 
-constexpr double kLeafThick_m = 0.04, kPaneThick_m = 0.06, kClear_m = 0.005;
+constexpr double kPaneThick_m = 0.06, kClear_m = 0.005;
 constexpr double kLeafTravel_s = 1.0;
-constexpr double kGroundAround_m = 8.0, kGroundThick_m = 0.2, kUnderThreshold_m = 0.02;
-constexpr double kCeiling_m = 1.0;  // between the rooms of two storeys, at most
-constexpr double kBeforeDoor_m = 1.5;
+constexpr double kGroundThick_m = 0.2;
+constexpr double kCeiling_m = 1.0;           // between the rooms of two storeys, at most
 constexpr std::size_t kMostCellars = 2'000;  // rooms that the ground is cut away over
 
 // What one walks or rides along, and how it joins rooms.
@@ -406,7 +406,7 @@ void IfcScene::add_starts() {
                                                : beside[0] == kNotStated ? -1.0
                                                                          : 1.0);
         Start start;
-        start.feet_m = portal.place_m + out * kBeforeDoor_m;
+        start.feet_m = portal.place_m + out * kOutsideDoor_m;
         start.heading_rad = std::atan2(-out.x, -out.y);
         start.name = portal.rooms.empty() ? portal.name : stated_->rooms[portal.rooms[0]].name;
         start.source = portal.source;

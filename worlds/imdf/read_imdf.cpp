@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "worlds/base/human_measures.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 #include "worlds/drawn/guess_doorways.h"
@@ -18,7 +19,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kStorey_m = 3.0, kFarthest_m = 20'000.0;
+constexpr double kFarthest_m = 20'000.0;
 constexpr std::size_t kMostFeatures = 60'000, kMostVertical = 3'000, kMostCorners = 2'000, kMostName = 200;
 constexpr std::array<std::string_view, 10> kFiles{"venue",   "building", "level", "unit",     "opening",
                                                   "amenity", "fixture",  "kiosk", "occupant", "anchor"};
@@ -99,7 +100,7 @@ public:
     explicit ImdfPlan(const ImdfOptions& options) : options_(options) {
         plan_.format = "imdf";
         plan_.schema = "IMDF";
-        plan_.storey_m = kStorey_m;
+        plan_.storey_m = kUsualStorey_m;
     }
 
     Result<FloorPlan> build(const std::map<std::string, std::string>& files, const std::string& file_name) {

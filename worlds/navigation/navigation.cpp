@@ -22,7 +22,7 @@ constexpr double kThroughLeaf_per_m = 30.0;  // what a metre through a leaf coun
 constexpr double kBesideLeaf_per_m = 3.0;
 constexpr double kRoundLeaf_m = 3.0;  // before and behind it a way may change for it
 constexpr double kOutOfLeaf_m = 1.0;
-constexpr double kMostGameDrop_m = 20.0, kMostDrop_m = 1.0;
+constexpr double kMostGameDrop_m = 20.0, kMostPlannedDrop_m = 1.0;
 
 }  // namespace
 
@@ -32,7 +32,7 @@ WalkBody walk_body(const Scene& scene, double radius_m, double height_m, double 
     body.height_m = height_m;
     body.step_up_m = step_up_m;
     body.cell_m = scene.game_map ? kGameCell_m : kBuildingCell_m;
-    body.most_drop_m = scene.game_map ? kMostGameDrop_m : kMostDrop_m;
+    body.most_drop_m = scene.game_map ? kMostGameDrop_m : kMostPlannedDrop_m;
     return body;
 }
 

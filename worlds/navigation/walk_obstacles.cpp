@@ -5,17 +5,17 @@
 #include <cmath>
 #include <limits>
 
+#include "worlds/base/human_measures.h"
 #include "worlds/geometry/clip.h"
 
 namespace handrail {
 namespace {
 
-constexpr double kWalkableNormalZ = 0.7;  // as walking has it: up to about 45 degrees
-constexpr double kFlatMost_m = 1.5;       // a door no thicker than this may be a bridge
-constexpr double kWideThing_m = 5.0;      // a thing as wide is a floor or platform
-constexpr double kTallThing_m = 2.3;      // a thing as high as a wall counts as one
-constexpr double kDoorHigh_m = 1.8;       // so does one as high as a door that carries the wall over it
-constexpr double kRests_m = 0.02;         // between what carries and what lies on it
+constexpr double kFlatMost_m = 1.5;   // a door no thicker than this may be a bridge
+constexpr double kWideThing_m = 5.0;  // a thing as wide is a floor or platform
+constexpr double kTallThing_m = 2.3;  // a thing as high as a wall counts as one
+constexpr double kDoorHigh_m = 1.8;   // so does one as high as a door that carries the wall over it
+constexpr double kRests_m = 0.02;     // between what carries and what lies on it
 
 // Tells walls from things that are lower.
 class Furniture {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "worlds/base/human_measures.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 #include "worlds/drawn/upright.h"
@@ -15,7 +16,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kStorey_m = 3.0, kLeastStorey_m = 2.5, kMostStorey_m = 6.0;
+constexpr double kLeastStorey_m = 2.5, kMostStorey_m = 6.0;
 constexpr double kFarthest_m = 20'000.0, kBesideOutline_m = 0.3, kBesideCorner_m = 0.05;
 constexpr std::size_t kMostOutlines = 60'000, kMostCornersOfOne = 2'000;
 
@@ -75,7 +76,7 @@ private:
 OsmPlan::OsmPlan(const OsmData& data, const OsmOptions& options) : data_(data), options_(options) {
     plan_.format = "osm";
     plan_.schema = "OpenStreetMap";
-    plan_.storey_m = kStorey_m;
+    plan_.storey_m = kUsualStorey_m;
 }
 
 Result<FloorPlan> OsmPlan::build(const std::string& file_name) {

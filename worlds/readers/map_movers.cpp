@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "worlds/base/human_measures.h"
 #include "worlds/base/text.h"
 
 namespace handrail {
@@ -14,17 +15,15 @@ constexpr double kDoorSpeed_units_per_s = 100.0, kLiftSpeed_units_per_s = 150.0,
 constexpr double kTurn_deg_per_s = 100.0, kMostTurn_deg_per_s = 720.0;
 constexpr double kDoorLip_units = 8.0, kButtonLip_units = 4.0, kLiftLip_units = 8.0;
 constexpr double kNearDoor_units = 60.0, kAboveDoor_units = 8.0;  // where a body sets a door going
-constexpr double kDoorWait_s = 3.0, kButtonWait_s = 1.0, kLiftWait_s = 3.0;
+constexpr double kButtonWait_s = 1.0, kLiftWait_s = 3.0;
 constexpr double kLeastTravel_s = 0.1, kMostTravel_s = 60.0;
 // Doors of a building.
 constexpr double kLeafTravel_s = 1.2;
 constexpr double kQuarterTurn_rad = kPi / 2.0;
 constexpr int kStartsOpen = 1, kDoNotLink = 4, kStays = 32;           // bits of a door's spawnflags
 constexpr int kStartsOn = 1, kReverse = 2, kAboutX = 4, kAboutY = 8;  // bits of a turning part's
-constexpr double kLiftDoorWait_s = 5.0;                               // of a lift's door in a building
 constexpr double kLiftSpeedInBuilding_units_per_s = 24.0,
                  kHandAbove_m = 1.1;  // three quarters of a metre a second; of a button above its floor
-constexpr double kStandingRoom_m = 1.8;
 constexpr std::size_t kMostStops = 1000;
 
 std::string name_of_key(const MapEntity& entity, std::string_view key) {

@@ -16,10 +16,10 @@ namespace {
 constexpr double kHalf_m = 0.3, kTall_m = 1.9;  // of a body
 constexpr double kKnee_m = 0.25;                // lower than that one steps over what stands about
 constexpr double kAside_m = 0.6, kSameFloor_m = 0.25;
-constexpr double kRoof_m = 8.0;    // as high as ceilings are
-constexpr double kLevel = 0.7;     // of the normal of a floor
-constexpr double kStorey_m = 1.0;  // floors nearer than that are alike
-constexpr int kPlaces = 21;        // each way
+constexpr double kRoof_m = 8.0;         // as high as ceilings are
+constexpr double kLevel = 0.7;          // of the normal of a floor
+constexpr double kFloorsAlike_m = 1.0;  // floors nearer than that are alike
+constexpr int kPlaces = 21;             // each way
 constexpr std::size_t kMostFloors = 16;
 
 class Columns {
@@ -156,7 +156,7 @@ std::optional<Vec3> place_to_stand(const Scene& scene, const std::stop_token& st
                 ++floors;
                 places.push_back({{p.x, p.y, z_m},
                                   above_m > kRoof_m,
-                                  std::round((z_m - scene.bounds_m.min_m.z) / kStorey_m),
+                                  std::round((z_m - scene.bounds_m.min_m.z) / kFloorsAlike_m),
                                   std::hypot(p.x - middle.x, p.y - middle.y)});
             }
         }

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "worlds/base/human_measures.h"
 #include "worlds/base/text.h"
 
 namespace handrail {
 namespace {
 
 constexpr std::size_t kMostSentences = 60'000, kMostRooms = 4'000, kMostStoreys = 60;
-constexpr double kStorey_m = 3.0, kLeastStorey_m = 2.3, kMostStorey_m = 12.0;
+constexpr double kLeastStorey_m = 2.3;
 constexpr double kLeastWall_m = 0.05, kMostWall_m = 0.6, kLeastStep_m = 0.2, kMostStep_m = 2.0;
 
 }  // namespace
@@ -111,7 +112,7 @@ void WordsPlan::take(SaidSentence said, int line) {
         case SentenceKind::Storey: {
             Storey storey{one_line(said.name.substr(0, 200)), {}, {}, line};
             if (high) {
-                storey.height_m = std::clamp(high->numbers[0], kLeastStorey_m, kMostStorey_m);
+                storey.height_m = std::clamp(high->numbers[0], kLeastStorey_m, kHighestStorey_m);
                 if (*storey.height_m != high->numbers[0])
                     warn(line, phrase("rooms_text.odd_height", {{"height", high->numbers[0]}}),
                          phrase("rooms_text.then_height", {{"height", *storey.height_m}}));
@@ -173,7 +174,7 @@ void WordsPlan::lay_storeys() {
     for (Storey& storey : storeys_) {
         if (!storey.floor_m) storey.floor_m = next_m;
         guessed |= !storey.height_m;
-        next_m = *storey.floor_m + storey.height_m.value_or(kStorey_m);
+        next_m = *storey.floor_m + storey.height_m.value_or(kUsualStorey_m);
     }
     std::vector<std::size_t> order(storeys_.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -195,8 +196,8 @@ void WordsPlan::lay_storeys() {
         plan_.levels.push_back(
             {static_cast<double>(static_cast<int>(i) - ground), storey.name, std::max(*storey.floor_m, least_m)});
     }
-    plan_.storey_m = storeys_[order.back()].height_m.value_or(kStorey_m);
-    if (guessed) plan_.guessed.push_back(phrase("rooms_text.guessed_height", {{"height", kStorey_m}}));
+    plan_.storey_m = storeys_[order.back()].height_m.value_or(kUsualStorey_m);
+    if (guessed) plan_.guessed.push_back(phrase("rooms_text.guessed_height", {{"height", kUsualStorey_m}}));
 }
 
 std::string WordsPlan::room_words(const WordRoom& room) const { return one_line(room.said.words.name.substr(0, 100)); }

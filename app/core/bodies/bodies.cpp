@@ -9,6 +9,7 @@
 #include "app/core/world/mover_meeting.h"
 #include "app/core/world/questions.h"
 #include "worlds/base/contract.h"
+#include "worlds/base/human_measures.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
@@ -96,13 +97,13 @@ std::uint32_t Bodies::in_reach() const {
         if (const std::uint32_t touched = body_of(context_.hands.tool.touched()); touched != kNoBody) return touched;
     const Vec3 feet = context_.body.feet_m();
     const double top_m = context_.body.walker->size().height_m;
-    if (const auto seen = look(*world_.solids, feet, kLookHeight_m, context_.body.heading_rad, kReach_m))
+    if (const auto seen = look(*world_.solids, feet, kLookHeight_m, context_.body.heading_rad, kArmsReach_m))
         if (const std::uint32_t ahead = body_of(seen->feature);
             ahead != kNoBody || mover_of(world_, seen->feature) >= 0)
             return ahead;
     const Vec3 forward = forward_of_heading(context_.body.heading_rad);
     std::uint32_t nearest = kNoBody;
-    double nearest_m = kReach_m;
+    double nearest_m = kArmsReach_m;
     for (std::uint32_t i = 0; i < scene_->bodies.size(); ++i) {
         const Aabb& box = world_.solids->box_of_placed(scene_->bodies[i].haptic);
         if (box.empty() || box.max_m.z < feet.z - 0.3 || box.min_m.z > feet.z + top_m) continue;

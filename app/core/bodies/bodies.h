@@ -75,8 +75,6 @@ public:
         return hand_grip_.held(which) == kNoBody ? kNoFeature : scene_->bodies[hand_grip_.held(which)].feature;
     }
 
-    static constexpr double kReach_m = 1.2;  // of who takes hold
-
     // Set by a game: one thing has met another, or a part of the building.
     std::function<void(FeatureId thing, FeatureId met, double now_s)> on_hit;
 

@@ -6,6 +6,7 @@
 
 #include "app/core/bodies/body_words.h"
 #include "app/core/context/telling.h"
+#include "worlds/base/human_measures.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
@@ -17,8 +18,6 @@ constexpr double kRests_s = 0.15;  // so long without moving it has come to its 
 constexpr double kStill_m = 2e-3;  // less is no movement
 constexpr double kMost_s = 2.5;    // longer no step takes
 constexpr double kShort = 0.25;    // of a step: it came no farther since something is in its way
-
-constexpr double kGravity_m_per_s2 = 9.81;
 
 constexpr std::array kSteps{Command::Forward,   Command::Back,   Command::TurnLeft,
                             Command::TurnRight, Command::TiltUp, Command::TiltDown};

@@ -6,19 +6,18 @@
 #include "app/core/dialogue/brief_words.h"
 #include "app/core/world/body_heights.h"
 #include "app/core/world/questions.h"
+#include "worlds/base/human_measures.h"
 #include "worlds/base/language.h"
 #include "worlds/scene/surfaces.h"
 
 namespace handrail {
 namespace {
 
-constexpr double kStorey_m = 1.5;
-constexpr double kUsualStorey_m = 3.0;
 constexpr double kUnderfoot_m = 0.1;
 
 // "two storeys above"; empty on this one. rise_m: of its lowest part; nearest_m: of what of it is nearest to the waist.
 std::string storey_words(double rise_m, double nearest_m) {
-    if (nearest_m <= kStorey_m + kWaist_m && nearest_m >= -kStorey_m) return {};
+    if (nearest_m <= kAboveOrBelow_m + kWaist_m && nearest_m >= -kAboveOrBelow_m) return {};
     const auto storeys = static_cast<int>(std::floor((rise_m + 0.5) / kUsualStorey_m));
     return nearest_m > 0.0 ? phrase("guide.storeys_above", {{"storeys", std::max(1, storeys)}})
                            : phrase("guide.storeys_below", {{"storeys", std::max(1, -storeys)}});

@@ -11,6 +11,7 @@
 #include "app/core/world/questions.h"
 #include "haptic/render/free_place.h"
 #include "worlds/base/contract.h"
+#include "worlds/base/human_measures.h"
 #include "worlds/base/language.h"
 #include "worlds/scene/surfaces.h"
 
@@ -18,7 +19,6 @@ namespace handrail {
 namespace {
 
 constexpr double kHandKeySpeed_m_per_s = 0.06;
-constexpr double kHandTap_m = 0.005;              // one tap of a hand key
 constexpr double kPushSpeed_hand_m_per_s = 0.03;  // by keys
 constexpr double kPushTap_s = 0.2;
 constexpr double kLowestLook_m = 0.2;

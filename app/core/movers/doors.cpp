@@ -7,6 +7,7 @@
 #include "app/core/world/body_heights.h"
 #include "app/core/world/questions.h"
 #include "worlds/base/contract.h"
+#include "worlds/base/human_measures.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 #include "worlds/geometry/closest_point.h"
@@ -16,7 +17,6 @@
 namespace handrail {
 namespace {
 
-constexpr double kReach_m = 1.2;           // from the middle of the body to what it uses
 constexpr double kBounced_hand_m = 0.015;  // off a door that it has just met, while one hears which it is
 constexpr double kNearThing_m = 0.1;       // farther from a thing nobody stands on it
 constexpr double kBesideOne_m = 3.0;       // a door that shuts as near may be the one that one is about to go through
@@ -212,18 +212,18 @@ void Doors::use(double now_s) {
         const FeatureId told = told_.back();
         const Aabb door = box_of(*world_.scene, told);
         const double hand_reach_m = kBounced_hand_m * scale(context_);
-        if (distance_squared(door, body_.feet_m() + Vec3(0.0, 0.0, kLookHeight_m)) < kReach_m * kReach_m ||
+        if (distance_squared(door, body_.feet_m() + Vec3(0.0, 0.0, kLookHeight_m)) < kArmsReach_m * kArmsReach_m ||
             (context_.hands.answers() &&
              distance_squared(door, context_.hands.tool.proxy_m) < hand_reach_m * hand_reach_m))
             chosen = mover_of(world_, told);
         if (chosen >= 0 && world_.movers.away(static_cast<std::uint32_t>(chosen)) > 0.0) chosen = -1;
     }
     if (chosen < 0)
-        if (const auto seen = look(*world_.solids, body_.feet_m(), kLookHeight_m, body_.heading_rad, kReach_m))
+        if (const auto seen = look(*world_.solids, body_.feet_m(), kLookHeight_m, body_.heading_rad, kArmsReach_m))
             chosen = mover_of(world_, seen->feature);
     if (chosen < 0) chosen = leaf_at_body();
     if (chosen < 0) {
-        double nearest_m = kReach_m;
+        double nearest_m = kArmsReach_m;
         const Vec3 middle = body_.feet_m() + Vec3(0.0, 0.0, kLookHeight_m);
         for (std::size_t i = 0; i < world_.scene->movers.size(); ++i) {
             if (!usable(world_, i)) continue;

@@ -9,6 +9,7 @@
 #include "app/core/world/body_heights.h"
 #include "app/core/world/surroundings.h"
 #include "worlds/base/contract.h"
+#include "worlds/base/human_measures.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
@@ -17,7 +18,6 @@ namespace {
 constexpr double kMarkNear_hand_m = 0.008, kMarkNear_body_m = 1.0;
 constexpr double kLandmarkNear_m = 1.5;  // from the body
 constexpr double kFarther = 1.5;         // what was near is far again from so many times the distance on
-constexpr double kStorey_m = 1.5;
 
 }  // namespace
 
@@ -180,7 +180,7 @@ void MarkList::tick(double now_s) {
         const Vec3 place = nearest_place(box, waist);
         const Vec3 way = place - waist;
         const double level_m = std::hypot(way.x, way.y);
-        if (level_m > range_m || std::abs(way.z) > kStorey_m) return 1e9;
+        if (level_m > range_m || std::abs(way.z) > kAboveOrBelow_m) return 1e9;
         return muffling_db(*context_.world.solids, waist, place) >= kDoorMuffles_db ? 1e9 : level_m;
     };
     const bool hand = context_.hands.answers() && context_.hands.tool.workspace_jump == context_.hands.pose.jump;

@@ -35,6 +35,8 @@
 
 namespace handrail {
 
+inline constexpr double kFrame_s = 1.0 / 60.0;  // between two ticks of a session in real time
+
 class Session {
 public:
     Session(const Settings& settings, const HandFacts& hand, const SessionOptions& options = {});

@@ -9,6 +9,7 @@
 #include "app/core/walking/paces.h"
 #include "app/core/world/hazards.h"
 #include "app/core/world/nearest_wall.h"
+#include "worlds/base/human_measures.h"
 #include "worlds/base/language.h"
 #include "worlds/scene/surfaces.h"
 
@@ -24,7 +25,6 @@ constexpr double kBeforeStairs_m = 0.35;         // beside the body, to the firs
 constexpr double kStairsLookedForEvery_m = 0.1;  // for them
 constexpr double kStairsSeen_m = 2.0;            // so much of them tells that they are stairs
 constexpr double kLevelAgain_m = 1.5;            // on the level so far, stairs are over, or have not been taken
-constexpr double kAtWall_m = 0.8;                // a wall that is farther is walked to first, which is told
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include "app/core/dialogue/words.h"
 #include "app/core/kept/marks.h"
 #include "worlds/base/contract.h"
+#include "worlds/base/human_measures.h"
 
 namespace handrail {
 
@@ -27,7 +28,7 @@ Beacon::Beat Beacon::tick(const Vec3& feet_m, const Listener& listener,
     if (!on_) return beat;
     const Vec3 feet_place = nearest_place(thing_m_, feet_m);
     const Vec3 way = feet_place - feet_m;
-    if (!turning_m && std::hypot(way.x, way.y) <= kArrived_m && std::abs(way.z) <= kStorey_m) {
+    if (!turning_m && std::hypot(way.x, way.y) <= kArrived_m && std::abs(way.z) <= kAboveOrBelow_m) {
         beat.arrived = true;
         on_ = false;
         return beat;

@@ -38,8 +38,7 @@ class Beacon : public Sought {
 public:
     static constexpr double kAhead_rad = 11.25 * kPi / 180.0;   // to either side: half a notch of turning
     static constexpr double kBehind_rad = 112.5 * kPi / 180.0;  // from there on
-    static constexpr double kArrived_m = 1.2;  // level, from the body to the thing; two storeys are not one place
-    static constexpr double kStorey_m = 1.5;
+    static constexpr double kArrived_m = 1.2;        // level, from the body to the thing; two storeys are not one place
     static constexpr double kMostMuffled_db = 12.0;  // it obeys walls and stays audible
 
     struct Beat {

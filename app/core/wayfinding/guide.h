@@ -14,6 +14,7 @@
 #include "app/core/wayfinding/hand_lead.h"
 #include "app/core/wayfinding/seek.h"
 #include "app/core/wayfinding/stops.h"
+#include "worlds/base/contract.h"
 
 namespace handrail {
 
@@ -63,7 +64,10 @@ public:
     // How much help being led gives, 0 to 1; 1 more or -1 less of it.
     double help() const { return help_limit_.value_or(laps_.strength()); }
     // So much instead, as a lesson has it, 0 to 1; none: as the laps have it.
-    void limit_help(std::optional<double> help) { help_limit_ = help; }
+    void limit_help(std::optional<double> help) {
+        contract_pre(!help || (*help >= 0.0 && *help <= 1.0));
+        help_limit_ = help;
+    }
     // The hand is led, or about to be: it may be ahead of the body.
     bool leads_hand() const { return hand_.at_work() || hand_.lines_at_work(); }
     bool may_lead_hand() const { return hand_.may_lead() && hand_.force_may_act(); }

@@ -6,6 +6,7 @@
 #include "app/core/context/telling.h"
 #include "app/core/world/body_heights.h"
 #include "app/core/world/surroundings.h"
+#include "worlds/base/human_measures.h"
 #include "worlds/base/language.h"
 #include "worlds/scene/models.h"
 
@@ -14,7 +15,6 @@ namespace {
 
 constexpr double kPassedWithin_m = 1.6;  // a door that one passes, from the middle of the body
 constexpr double kEnds_m = 0.4;          // of a leg, at which nothing is passed any more
-constexpr double kStorey_m = 1.5;
 constexpr int kMostPassed = 4;
 constexpr double kLandmark_m = 1.5;    // from where the leg ends
 constexpr double kWallBeside_m = 0.9;  // within an arm's reach of the middle of the body
@@ -36,7 +36,7 @@ std::string doors_clue(const WordFloor& floor, const Line& line, std::uint32_t e
         const Vec3 at = placed_bounds(doors[d].leaves.front().own_m, doors[d].leaves.front().shut).centre_m();
         const double along_m = line.along(at), aside_m = line.aside(at);
         if (d == except || along_m < kEnds_m || along_m > line.length_m - kEnds_m ||
-            std::abs(aside_m) > kPassedWithin_m || std::abs(at.z - line.from_m.z - 1.0) > kStorey_m)
+            std::abs(aside_m) > kPassedWithin_m || std::abs(at.z - line.from_m.z - 1.0) > kAboveOrBelow_m)
             continue;
         ++(aside_m > 0.0 ? right : left);
     }

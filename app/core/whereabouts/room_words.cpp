@@ -22,7 +22,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kAtWall_m = 0.8;
+constexpr double kThingAtWall_m = 0.8;
 constexpr std::size_t kMostAtWall = 5, kMostNeighbours = 5, kMostHubs = 4;
 constexpr std::size_t kMostWordsOfExits = 38;
 constexpr std::size_t kMostWordsOfNeighbours = 40;  // fewer rooms are told where their names are long
@@ -228,7 +228,7 @@ std::string room_words(const SessionContext& context, const Rooms& rooms, std::u
     std::array<std::vector<std::pair<double, std::string>>, kMiddle + 1> things;
     for (const Feature& feature : context.world.scene->features) {
         if (!is_furniture(feature) || room_of(rooms, feature.bounds_m) != room) continue;
-        const AtWall at = at_wall(told.bounds_m, feature.bounds_m, kAtWall_m);
+        const AtWall at = at_wall(told.bounds_m, feature.bounds_m, kThingAtWall_m);
         const std::string thing = spoken_name(feature);
         if (!thing.empty()) things[at.wall].emplace_back(at.along_m, thing);
     }

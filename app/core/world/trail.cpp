@@ -11,7 +11,7 @@ namespace {
 constexpr double kSteepest = 0.7;        // what leans less than that is ground, not wall
 constexpr double kFarthest_m = 4.0;      // to a wall that is looked for
 constexpr double kArm_m = 0.8;           // within which the wanted side wins over a nearer wall
-constexpr double kReach_m = 0.35;        // beside the body, beyond which the wall is gone
+constexpr double kWallGone_m = 0.35;     // beside the body, beyond which the wall is gone
 constexpr double kStep_m = 0.05;         // between two probes past an opening
 constexpr double kLeastRecess_m = 0.06;  // a wall that falls back by more is looked past
 constexpr double kCornerCosine = 0.87;   // 30 degrees
@@ -80,7 +80,7 @@ void Trail::turn_round() {
 void Trail::name(const BodyWorld& world, const Vec3& feet_m, const BodySize& body, std::vector<TrailEvent>& events) {
     const Vec3 from = above_steps(feet_m, body);
     const BodyShape probe{kProbe_m, body.height_m - body.step_up_m - 0.3};
-    const TraceHit hit = world.trace(from, from - normal_ * (body.radius_m + kReach_m), probe);
+    const TraceHit hit = world.trace(from, from - normal_ * (body.radius_m + kWallGone_m), probe);
     if (!is_wall(hit) || !hit.feature) return;
     const Feature* feature = world.scene().find(hit.feature);
     const bool wall = feature != nullptr && feature->kind == FeatureKind::Wall;
@@ -105,7 +105,7 @@ TrailWay Trail::tick(const BodyWorld& world, const Vec3& feet_m, double facing_r
 
     // 1. To the wall.
     if (!near_) {
-        const auto wall = side_of(world, from, -normal_, kFarthest_m + kReach_m, shape);
+        const auto wall = side_of(world, from, -normal_, kFarthest_m + kWallGone_m, shape);
         if (!wall) {
             active_ = false;
             events.push_back({TrailEvent::Kind::Ends, kNoFeature, feet_m});
@@ -141,7 +141,7 @@ TrailWay Trail::tick(const BodyWorld& world, const Vec3& feet_m, double facing_r
         return way;
     }
     // 4. Along the wall.
-    const double reach = kGap_m + kReach_m;
+    const double reach = kGap_m + kWallGone_m;
     const auto beside = side_of(world, from, -normal_, reach, shape);
     const bool bends = beside && glm::dot(beside->normal, normal_) < 0.98;
     if (beside && (bends || beside->distance_m < kGap_m + kLeastRecess_m || round_m_ > 0.0)) {
@@ -172,7 +172,7 @@ TrailWay Trail::tick(const BodyWorld& world, const Vec3& feet_m, double facing_r
         bridge_m_ = further;
         const Vec3 middle = from + along() * (0.5 * further);
         const BodyShape probe{kProbe_m, body.height_m - body.step_up_m - 0.3};
-        const TraceHit inside = world.trace(middle, middle - normal_ * (body.radius_m + 2.0 * kReach_m), probe);
+        const TraceHit inside = world.trace(middle, middle - normal_ * (body.radius_m + 2.0 * kWallGone_m), probe);
         const bool shut = is_wall(inside) && inside.feature;
         if (shut) {
             feature_ = inside.feature;
@@ -190,7 +190,7 @@ TrailWay Trail::tick(const BodyWorld& world, const Vec3& feet_m, double facing_r
     }
     // 6. Round an outer corner: the end of the wall looks the way that was gone.
     normal_ = along();
-    round_m_ = 2.0 * body.radius_m + kReach_m + 0.3;
+    round_m_ = 2.0 * body.radius_m + kWallGone_m + 0.3;
     way.heading_rad = heading_of(along());
     return way;
 }

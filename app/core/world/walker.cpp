@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "worlds/base/contract.h"
+#include "worlds/base/human_measures.h"
 
 namespace handrail {
 namespace {
 
-constexpr double kGravity_m_per_s2 = 9.81;
 constexpr double kGroundReach_m = 0.02;  // ground nearer than this carries the body
 constexpr double kTerminalSpeed_m_per_s = 50.0;
 constexpr double kLift_m = 0.02;  // a body that is put into something is lifted out by this, as often as

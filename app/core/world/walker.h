@@ -6,10 +6,9 @@
 #include <optional>
 
 #include "app/core/world/body_world.h"
+#include "worlds/base/human_measures.h"
 
 namespace handrail {
-
-inline constexpr double kWalkableNormalZ = 0.7;  // of ground that carries: up to about 45 degrees of slope
 
 struct BodySize {
     double radius_m = 0.25;
