@@ -159,6 +159,8 @@ TEST_F(FirstMinutesWithTouch, run_through_the_set_up_to_the_first_wall_and_the_c
     if (outcome == Outcome::TooBusy) GTEST_SKIP() << "this machine is too busy to give a servo its rate";
     ASSERT_EQ(outcome, Outcome::Done);
     EXPECT_EQ(program_->exit_status(), 0) << said();
+    // Names of what the hand meets are not among these: a name is dropped if the hand has gone on before it can be
+    // said, which a busy machine causes. scenarios/first_minutes_sim_t.toml checks the names in virtual time.
     expect_in_order(said(), {"say: Welcome. Handrail is speaking with text alone. Type an empty line to begin, "
                              "space to hear this again, or escape to leave.",
                              "say: Welcome. Handrail is speaking with text alone. Type an empty line to begin, "
@@ -180,10 +182,8 @@ TEST_F(FirstMinutesWithTouch, run_through_the_set_up_to_the_first_wall_and_the_c
                              "Bring your hand to the middle",
                              "You are in a small room, six by four metres",
                              "Reach forward slowly.",
-                             "North wall, plaster",
                              "That is your first wall.",
                              "Slide left along the wall",
-                             "Radiator, metal",
                              "Well done, you found it.",
                              "Now slide right along the wall",
                              "Corner.",

@@ -17,7 +17,7 @@ public:
     VirtualDisplay(const VirtualDisplay&) = delete;
     VirtualDisplay& operator=(const VirtualDisplay&) = delete;
 
-    // Runs "xdotool WORDS"; false when it fails or takes longer than 20 s.
+    // Runs "xdotool WORDS"; false if it fails or takes longer than 5 min.
     bool xdotool(const std::string& words) const { return run("xdotool " + words); }
     // The same for a line of the shell.
     bool run(const std::string& line) const;

@@ -73,22 +73,20 @@ bool Desktop::start_orca(const Environment& braille) {
     environment.merge(speech->environment());
     for (const auto& [name, value] : braille) environment[name] = value;
     environment["PATH"] = without_other_orcas() + ":/usr/bin:/bin";  // the system's Python has what Orca needs
-    int starts = 0;
-    const auto start = [&] {
-        ++starts;
-        orca_ = ChildProcess::start(
-            {"orca", braille.empty() ? "-d" : "-e", "braille", "-e", "speech", "-u", (folder_ / "orca").string()},
-            environment, folder_ / "orca.out");
-    };
-    start();
-    return eventually([&] {
-        // Orca 43 ends itself if it has not started within 30 s, which a busy machine takes.
-        if (orca_ && !orca_->running() && starts < 5) start();
-        const auto all = speech->recorded();
-        return std::any_of(all.begin() + began, all.end(), [](const Recorded& entry) {
-            return entry.words.find("Screen reader on") != std::string::npos;
-        });
-    });
+    // Orca 43 ends itself if it has not started within 10 s, which a busy machine exceeds. It runs this file before
+    // that.
+    fs::create_directories(folder_ / "orca");
+    std::ofstream(folder_ / "orca" / "orca-customizations.py")
+        << "import signal\nfrom orca import settings\nsettings.timeoutTime = 0\nsignal.alarm(0)\n";
+    orca_ = ChildProcess::start(
+        {"orca", braille.empty() ? "-d" : "-e", "braille", "-e", "speech", "-u", (folder_ / "orca").string()},
+        environment, folder_ / "orca.out");
+    return orca_ && eventually([&] {
+               const auto all = speech->recorded();
+               return std::any_of(all.begin() + began, all.end(), [](const Recorded& entry) {
+                   return entry.words.find("Screen reader on") != std::string::npos;
+               });
+           });
 }
 
 bool Desktop::focus_window() const {
