@@ -91,9 +91,11 @@ void expect_right(const KeyLabels& labels) {
         const std::string small(1, static_cast<char>(letter + 32));
         ASSERT_TRUE(key_of.contains(letter)) << small;
         const auto label = labels.find(key_of[letter]);
-        if (printed.contains(small)) EXPECT_EQ(label == labels.end() ? "" : label->second, small);
-        else if (const auto there = labels.find(letter); there == labels.end() || !is_small_letter(there->second))
+        if (printed.contains(small)) {
+            EXPECT_EQ(label == labels.end() ? "" : label->second, small);
+        } else if (const auto there = labels.find(letter); there == labels.end() || !is_small_letter(there->second)) {
             EXPECT_EQ(key_of[letter], letter) << small << " is printed nowhere";
+        }
     }
 }
 
