@@ -142,7 +142,7 @@ Drawing two_buildings() {
 }
 
 TEST(OsmLargePlaces, of_two_buildings_one_is_read_with_its_surroundings_and_the_rest_is_reported) {
-    for (const std::string& mine : {"Old", "New"}) {
+    for (const std::string mine : {"Old", "New"}) {
         const std::string other = mine == "Old" ? "New" : "Old";
         ReadOptions options;
         options.building = mine + " House";
@@ -208,7 +208,7 @@ TEST(OsmLevelsOfWays, a_footway_that_only_slopes_up_to_a_level_makes_no_storey) 
 
 // Stairs and a lift between corridors, each drawn level by level.
 TEST(OsmStacks, stairs_and_lifts_drawn_on_each_level_are_one_and_join_the_levels) {
-    for (const std::string& kind : {"stairs", "elevator"}) {
+    for (const std::string kind : {"stairs", "elevator"}) {
         Drawing drawing;
         for (const char* level : {"-1", "0", "1"}) {
             drawing.box(0, 0, 20, 4, {{"indoor", "corridor"}, {"level", level}, {"name", "Corridor"}});
