@@ -162,8 +162,9 @@ TEST_F(ReadByOrca, has_each_key_first_but_for_the_stop_key) {
     }
     EXPECT_TRUE(used_by_orca) << everything();
     const std::size_t before = ours();
-    ASSERT_TRUE(desktop->press("f"));
-    EXPECT_TRUE(eventually([&] { return ours() > before; })) << everything();
+    // On a busy machine Orca 48 still takes the key after Insert is up, and does nothing with it.
+    EXPECT_TRUE(eventually([&] { return desktop->press("f") && eventually([&] { return ours() > before; }, 2.0); }))
+        << everything();
     EXPECT_TRUE(speaks_of("There is no touch device")) << everything();
     ASSERT_TRUE(desktop->press("F12"));
     EXPECT_TRUE(program->says("alert: ")) << everything();
