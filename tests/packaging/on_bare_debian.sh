@@ -66,7 +66,8 @@ own=$(cd "$root/srv/visitor" && find . -type f -exec sha256sum {} + | sort)
 came=$(installed | comm -13 "$folder/packages_before" - | wc -l)
 
 apt purge handrail
-apt autoremove --purge
+# What a remaining package merely suggests would stay: libsystemd0 of Debian 13 suggests libgcrypt20.
+apt autoremove --purge -o APT::AutoRemove::RecommendsImportant=false -o APT::AutoRemove::SuggestsImportant=false
 [ "$own" = "$(cd "$root/srv/visitor" && find . -type f -exec sha256sum {} + | sort)" ] || fail "removing touched the person's own files."
 rm -rf "$root/packages" "$root/srv/visitor"
 left=$(find "$root" -xdev -name '*handrail*' ! -path "$root/var/log/*")
