@@ -18,7 +18,7 @@ namespace handrail {
 struct ReaderLimits {
     std::size_t memory_bytes = 2'000'000'000;         // address space; sanitized builds need all there is and have none
     int cpu_s = 50;                                   // of the processor
-    double wall_s = 60.0;                             // on the clock, where the machine is busy or a disk hangs
+    double idle_s = 60.0;                             // on the clock, without any work done: a disk hangs
     std::size_t answer_bytes = std::size_t{1} << 30;  // what it hands over
 };
 

@@ -302,6 +302,16 @@ TEST(ReaderProcess, is_bounded_in_memory) {
     const auto larger = read_apart(bomb, {}, find_reader_program(), {60'000'000, 60, 60.0});
     ASSERT_FALSE(larger.has_value());
     EXPECT_THAT(larger.error().sentence(), HasSubstr("gigabytes of memory"));
+TEST(ReaderProcess, that_works_is_not_given_up_by_the_clock) {
+    const test::TemporaryFolder folder;
+    const fs::path path = folder.write("house.ifc", test::small_house());
+    // It works for four times as long as a process may rest.
+    const std::string works = "end=$(($(date +%s) + 8)); while [ $(date +%s) -lt $end ]; do :; done; exit 77";
+    const auto read = read_apart(path, {}, stand_in(folder, works), {2'000'000'000, 50, 2.0});
+    ASSERT_FALSE(read.has_value());
+    EXPECT_THAT(read.error().sentence(), HasSubstr("exit status 77"));
+}
+
 }
 
 TEST(ReaderProcess, ends_at_once_when_it_is_not_wanted_any_more) {
