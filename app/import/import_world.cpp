@@ -81,9 +81,10 @@ Result<ImportedWorld> read_here(const fs::path& path, const ReadOptions& options
 
 Result<ImportedWorld> import_world(const fs::path& path, const ReadOptions& options, const ImportHow& how) {
     if (how.program.empty() || options.read_beside) return read_here(path, options);
-    const bool keeps = how.cache && lower_ascii(path.extension().string()) != ".map";  // those are read quickly
+    const bool map = lower_ascii(path.extension().string()) == ".map";
     const std::optional<FileState> before =
-        keeps ? state_of(path, kLeastKept_bytes, options.stop) : std::optional<FileState>();
+        how.cache ? state_of(path, map ? kLeastKeptMap_bytes : kLeastKept_bytes, options.stop)
+                  : std::optional<FileState>();
     const std::string name = before ? name_in_cache(*before, options, path) : std::string();
     const Descriptor kept = before ? how.cache.open(name) : Descriptor(-1);
     Result<ReadApart> read = read_apart(path, options, how.program, how.limits, {kept.get(), name});

@@ -17,6 +17,8 @@ struct ImportHow {
 
 // A small file is read sooner than what would be kept of it.
 inline constexpr std::uintmax_t kLeastKept_bytes = 65'536;
+// A smaller .map is read faster than it would be taken from the cache.
+inline constexpr std::uintmax_t kLeastKeptMap_bytes = 4'194'304;
 
 struct ImportedWorld {
     Scene scene;

@@ -14,8 +14,10 @@
 #include "app/import/kept_scene.h"
 #include "app/import/requested_files.h"
 #include "tests/support/child_process.h"
+#include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/ifc/ifc_text.h"
+#include "worlds/base/files.h"
 #include "worlds/confine/confine.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/stored/stored_scene.h"
@@ -57,6 +59,23 @@ TEST(ImportedWorld, is_the_same_bit_for_bit_as_one_read_here_or_kept) {
         EXPECT_EQ(stored(world->scene), stored(*here));
         EXPECT_EQ(kept_in(cache).size(), 1U);
     }
+}
+
+TEST(ImportedWorld, of_a_map_is_kept_if_reading_it_takes_long) {
+    const test::TemporaryFolder folder;
+    const std::string house = read_whole_file(test::bundled_world("house.map")).value();
+    std::string large = house;
+    while (large.size() < kLeastKeptMap_bytes) large += "// " + std::string(1000, '-') + "\n";
+    const ImportHow how{Cache(folder.path() / "cache"), find_reader_program(), {}};
+    const Result<Scene> here = read_world(folder.write("large.map", large));
+    ASSERT_TRUE(here.has_value());
+    for (const auto& [name, text] : {std::pair("small.map", house), std::pair("large.map", large)})
+        for (const bool again : {false, true}) {
+            const Result<ImportedWorld> world = import_world(folder.write(name, text), {}, how);
+            ASSERT_TRUE(world.has_value()) << world.error().sentence();
+            EXPECT_EQ(world->kept, again && text.size() > house.size()) << name;
+            if (text.size() > house.size()) EXPECT_EQ(stored(world->scene), stored(*here));
+        }
 }
 
 TEST(ImportedWorld, is_read_anew_when_anything_it_was_made_of_has_changed) {
@@ -283,6 +302,16 @@ TEST(ReaderProcess, that_ends_in_any_way_is_one_sentence) {
     EXPECT_THAT(none.error().sentence(), HasSubstr("cannot be started"));
 }
 
+TEST(ReaderProcess, that_works_is_not_given_up_by_the_clock) {
+    const test::TemporaryFolder folder;
+    const fs::path path = folder.write("house.ifc", test::small_house());
+    // It works for four times as long as a process may rest.
+    const std::string works = "end=$(($(date +%s) + 8)); while [ $(date +%s) -lt $end ]; do :; done; exit 77";
+    const auto read = read_apart(path, {}, stand_in(folder, works), {2'000'000'000, 50, 2.0});
+    ASSERT_FALSE(read.has_value());
+    EXPECT_THAT(read.error().sentence(), HasSubstr("exit status 77"));
+}
+
 TEST(ReaderProcess, is_bounded_in_memory) {
 #if defined(HANDRAIL_SANITIZED)
     GTEST_SKIP() << "sanitizers need all the address space there is";
@@ -302,16 +331,6 @@ TEST(ReaderProcess, is_bounded_in_memory) {
     const auto larger = read_apart(bomb, {}, find_reader_program(), {60'000'000, 60, 60.0});
     ASSERT_FALSE(larger.has_value());
     EXPECT_THAT(larger.error().sentence(), HasSubstr("gigabytes of memory"));
-TEST(ReaderProcess, that_works_is_not_given_up_by_the_clock) {
-    const test::TemporaryFolder folder;
-    const fs::path path = folder.write("house.ifc", test::small_house());
-    // It works for four times as long as a process may rest.
-    const std::string works = "end=$(($(date +%s) + 8)); while [ $(date +%s) -lt $end ]; do :; done; exit 77";
-    const auto read = read_apart(path, {}, stand_in(folder, works), {2'000'000'000, 50, 2.0});
-    ASSERT_FALSE(read.has_value());
-    EXPECT_THAT(read.error().sentence(), HasSubstr("exit status 77"));
-}
-
 }
 
 TEST(ReaderProcess, ends_at_once_when_it_is_not_wanted_any_more) {
