@@ -48,6 +48,7 @@ struct PlanDoor {
     std::string name, id;
     PlanEntrance entrance = PlanEntrance::Plain;
     bool by_itself = false;           // opens as one comes near
+    bool guessed = false;             // the file has none there
     std::vector<std::size_t> levels;  // as above
     // Of each of its levels the spaces it joins, places in FloorPlan::spaces; empty: by what lies on its two sides.
     std::vector<std::vector<std::size_t>> spaces;

@@ -1,6 +1,7 @@
 #include "worlds/drawn/guess_doorways.h"
 
 #include <algorithm>
+#include <set>
 
 #include "worlds/drawn/upright.h"
 #include "worlds/geometry/box_index.h"
@@ -10,6 +11,7 @@ namespace handrail {
 namespace {
 
 constexpr double kBesideRoom_m = 0.3, kLeastDoorway_m = 0.9, kStretch_m = 0.3, kLongestEdge_m = 20'000.0;
+constexpr int kMostRounds = 20;
 
 struct Doorway {
     Vec2 at{0.0};
@@ -39,45 +41,74 @@ Aabb box_of(const std::vector<Ring>& rings) {
     return box;
 }
 
-bool has_door(const FloorPlan& plan, std::size_t doors, const PlanSpace& room) {
-    const auto first = plan.doors.begin(), last = first + static_cast<std::ptrdiff_t>(doors);
-    return std::any_of(first, last, [&](const PlanDoor& door) {
-        return std::find(door.levels.begin(), door.levels.end(), room.levels[0]) != door.levels.end() &&
+bool has_door(const FloorPlan& plan, const PlanSpace& room, std::size_t level) {
+    return std::any_of(plan.doors.begin(), plan.doors.end(), [&](const PlanDoor& door) {
+        return std::find(door.levels.begin(), door.levels.end(), level) != door.levels.end() &&
                distance_to_outline(room.rings, door.at) < kBesideRoom_m;
     });
 }
 
+bool is_walkway(const PlanSpace& space) {
+    return space.kind == PlanSpaceKind::Corridor || space.kind == PlanSpaceKind::Area;
+}
+
+PlanDoor doorway(const FloorPlan& plan, std::size_t space, std::size_t level, const Doorway& found) {
+    const PlanSpace& room = plan.spaces[space];
+    PlanDoor door;
+    // Nobody falls into the shaft of a lift.
+    const bool lift = room.kind == PlanSpaceKind::Lift || plan.spaces[found.corridor].kind == PlanSpaceKind::Lift;
+    door.kind = lift ? PlanDoorKind::Sliding : PlanDoorKind::Opening;
+    door.by_itself = lift;
+    door.guessed = true;
+    door.at = found.at;
+    door.id = room.id;
+    door.levels = {level};
+    door.spaces = {{std::min(space, found.corridor), std::max(space, found.corridor)}};
+    return door;
+}
+
 }  // namespace
 
+// First to walkways; then to rooms that have a door by now, until no more rooms get one.
 int guess_doorways(FloorPlan& plan) {
     std::vector<Aabb> boxes;
     for (const PlanSpace& space : plan.spaces) boxes.push_back(grown(box_of(space.rings), kBesideRoom_m));
     const BoxIndex index(boxes);
     std::vector<std::uint32_t> near;
-    const std::size_t stated = plan.doors.size();
-    for (std::size_t s = 0; s < plan.spaces.size(); ++s) {
-        const PlanSpace& room = plan.spaces[s];
-        if (room.kind != PlanSpaceKind::Room || room.levels.size() != 1 || has_door(plan, stated, room)) continue;
-        Doorway best;
-        index.find(boxes[s], near);
-        std::sort(near.begin(), near.end());
-        for (const std::uint32_t c : near) {
-            const PlanSpace& corridor = plan.spaces[c];
-            if (corridor.kind != PlanSpaceKind::Corridor || corridor.levels != room.levels) continue;
-            for (const Ring& ring : room.rings)
-                for (std::size_t i = 0; i < ring.size(); ++i)
-                    look_along(plan, ring[i], ring[(i + 1) % ring.size()], c, best);
+    std::set<std::pair<std::size_t, std::size_t>> shut;  // spaces and their levels, in order
+    for (std::size_t s = 0; s < plan.spaces.size(); ++s)
+        for (const std::size_t level : plan.spaces[s].levels)
+            if (!is_walkway(plan.spaces[s]) && !has_door(plan, plan.spaces[s], level)) shut.emplace(s, level);
+    std::set<std::size_t> guessed;
+    bool any = true;
+    for (int round = 0; round < kMostRounds && (round < 2 || any); ++round) {
+        const bool walkways = round == 0;
+        std::vector<PlanDoor> made;
+        std::vector<std::pair<std::size_t, std::size_t>> opened;
+        for (const auto& [s, level] : shut) {
+            const PlanSpace& room = plan.spaces[s];
+            Doorway best;
+            index.find(boxes[s], near);
+            for (const std::uint32_t c : near) {
+                const PlanSpace& other = plan.spaces[c];
+                const bool there = std::find(other.levels.begin(), other.levels.end(), level) != other.levels.end();
+                const bool leads_on =
+                    walkways ? is_walkway(other) : other.kind == PlanSpaceKind::Room && !shut.contains({c, level});
+                if (c == s || !there || !leads_on) continue;
+                for (const Ring& ring : room.rings)
+                    for (std::size_t i = 0; i < ring.size(); ++i)
+                        look_along(plan, ring[i], ring[(i + 1) % ring.size()], c, best);
+            }
+            if (best.length_m < kLeastDoorway_m) continue;
+            made.push_back(doorway(plan, s, level, best));
+            opened.emplace_back(s, level);
+            guessed.insert(s);
         }
-        if (best.length_m < kLeastDoorway_m) continue;
-        PlanDoor door;
-        door.kind = PlanDoorKind::Opening;
-        door.at = best.at;
-        door.id = room.id;
-        door.levels = room.levels;
-        door.spaces = {{std::min(s, best.corridor), std::max(s, best.corridor)}};
-        plan.doors.push_back(std::move(door));
+        for (const auto& one : opened) shut.erase(one);
+        plan.doors.insert(plan.doors.end(), made.begin(), made.end());
+        any = !made.empty();
     }
-    return static_cast<int>(plan.doors.size() - stated);
+    return static_cast<int>(guessed.size());
 }
 
 }  // namespace handrail

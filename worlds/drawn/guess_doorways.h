@@ -5,9 +5,10 @@
 
 namespace handrail {
 
-// Gives each room on one level that no door of the plan touches an open doorway: in the middle of the longest stretch
-// of its outline that runs along a corridor. Returns how many. Costs the edges of rooms times those of corridors near
-// them, on one level.
+// Gives each room, staircase and lift an open doorway on each level where no door of the plan touches it: in the middle
+// of the longest stretch of its outline that runs along a walkway, else along a room that can be entered. Lifts get
+// sliding doors. Returns how many spaces got one. Costs the edges of rooms times those of spaces near them, on one
+// level.
 int guess_doorways(FloorPlan& plan);
 
 }  // namespace handrail

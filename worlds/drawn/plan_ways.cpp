@@ -189,7 +189,8 @@ void PlanBuilder::add_doors(std::size_t level, const LevelWalls& walls) {
         const PlanDoor& door = plan_.doors[gap.door];
         const double floor_m = plan_.levels[level].floor_m + highest_raise(gap.spaces, level);
         StatedPortal portal;
-        portal.kind = door.kind == PlanDoorKind::Opening ? StatedPortalKind::Opening : StatedPortalKind::Door;
+        const bool opening = door.kind == PlanDoorKind::Opening || door.guessed;
+        portal.kind = opening ? StatedPortalKind::Opening : StatedPortalKind::Door;
         portal.name = door.name;
         portal.guid = door.id;
         portal.source.line = door.line;

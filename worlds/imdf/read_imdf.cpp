@@ -12,6 +12,7 @@
 #include "worlds/drawn/guess_doorways.h"
 #include "worlds/drawn/local_plane.h"
 #include "worlds/drawn/upright.h"
+#include "worlds/imdf/meet_buildings.h"
 #include "worlds/imdf/zip_archive.h"
 
 namespace handrail {
@@ -121,8 +122,10 @@ public:
         for (const Json& building : features_["building"])
             building_names_[text(at(building, "id"))] = label(at(at(building, "properties"), "name"));
         if (const Result<void> chosen = choose_building(file_name); !chosen) return tl::unexpected(chosen.error());
-        lay_levels();
+        find_ordinals();
         set_origin();
+        if (wanted_building_.empty()) meet_buildings();
+        lay_levels();
         add_units();
         if (plan_.spaces.empty()) return fail(phrase("imdf.no_units"), file_name);
         add_openings();
@@ -162,24 +165,64 @@ private:
             file_name);
     }
 
-    // Those of one ordinal are one level.
-    void lay_levels() {
-        std::map<double, std::string> names;
+    void find_ordinals() {
         for (const Json& level : features_["level"]) {
             const Json& properties = at(level, "properties");
             const Json& ordinal = at(properties, "ordinal");
             const double number = ordinal.is_number() ? ordinal.get<double>() : 0.0;
             if (!(std::abs(number) <= 300.0)) continue;
-            if (!wanted_building_.empty()) {
-                const Json& buildings = at(properties, "building_ids");
-                if (buildings.is_array() && std::none_of(buildings.begin(), buildings.end(),
-                                                         [&](const Json& id) { return text(id) == wanted_building_; }))
-                    continue;
-            }
-            ordinal_[text(at(level, "id"))] = number;
-            std::string& name = names[number];
-            if (name.empty()) name = label(at(properties, "name"));
+            const Json& buildings = at(properties, "building_ids");
+            if (!wanted_building_.empty() && buildings.is_array() &&
+                std::none_of(buildings.begin(), buildings.end(),
+                             [&](const Json& id) { return text(id) == wanted_building_; }))
+                continue;
+            // A level of several buildings, or of none, stays as it is.
+            std::string building;
+            if (buildings.is_array() && buildings.size() == 1) building = text(buildings[0]);
+            levels_[text(at(level, "id"))] = {number, label(at(properties, "name")), building};
         }
+    }
+
+    void meet_buildings() {
+        std::map<std::string, std::size_t> number_of{{"", 0}};  // of a building
+        for (const auto& [id, level] : levels_) number_of.try_emplace(level.building, number_of.size());
+        if (number_of.size() < 3) return;
+        const auto level_named = [&](const Json& feature) {
+            return levels_.find(text(at(at(feature, "properties"), "level_id")));
+        };
+        std::vector<VenueUnit> units;
+        for (const Json& unit : features_["unit"]) {
+            const auto level = level_named(unit);
+            VenueUnit made;
+            if (level == levels_.end() || !rings_of(at(unit, "geometry"), made.rings) || !placed(made.rings)) continue;
+            made.building = number_of[level->second.building];
+            made.ordinal = level->second.ordinal;
+            units.push_back(std::move(made));
+        }
+        std::vector<VenueDoor> doors;
+        for (const Json& opening : features_["opening"]) {
+            const auto level = level_named(opening);
+            std::vector<Ring> line(1);
+            if (level == levels_.end() || !line_of(at(at(opening, "geometry"), "coordinates"), line[0]) ||
+                !placed(line))
+                continue;
+            doors.push_back(
+                {number_of[level->second.building], level->second.ordinal, 0.5 * (line[0].front() + line[0].back())});
+        }
+        const std::vector<double> shifts = shifts_of_buildings(number_of.size(), units, doors);
+        for (auto& [id, level] : levels_) level.shift = shifts[number_of[level.building]];
+        if (const auto moved = std::count_if(shifts.begin(), shifts.end(), [](double s) { return s != 0.0; }))
+            plan_.guessed.push_back(phrase("imdf.buildings_meet", {{"n", moved}}));
+    }
+
+    // Those of one height are one level. It is called as the building calls it that was not moved.
+    void lay_levels() {
+        std::map<double, std::string> names;
+        for (const bool moved : {false, true})
+            for (const auto& [id, level] : levels_)
+                if (std::string& name = names[level.ordinal + level.shift];
+                    name.empty() && moved == (level.shift != 0.0))
+                    name = level.name;
         for (const auto& [number, name] : names) {
             level_[number] = plan_.levels.size();
             plan_.levels.push_back(
@@ -189,15 +232,16 @@ private:
 
     // kNoLevel where its level is not there or not wanted.
     std::size_t level_of(const Json& feature) {
-        const auto found = ordinal_.find(text(at(at(feature, "properties"), "level_id")));
-        return found == ordinal_.end() ? kNoLevel : level_.at(found->second);
+        const auto found = levels_.find(text(at(at(feature, "properties"), "level_id")));
+        return found == levels_.end() ? kNoLevel : level_.at(found->second.ordinal + found->second.shift);
     }
 
     void set_origin() {
         Vec2 least{1e300}, most{-1e300};
         for (const Json& unit : features_["unit"]) {
             std::vector<Ring> rings;
-            if (level_of(unit) == kNoLevel || !rings_of(at(unit, "geometry"), rings)) continue;
+            const bool wanted = levels_.contains(text(at(at(unit, "properties"), "level_id")));
+            if (!wanted || !rings_of(at(unit, "geometry"), rings)) continue;
             for (const Ring& ring : rings)
                 for (const Vec2& p : ring) least = glm::min(least, p), most = glm::max(most, p);
         }
@@ -420,8 +464,13 @@ private:
     FloorPlan plan_;
     std::map<std::string, std::vector<Json>> features_;
     std::map<std::string, std::string> building_names_;
-    std::map<std::string, double> ordinal_;  // of a level
-    std::map<double, std::size_t> level_;    // of an ordinal
+    struct Level {
+        double ordinal = 0.0;
+        std::string name, building;  // the id of the building
+        double shift = 0.0;          // so that the floors of buildings meet
+    };
+    std::map<std::string, Level> levels_;
+    std::map<double, std::size_t> level_;  // of an ordinal with its shift
     std::map<std::string, std::size_t> unit_number_;
     std::string wanted_building_;
     LocalPlane plane_;

@@ -150,8 +150,9 @@ TEST(ImdfVenue, without_openings_rooms_beside_a_walkway_get_guessed_doorways) {
     files.erase("opening.geojson");
     const Scene scene = read(files, "Old wing");
     EXPECT_THAT(scene.report.left_out, Contains(HasSubstr("lists no openings")));
-    EXPECT_THAT(scene.report.guessed, Contains(HasSubstr("3 rooms have no door in the file")));
+    EXPECT_THAT(scene.report.guessed, Contains(HasSubstr("5 rooms have no door in the file")));
     EXPECT_EQ(honest_report(scene).doors, 0) << "a guess is no door of the file";
+    EXPECT_EQ(honest_report(scene).largest_connected, 9);
     const auto room = [&](const std::string& name) {
         const auto found = std::find_if(scene.stated->rooms.begin(), scene.stated->rooms.end(),
                                         [&](const StatedRoom& one) { return one.name == name; });
@@ -164,6 +165,66 @@ TEST(ImdfVenue, without_openings_rooms_beside_a_walkway_get_guessed_doorways) {
     EXPECT_TRUE((*ways)->reachable(room("Walkway, Ground floor"), beside_the_desk));
     EXPECT_TRUE((*ways)->reachable(room("Walkway, Ground floor"), room("Women's toilets")));
     EXPECT_TRUE((*ways)->reachable(room("Walkway, Level 1"), room("Acme brewery room")));
+}
+
+TEST(ImdfVenue, a_room_behind_another_gets_a_doorway_to_it) {
+    std::map<std::string, std::string> files;
+    files["level.geojson"] = collection({feature("l0", box(0, 0, 20, 10), R"("ordinal":0,"name":null)")});
+    files["unit.geojson"] = collection({unit("a", box(0, 8, 4, 12), "l0", "storage", R"({"en":"Behind both"})"),
+                                        unit("b", box(0, 4, 4, 8), "l0", "office", R"({"en":"Behind"})"),
+                                        unit("c", box(0, 0, 4, 4), "l0", "office", R"({"en":"Front"})"),
+                                        unit("d", box(0, -3, 12, 0), "l0", "walkway"),
+                                        unit("e", box(20, 0, 24, 4), "l0", "office", R"({"en":"Alone"})")});
+    const Scene scene = read(files);
+    EXPECT_EQ(honest_report(scene).largest_connected, 4);
+    EXPECT_THAT(scene.report.guessed, Contains(HasSubstr("3 rooms have no door in the file")));
+    EXPECT_EQ(honest_report(scene).doors, 0);
+}
+
+// A hall and an annex that counts its levels from another floor.
+std::map<std::string, std::string> with_annex(int hall_ordinal, int annex_ordinal, bool joined) {
+    std::map<std::string, std::string> files;
+    files["building.geojson"] = collection(
+        {feature("b1", "null", R"("name":{"en":"Hall"})"), feature("b2", "null", R"("name":{"en":"Annex"})")});
+    files["level.geojson"] = collection(
+        {feature("l0", box(0, 0, 20, 10),
+                 fmt::format(R"("ordinal":{},"name":{{"en":"Ground"}},"building_ids":["b1"])", hall_ordinal)),
+         feature("m1", box(0, 0, 20, 10),
+                 fmt::format(R"("ordinal":{},"name":{{"en":"First"}},"building_ids":["b2"])", annex_ordinal))});
+    const double gap = joined ? 0.0 : 10.0;
+    files["unit.geojson"] = collection({unit("u1", box(0, 0, 12, 6), "l0", "walkway", R"({"en":"Hall"})"),
+                                        unit("u2", box(0, 6, 12, 9), "l0", "office", R"({"en":"Office"})"),
+                                        unit("u3", box(12 + gap, 0, 20 + gap, 6), "m1", "room", R"({"en":"Annex"})")});
+    const auto door = [&](const char* id, double x, const char* level) {
+        return feature(id, line(x, 2, x, 3),
+                       std::string(R"("level_id":")") + level + R"(","category":"pedestrian","door":{"type":"door"})");
+    };
+    files["opening.geojson"] = collection(
+        {door("o1", 0, "l0"), door("o2", 12 + gap, "m1"),
+         feature("o3", line(2, 6, 3, 6), R"("level_id":"l0","category":"pedestrian","door":{"type":"door"})")});
+    return files;
+}
+
+TEST(ImdfVenue, floors_of_two_buildings_meet_at_the_doors_they_share_else_on_the_ground) {
+    for (const int hall : {0, 1, -1})
+        for (const int annex : {-1, 0, 1, 2, 4}) {
+            SCOPED_TRACE(fmt::format("hall {}, annex {}", hall, annex));
+            const Scene scene = read(with_annex(hall, annex, true));
+            EXPECT_EQ(honest_report(scene).largest_connected, 3);
+            std::vector<double> floors;
+            for (const StatedRoom& room : scene.stated->rooms) floors.push_back(room.floor_m);
+            EXPECT_THAT(floors, testing::Each(hall * 3.0));
+            EXPECT_EQ(scene.report.guessed.end() !=
+                          std::find_if(scene.report.guessed.begin(), scene.report.guessed.end(),
+                                       [](const std::string& sentence) {
+                                           return sentence.find("counts levels") != std::string::npos;
+                                       }),
+                      hall != annex);
+        }
+    const Scene apart = read(with_annex(0, 1, false));
+    for (const StatedRoom& room : apart.stated->rooms) EXPECT_NEAR(room.floor_m, 0.0, 1e-6) << room.name;
+    const Scene below = read(with_annex(0, -1, false));
+    EXPECT_NEAR(below.stated->rooms.back().floor_m, -3.0, 1e-6) << "a cellar stays one";
 }
 
 TEST(ImdfVenue, one_name_of_unit_and_occupant_is_said_once) {
