@@ -62,6 +62,8 @@ std::string made_name(const MadeRoomName& made) {
     const std::string side = made.side_rad ? compass_word(*made.side_rad) : phrase("room_name.middle");
     const std::string name =
         phrase("room_name.by_size", {{"look", look}, {"wide", made.wide_m}, {"deep", made.deep_m}, {"side", side}});
+    if (made.levels > 1 && !made.storey.empty())
+        return phrase("room_name.on_storey", {{"room", name}, {"storey", made.storey}});
     if (made.levels == 2)
         return phrase(made.level == 0 ? "room_name.lower_level" : "room_name.upper_level", {{"room", name}});
     return made.levels > 2 ? phrase("room_name.level", {{"room", name}, {"level", made.level + 1}}) : name;
@@ -467,6 +469,7 @@ private:
         }
         std::vector<Aabb> levels(static_cast<std::size_t>(levels_));
         for (const Room& room : graph_.rooms) levels[static_cast<std::size_t>(room.level)].include(room.bounds_m);
+        const std::vector<std::string> storeys = storey_names();
         const std::vector<const Feature*> grounds = grounds_of_stairs();
         for (std::uint32_t r = 0; r < graph_.rooms.size(); ++r) {
             Room& room = graph_.rooms[r];
@@ -486,10 +489,31 @@ private:
         number_room_names(graph_);
     }
 
+            room.made.storey = storeys[static_cast<std::size_t>(room.level)];
     // Of each flight of stairs the first thing with a name that one stands on there.
     std::vector<const Feature*> grounds_of_stairs() const {
         std::vector<const Feature*> grounds(graph_.rooms.size(), nullptr);
         for (std::uint32_t s = 0; s < label_.size(); ++s) {
+    // Of each level what the file calls it, by the floor that is the middle one of those of its rooms.
+    std::vector<std::string> storey_names() const {
+        std::vector<std::string> names(static_cast<std::size_t>(levels_));
+        if (!scene_.stated) return names;
+        std::vector<std::vector<double>> stated(names.size()), all(names.size());
+        for (const Room& room : graph_.rooms) {
+            const auto level = static_cast<std::size_t>(room.level);
+            all[level].push_back(room.floor_m);
+            if (!room.map_name.empty()) stated[level].push_back(room.floor_m);
+        }
+        for (std::size_t level = 0; level < names.size(); ++level) {
+            std::vector<double>& floors = stated[level].empty() ? all[level] : stated[level];
+            if (floors.empty()) continue;
+            const auto middle = floors.begin() + static_cast<std::ptrdiff_t>(floors.size() / 2);
+            std::nth_element(floors.begin(), middle, floors.end());
+            names[level] = stated_storey_around(*scene_.stated, *middle);
+        }
+        return names;
+    }
+
             const std::uint32_t room = label_[s], ground = space_.spans[s].ground;
             if (grounds[room] || graph_.rooms[room].kind != RoomKind::Stairs ||
                 ground >= space_.obstacle_features.size())

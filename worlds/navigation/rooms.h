@@ -24,6 +24,7 @@ struct MadeRoomName {
     int wide_m = 0, deep_m = 0;           // else by size and place
     std::optional<double> side_rad = {};  // of its storey it is on; none: in the middle
     int level = 0, levels = 1;
+    std::string storey = {};  // of several, as the file names it; empty: it does not, and the level is counted
 };
 
 struct Room {

@@ -37,6 +37,14 @@ std::string stated_storey_name(const StatedBuilding& building, double floor_m) {
     return name;
 }
 
+std::string stated_storey_around(const StatedBuilding& building, double floor_m) {
+    if (std::string name = stated_storey_name(building, floor_m); !name.empty()) return name;
+    const StatedStorey* around = nullptr;
+    for (const StatedStorey& storey : building.storeys)
+        if (storey.rooms > 0 && (!around || storey.floor_m <= floor_m)) around = &storey;
+    return around ? one_line(around->name) : std::string();
+}
+
 Vec2 outline_size_m(const StatedRoom& room) {
     const std::vector<Vec2>& ring = room.rings.front();
     Vec2 size(0.0);

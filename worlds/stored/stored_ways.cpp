@@ -30,8 +30,8 @@ void fields(A& a, T& v) {
 }
 template <class A, Is<MadeRoomName> T>
 void fields(A& a, T& v) {
-    auto& [thing, thing_made, thing_in, with_thing, look, wide, deep, side, level, levels] = v;
-    a(thing, thing_made, thing_in, with_thing, look, wide, deep, side, level, levels);
+    auto& [thing, thing_made, thing_in, with_thing, look, wide, deep, side, level, levels, storey] = v;
+    a(thing, thing_made, thing_in, with_thing, look, wide, deep, side, level, levels, storey);
 }
 template <class A, Is<Room> T>
 void fields(A& a, T& v) {

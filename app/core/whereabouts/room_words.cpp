@@ -223,7 +223,9 @@ std::string room_words(const SessionContext& context, const Rooms& rooms, std::u
                 : phrase("describe.room", {{"room", name}, {"size", size_words(size.x, size.y, distances(context))}});
     const std::vector<StoreyOfRooms> storeys = storeys_of(*context.world.scene, graph);
     if (const std::size_t on = storey_of_room(storeys, graph, room); storeys.size() > 1 && on < storeys.size())
-        text += " " + phrase("describe.storey", {{"storey", on + 1}});
+        text += " " + (storeys[on].file_name.empty()
+                           ? phrase("describe.storey", {{"storey", on + 1}})
+                           : phrase("describe.storey_named", {{"storey", storey_name(storeys, on)}}));
     text += " " + exits_words(context, graph, room);
     std::array<std::vector<std::pair<double, std::string>>, kMiddle + 1> things;
     for (const Feature& feature : context.world.scene->features) {
