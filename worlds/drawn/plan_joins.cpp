@@ -9,16 +9,33 @@
 #include "worlds/drawn/upright.h"
 #include "worlds/geometry/box_index.h"
 #include "worlds/geometry/clip.h"
+#include "worlds/geometry/exposed_surface.h"
 
 namespace handrail {
 namespace {
 
 constexpr double kMeetFloor_m = 0.3, kEndsBeforeDoor_m = 1.5, kOnGround_m = 0.6;
 
+// True if the place is on the floor of the way, or right next to that of an area.
+bool is_on_floor(const PlanWay& way, const Vec3& at) {
+    if (way.area) {
+        const std::vector<Ring> rings = rings_of_way(way);
+        return inside(rings, Vec2(at)) || distance_to_outline(rings, Vec2(at)) < kMeetFloor_m;
+    }
+    for (std::size_t i = 1; i < way.line.size(); ++i) {
+        const Vec2 along = way.line[i] - way.line[i - 1], off = Vec2(at) - way.line[i - 1];
+        const double length_2 = glm::dot(along, along);
+        const double t = length_2 > 0.0 ? std::clamp(glm::dot(off, along) / length_2, 0.0, 1.0) : 0.0;
+        const double floor_m = way.floor_m[i - 1] + t * (way.floor_m[i] - way.floor_m[i - 1]);
+        if (glm::length(off - along * t) <= 0.5 * way.width_m && std::abs(floor_m - at.z) <= kMeetFloor_m) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 // Joins ways that meet. Stairs join the way or room at their foot with the one at their head. A way is also joined with
-// the area in which, or next to which, it ends.
+// the way on whose floor it ends.
 void PlanBuilder::join_ways(const std::vector<FeatureId>& features, const std::vector<std::uint32_t>& rooms) {
     using Point = std::array<long long, 3>;
     std::map<Point, std::vector<std::uint32_t>> rooms_at_point;
@@ -29,7 +46,7 @@ void PlanBuilder::join_ways(const std::vector<FeatureId>& features, const std::v
         std::vector<std::uint32_t>& here = rooms_at_point[key(p, floor_m)];
         if (std::find(here.begin(), here.end(), room) == here.end()) here.push_back(room);
     };
-    std::vector<std::size_t> areas;
+    std::vector<std::size_t> floors;
     std::vector<Aabb> boxes;
     for (std::size_t w = 0; w < rooms.size(); ++w) {
         const PlanWay& way = plan_.ways[w];
@@ -37,11 +54,10 @@ void PlanBuilder::join_ways(const std::vector<FeatureId>& features, const std::v
         for (std::size_t i = 0; i < way.line.size(); ++i) meet(way.line[i], way.floor_m[i], rooms[w]);
         for (const Ring& ring : way.further)
             for (const Vec2& p : ring) meet(p, way.floor_m[0], rooms[w]);
-        if (!way.area) continue;
         Aabb box;
-        for (const Vec2& p : way.line) box.include(Vec3(p, way.floor_m[0]));
-        areas.push_back(w);
-        boxes.push_back(grown(box, kMeetFloor_m));
+        for (std::size_t i = 0; i < way.line.size(); ++i) box.include(Vec3(way.line[i], way.floor_m[i]));
+        floors.push_back(w);
+        boxes.push_back(grown(box, std::max(kMeetFloor_m, way.area ? 0.0 : 0.5 * way.width_m)));
     }
     const BoxIndex index(boxes);
     std::vector<std::uint32_t> near;
@@ -50,12 +66,8 @@ void PlanBuilder::join_ways(const std::vector<FeatureId>& features, const std::v
             if (way.area) break;
             const Vec3 at(way.line[end], way.floor_m[end]);
             index.find({at, at}, near);
-            std::sort(near.begin(), near.end());
-            for (const std::uint32_t a : near) {
-                const std::vector<Ring> rings = rings_of_way(plan_.ways[areas[a]]);
-                if (inside(rings, way.line[end]) || distance_to_outline(rings, way.line[end]) < kMeetFloor_m)
-                    meet(way.line[end], way.floor_m[end], rooms[areas[a]]);
-            }
+            for (const std::uint32_t f : near)
+                if (is_on_floor(plan_.ways[floors[f]], at)) meet(way.line[end], way.floor_m[end], rooms[floors[f]]);
         }
     std::set<std::pair<std::uint32_t, std::uint32_t>> told;
     for (const PlanWay& way : plan_.ways)
@@ -117,15 +129,22 @@ void PlanBuilder::join_doors_with_ways(const std::vector<std::uint32_t>& rooms) 
     }
 }
 
-// A way that lies on the ground is open to it, even if nothing else leads there.
+// Ways that lie on the ground are open to it: of those that are joined, the first says so.
 void PlanBuilder::open_ways_to_the_ground(const std::vector<std::uint32_t>& rooms) {
-    std::vector<bool> led_to(stated_->rooms.size(), false);
-    for (const StatedPortal& portal : stated_->portals)
-        for (const std::uint32_t room : portal.rooms) led_to[room] = true;
+    DisjointSets groups(stated_->rooms.size());
+    std::vector<std::uint32_t> outside;
+    for (const StatedPortal& portal : stated_->portals) {
+        for (std::size_t i = 1; i < portal.rooms.size(); ++i) groups.join(portal.rooms[0], portal.rooms[i]);
+        if (portal.outside && portal.passable) outside.push_back(portal.rooms[0]);
+    }
+    std::set<std::uint32_t> open;
+    for (const std::uint32_t room : outside) open.insert(groups.find(room));
     for (std::size_t w = 0; w < rooms.size(); ++w) {
         const PlanWay& way = plan_.ways[w];
-        if (rooms[w] == kNotStated || led_to[rooms[w]] || std::abs(way.floor_m[0] - ground_m_) > kOnGround_m) continue;
+        if (rooms[w] == kNotStated || std::abs(way.floor_m[0] - ground_m_) > kOnGround_m) continue;
+        if (!open.insert(groups.find(rooms[w])).second) continue;
         StatedPortal portal;
+        portal.outside = true;
         portal.kind = StatedPortalKind::Opening;
         portal.rooms = {rooms[w]};
         portal.place_m = Vec3(way.line.front(), way.floor_m.front());

@@ -453,8 +453,10 @@ void PlanBuilder::write_report() {
     std::vector<bool> led_to(stated_->rooms.size(), false);
     for (const StatedPortal& portal : stated_->portals)
         for (const std::uint32_t room : portal.rooms) led_to[room] = true;
+    // Ways have no walls, so they are not closed even if the file joins them with nothing.
     for (std::uint32_t r = 0; r < led_to.size(); ++r)
-        if (!led_to[r] && ++alone <= 3) names += (alone > 1 ? ", " : "") + one_line(stated_->rooms[r].name);
+        if (!led_to[r] && !stated_->rooms[r].is_way && ++alone <= 3)
+            names += (alone > 1 ? ", " : "") + one_line(stated_->rooms[r].name);
     if (alone > 0)
         warn(phrase("plan.without_doors", {{"n", alone}, {"names", names}, {"more", std::max(0, alone - 3)}}),
              phrase("plan.then_closed"));

@@ -214,6 +214,7 @@ void PlanBuilder::add_doors(std::size_t level, const LevelWalls& walls) {
         const bool nowhere = outside && !at_ground;
         if (nowhere) portal.passable = false;
         to_nowhere_ += nowhere ? 1 : 0;
+        portal.outside = outside && at_ground;
         // Towards the smaller room, and inwards from outside.
         const auto area = [&](std::size_t side) {
             const std::uint32_t room = room_at(gap.sides[side], level);
@@ -364,6 +365,7 @@ void PlanBuilder::state_way(const PlanWay& way, const std::vector<Ring>& parts) 
     StatedRoom room;
     room.name = way.name;
     room.guid = way.id;
+    room.is_way = true;
     if (way.area) {
         room.rings = rings_of_way(way);
     } else {

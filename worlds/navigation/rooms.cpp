@@ -471,8 +471,12 @@ private:
         for (const Room& room : graph_.rooms) levels[static_cast<std::size_t>(room.level)].include(room.bounds_m);
         const std::vector<std::string> storeys = storey_names();
         const std::vector<const Feature*> grounds = grounds_of_stairs();
+        std::set<std::string> ways;
+        for (std::size_t r = 0; scene_.stated && r < scene_.stated->rooms.size(); ++r)
+            if (scene_.stated->rooms[r].is_way) ways.insert(scene_.stated->rooms[r].name);
         for (std::uint32_t r = 0; r < graph_.rooms.size(); ++r) {
             Room& room = graph_.rooms[r];
+            room.is_way = ways.contains(room.map_name);
             if (!room.map_name.empty()) continue;
             if (room.kind == RoomKind::Stairs)
                 room.made = grounds[r] ? by_thing(*grounds[r]) : MadeRoomName{.thing = "stairs", .thing_made = true};
@@ -485,15 +489,11 @@ private:
                 room.made.with_thing = true;
                 if (room.kind == RoomKind::Niche) room.made.look = RoomLook::Niche;
             }
+            room.made.storey = storeys[static_cast<std::size_t>(room.level)];
         }
         number_room_names(graph_);
     }
 
-            room.made.storey = storeys[static_cast<std::size_t>(room.level)];
-    // Of each flight of stairs the first thing with a name that one stands on there.
-    std::vector<const Feature*> grounds_of_stairs() const {
-        std::vector<const Feature*> grounds(graph_.rooms.size(), nullptr);
-        for (std::uint32_t s = 0; s < label_.size(); ++s) {
     // Of each level what the file calls it, by the floor that is the middle one of those of its rooms.
     std::vector<std::string> storey_names() const {
         std::vector<std::string> names(static_cast<std::size_t>(levels_));
@@ -514,6 +514,10 @@ private:
         return names;
     }
 
+    // Of each flight of stairs the first thing with a name that one stands on there.
+    std::vector<const Feature*> grounds_of_stairs() const {
+        std::vector<const Feature*> grounds(graph_.rooms.size(), nullptr);
+        for (std::uint32_t s = 0; s < label_.size(); ++s) {
             const std::uint32_t room = label_[s], ground = space_.spans[s].ground;
             if (grounds[room] || graph_.rooms[room].kind != RoomKind::Stairs ||
                 ground >= space_.obstacle_features.size())
@@ -592,7 +596,7 @@ void number_room_names(RoomGraph& graph) {
     graph.language = spoken_language();
     std::map<std::string, int> seen;
     for (Room& room : graph.rooms) {
-        room.same_name = ++seen[unnumbered(room)];
+        room.same_name = room.is_way ? 1 : ++seen[unnumbered(room)];
         room.name = own_name(room);
     }
 }

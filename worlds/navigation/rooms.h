@@ -35,8 +35,9 @@ struct Room {
     bool given = false;    // `name` comes from a person
     std::string map_name;  // empty: the map gives none, and it is called by what is known of it
     OtherLanguages map_name_in;
+    bool is_way = false;  // a footway, a street or a platform outside rooms
     MadeRoomName made;
-    int same_name = 1;     // the how manyth of that name it is
+    int same_name = 1;     // which of the rooms of that name it is; ways are not numbered
     int level = 0;         // 0 is the lowest
     double area_m2 = 0.0;  // of floor where one can stand, plus the strip along its walls
     double floor_m = 0.0;  // mean height

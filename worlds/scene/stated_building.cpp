@@ -74,9 +74,12 @@ bool is_oddly_named(const StatedRoom& room) {
 }
 
 int largest_connected(const StatedBuilding& building) {
-    DisjointSets groups(building.rooms.size());
-    for (const StatedPortal& portal : building.portals)
+    const auto outside = static_cast<std::uint32_t>(building.rooms.size());
+    DisjointSets groups(building.rooms.size() + 1);
+    for (const StatedPortal& portal : building.portals) {
         for (std::size_t i = 1; i < portal.rooms.size(); ++i) groups.join(portal.rooms[0], portal.rooms[i]);
+        if (portal.outside && portal.passable && !portal.rooms.empty()) groups.join(portal.rooms[0], outside);
+    }
     std::vector<int> size(building.rooms.size(), 0);
     int most = 0;
     for (std::uint32_t r = 0; r < size.size(); ++r) most = std::max(most, ++size[groups.find(r)]);

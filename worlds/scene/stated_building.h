@@ -32,6 +32,7 @@ struct StatedRoom {
     Vec3 at_m{0.0};  // on its floor, within the outline
     double area_m2 = 0.0;
     bool holds_stairs = false;  // stairs fill more than half of it
+    bool is_way = false;        // a footway, a street or a platform outside rooms
     SourcePlace source;
 };
 
@@ -47,6 +48,7 @@ struct StatedPortal {
     Vec3 place_m{0.0};  // middle, at floor height
     double width_m = 0.0, height_m = 0.0;
     bool by_boundaries = false;  // the file states which rooms; else found by what lies on its two sides
+    bool outside = false;        // its one room is open to the ground outside
     bool opened_by_box = false;  // a body did not pass through what the file gives, so a box was cut free
     bool passable = true;        // a body went through it from both sides
     std::string why;             // of one that is not, where known: the key of its text: "door_trial.step"

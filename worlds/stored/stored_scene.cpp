@@ -209,15 +209,15 @@ void fields(A& a, T& v) {
 }
 template <class A, Is<StatedRoom> T>
 void fields(A& a, T& v) {
-    auto& [name, number, guid, storey, rings, floor, height, at, area, holds_stairs, source] = v;
-    a(name, number, guid, storey, rings, floor, height, at, area, holds_stairs, source);
+    auto& [name, number, guid, storey, rings, floor, height, at, area, holds_stairs, is_way, source] = v;
+    a(name, number, guid, storey, rings, floor, height, at, area, holds_stairs, is_way, source);
 }
 template <class A, Is<StatedPortal> T>
 void fields(A& a, T& v) {
-    auto& [kind, name, guid, feature, rooms, place, width, height, by_boundaries, opened_by_box, passable, why,
+    auto& [kind, name, guid, feature, rooms, place, width, height, by_boundaries, outside, opened_by_box, passable, why,
            in_the_way, step, source] = v;
-    a(kind, name, guid, feature, rooms, place, width, height, by_boundaries, opened_by_box, passable, why, in_the_way,
-      step, source);
+    a(kind, name, guid, feature, rooms, place, width, height, by_boundaries, outside, opened_by_box, passable, why,
+      in_the_way, step, source);
 }
 template <class A, Is<MissingPart> T>
 void fields(A& a, T& v) {

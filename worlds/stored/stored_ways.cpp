@@ -35,8 +35,8 @@ void fields(A& a, T& v) {
 }
 template <class A, Is<Room> T>
 void fields(A& a, T& v) {
-    auto& [kind, name, given, map_name, map_name_in, made, same_name, level, area, floor, bounds, middle] = v;
-    a(kind, name, given, map_name, map_name_in, made, same_name, level, area, floor, bounds, middle);
+    auto& [kind, name, given, map_name, map_name_in, is_way, made, same_name, level, area, floor, bounds, middle] = v;
+    a(kind, name, given, map_name, map_name_in, is_way, made, same_name, level, area, floor, bounds, middle);
 }
 template <class A, Is<Portal> T>
 void fields(A& a, T& v) {
