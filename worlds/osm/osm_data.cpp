@@ -15,7 +15,7 @@
 namespace handrail {
 namespace {
 
-constexpr std::size_t kMostRefs = 20'000'000, kMostTags = 60, kLongestValue = 1000;
+constexpr std::size_t kMostRefs = 20'000'000, kMostTags = 60, kLongestValue = 1000, kMostLevels = 1'000;
 // One of these on a node makes its tags worth keeping.
 constexpr std::array<std::string_view, 8> kNodeKeys{"door",    "entrance", "indoor",         "level",
                                                     "highway", "amenity",  "tactile_paving", "information"};
@@ -84,6 +84,7 @@ private:
     void take_level(const osmium::Relation& relation) {
         const char* level = relation.tags()["level"];
         if (!level) return;
+        if (data_.levels.size() < kMostLevels) data_.levels.push_back(tags_of(relation.tags()));
         for (const osmium::RelationMember& member : relation.members())
             if (member.type() == osmium::item_type::way && data_.level_of_way.size() < kMostOsmWays)
                 data_.level_of_way.try_emplace(member.ref(), one_line(std::string_view(level).substr(0, 100)));
@@ -99,6 +100,12 @@ std::string_view OsmTags::operator[](std::string_view key) const {
     for (const auto& [own, value] : all)
         if (own == key) return value;
     return {};
+}
+
+std::string_view OsmData::level_of(const OsmWay& way) const {
+    if (way.tags.has("level")) return way.tags["level"];
+    const auto listed = level_of_way.find(way.id);
+    return listed == level_of_way.end() ? std::string_view() : std::string_view(listed->second);
 }
 
 OsmForm osm_form(std::string_view bytes, std::string_view file_name) {

@@ -48,8 +48,12 @@ struct OsmData {
     std::vector<OsmWay> ways;
     std::unordered_map<std::int64_t, std::size_t> way_number;  // looked up only
     std::vector<OsmArea> areas;
-    // IndoorOSM writes no level on rooms: a relation of type level names its ways. Looked up only.
+    // IndoorOSM writes no level on rooms: a relation of type level lists its ways, and names the level. Looked up only.
     std::unordered_map<std::int64_t, std::string> level_of_way;
+    std::vector<OsmTags> levels;  // of those relations
+
+    // As the way states its level, else as the relation does that lists the way; empty: neither does.
+    std::string_view level_of(const OsmWay& way) const;
 };
 
 enum class OsmForm : std::uint8_t { None, Xml, XmlBzip2, Pbf };

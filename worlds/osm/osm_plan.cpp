@@ -182,9 +182,7 @@ void OsmPlan::find_outlines() {
             note_id(open_ids_, std::to_string(way.id));
             continue;
         }
-        const auto named = data_.level_of_way.find(way.id);
-        const bool stated = way.tags.has("level") || named == data_.level_of_way.end();
-        take_outline(id, way.tags, stated ? way.tags["level"] : std::string_view(named->second), {way.nodes});
+        take_outline(id, way.tags, data_.level_of(way), {way.nodes});
     }
     for (const OsmArea& area : data_.areas) {
         const bool building = area.tags.has("building") && !area.tags.is("building", "no");
@@ -352,8 +350,28 @@ void OsmPlan::lay_levels() {
     std::set<double> numbers;
     for (const Outline& outline : outlines_) numbers.insert(outline.levels.begin(), outline.levels.end());
     if (numbers.empty()) numbers.insert(0.0);
-    for (const double number : numbers)
-        plan_.levels.push_back({number, phrase("plan.level", {{"number", number}}), number * plan_.storey_m});
+    find_level_names();
+    for (const double number : numbers) plan_.levels.push_back(level_made(number));
+}
+
+// A level is called as its own relation or outline is named, else as its things refer to it ("Level B1").
+void OsmPlan::find_level_names() {
+    const auto take = [&](std::string_view level, std::string name) {
+        const OsmLevels levels = levels_of(level);
+        if (levels.levels.size() == 1 && !name.empty()) level_names_.try_emplace(levels.levels[0], std::move(name));
+    };
+    for (const OsmTags& tags : data_.levels) take(tags["level"], std::string(in_spoken(tags, "name")));
+    for (const OsmWay& way : data_.ways)
+        if (way.tags.is("indoor", "level")) take(way.tags["level"], std::string(in_spoken(way.tags, "name")));
+    for (const Outline& outline : outlines_)
+        if (const std::string_view ref = (*outline.tags)["level:ref"]; !ref.empty())
+            take((*outline.tags)["level"], phrase("osm.level_ref", {{"ref", std::string(ref)}}));
+}
+
+PlanLevel OsmPlan::level_made(double number) const {
+    const auto named = level_names_.find(number);
+    return {number, named == level_names_.end() ? phrase("plan.level", {{"number", number}}) : named->second,
+            number * plan_.storey_m};
 }
 
 std::size_t OsmPlan::level_at(double number) const {

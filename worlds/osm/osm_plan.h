@@ -29,6 +29,7 @@ private:
         const OsmTags* tags = nullptr;
         std::vector<std::vector<std::int64_t>> lines;  // of an area: its outlines, the first not repeated
         bool area = false;
+        std::string_view level;  // as the file states it
 
         bool steps() const { return tags->is("highway", "steps"); }
         std::vector<double> levels() const;  // at least one
@@ -54,6 +55,8 @@ private:
     Vec2 place_of(std::int64_t node) const;
     std::vector<Ring> placed(const std::vector<std::vector<std::int64_t>>& rings) const;
     void lay_levels();
+    void find_level_names();
+    PlanLevel level_made(double number) const;
     std::size_t level_at(double number) const;  // kNone: none
     void add_spaces();
     void add_doors();
@@ -65,6 +68,7 @@ private:
     std::vector<Walked> find_walked();
     PlanWay way_of(const Walked& walked, const std::unordered_map<std::int64_t, double>& height_m) const;
     void name_ways(const std::vector<Walked>& walked);
+    void tell_ways_apart(const std::vector<Walked>& walked);
     void add_levels(const std::vector<Walked>& walked, const std::unordered_map<std::int64_t, double>& height_m);
     bool is_lift_node(std::int64_t node) const;
     void add_blocks();
@@ -79,6 +83,7 @@ private:
     std::size_t chosen_ = kNone;
     std::vector<Ring> surroundings_of_;  // outlines; ways far from all of them are left out. Empty: none is
     LocalPlane plane_;
+    std::map<double, std::string> level_names_;                             // those that the file names
     std::unordered_map<std::int64_t, std::vector<std::size_t>> spaces_of_;  // of a node; looked up only
     int open_ = 0, incomplete_ = 0, without_level_ = 0, odd_levels_ = 0, doors_alone_ = 0;
     std::string open_ids_, incomplete_ids_;

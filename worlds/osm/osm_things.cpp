@@ -36,9 +36,9 @@ std::string_view drawn_thing(const OsmTags& tags) {
 }  // namespace
 
 void OsmPlan::add_walls_and_things() {
-    const auto levels_here = [&](const OsmTags& tags) {
+    const auto levels_here = [&](std::string_view level_text, const OsmTags& tags) {
         std::vector<std::size_t> here;
-        OsmLevels levels = levels_of(tags["level"], tags["repeat_on"]);
+        OsmLevels levels = levels_of(level_text, tags["repeat_on"]);
         if (levels.levels.empty()) levels.levels.push_back(0.0);
         for (const double number : levels.levels)
             if (const std::size_t level = level_at(number); level != kNone) here.push_back(level);
@@ -57,7 +57,7 @@ void OsmPlan::add_walls_and_things() {
             continue;
         const Ring line = placed({way.nodes})[0];
         if (std::any_of(line.begin(), line.end(), [](const Vec2& p) { return glm::length(p) > kMostSide_m; })) continue;
-        for (const std::size_t level : levels_here(way.tags)) {
+        for (const std::size_t level : levels_here(data_.level_of(way), way.tags)) {
             if (wall) {
                 for (std::size_t i = 1; i < line.size(); ++i) plan_.walls.push_back({line[i - 1], line[i], level});
                 continue;
@@ -99,7 +99,7 @@ void OsmPlan::add_walls_and_things() {
         if (!(pillar || (!what.empty() && indoors)) || plan_.things.size() > kMostThings) continue;
         const Vec2 at = place_of(n);
         if (glm::length(at) > kMostSide_m) continue;
-        for (const std::size_t level : levels_here(tags)) {
+        for (const std::size_t level : levels_here(tags["level"], tags)) {
             PlanThing thing;
             thing.level = level;
             thing.kind = pillar ? PlanThingKind::Pillar : PlanThingKind::Object;

@@ -1,6 +1,8 @@
 // Ways, platforms and stairs outside rooms of an OpenStreetMap file.
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 #include <unordered_set>
 
 #include "worlds/base/language.h"
@@ -11,12 +13,15 @@
 #include "worlds/osm/osm_levels.h"
 #include "worlds/osm/osm_plan.h"
 #include "worlds/osm/osm_words.h"
+#include "worlds/scene/surfaces.h"
 
 namespace handrail {
 namespace {
 
-constexpr double kWay_m = 2.0, kSteps_m = 1.6, kMostWay_m = 20.0, kFarthestWay_m = 2'000.0, kSameFloor_m = 0.3,
-                 kBeside_m = 0.3, kSurroundings_m = 100.0, kLook_m = 10.0;
+constexpr double kWay_m = 2.0, kSteps_m = 1.6, kMostWay_m = 20.0, kFarthestWay_m = 2'000.0, kBeside_m = 0.3,
+                 kSurroundings_m = 100.0, kLook_m = 10.0, kAsideShare = 0.15;
+constexpr int kMostThrough = 4;
+constexpr std::size_t kMostLooked = 60;
 
 bool is_escalator(const OsmTags& tags) {
     return tags.is("highway", "steps") && tags.has("conveying") && !tags.is("conveying", "no");
@@ -41,7 +46,7 @@ std::string own_name(const OsmTags& tags) {
 }  // namespace
 
 std::vector<double> OsmPlan::Walked::levels() const {
-    OsmLevels found = levels_of(tags->has("level") ? (*tags)["level"] : (*tags)["layer"]);
+    OsmLevels found = levels_of(level.empty() ? (*tags)["layer"] : level);
     if (found.levels.empty()) found.levels.push_back(0.0);
     return std::move(found.levels);
 }
@@ -115,7 +120,8 @@ std::vector<OsmPlan::Walked> OsmPlan::find_walked() {
             ++cut_ways;
             continue;
         }
-        Walked made{phrase("osm.way", {{"id", std::to_string(way.id)}}), &way.tags, {way.nodes}};
+        Walked made{
+            phrase("osm.way", {{"id", std::to_string(way.id)}}), &way.tags, {way.nodes}, false, data_.level_of(way)};
         made.area = !made.steps() && way.closed() && !way.tags.is("area", "no") &&
                     (way.tags.is("area", "yes") || is_platform(way.tags));
         if (made.area) made.lines[0].pop_back();
@@ -124,8 +130,8 @@ std::vector<OsmPlan::Walked> OsmPlan::find_walked() {
     for (const OsmArea& area : data_.areas) {
         if (!is_walked(area.tags) || area.tags.is("highway", "steps") || is_space(area.tags)) continue;
         bool broken = false;
-        Walked made{phrase("osm.relation", {{"id", std::to_string(area.id)}}), &area.tags, rings_of(area, broken)};
-        made.area = true;
+        Walked made{phrase("osm.relation", {{"id", std::to_string(area.id)}}), &area.tags, rings_of(area, broken), true,
+                    area.tags["level"]};
         const bool known =
             std::all_of(made.lines.begin(), made.lines.end(), [&](const auto& line) { return all_known(line); });
         if (broken || !known || made.lines.empty()) {
@@ -154,8 +160,7 @@ void OsmPlan::add_levels(const std::vector<Walked>& walked, const std::unordered
             return at == height_m.end() || at->second == number * plan_.storey_m;
         };
         const bool stays = way.area || std::any_of(way.lines[0].begin(), way.lines[0].end(), is_at_level);
-        if (!way.steps() && !known && stays)
-            levels.push_back({number, phrase("plan.level", {{"number", number}}), number * plan_.storey_m});
+        if (!way.steps() && !known && stays) levels.push_back(level_made(number));
     }
     std::sort(levels.begin(), levels.end(), [](const PlanLevel& a, const PlanLevel& b) { return a.number < b.number; });
     std::vector<PlanLevel> before = std::move(plan_.levels);
@@ -205,45 +210,159 @@ PlanWay OsmPlan::way_of(const Walked& walked, const std::unordered_map<std::int6
     return made;
 }
 
+namespace {
+
+// Finds what the ways lead to.
+class LedTo {
+public:
+    LedTo(const std::vector<PlanWay>& ways, std::vector<std::vector<std::int64_t>> nodes)
+        : ways_(ways), nodes_(std::move(nodes)) {
+        std::vector<Aabb> boxes;
+        for (std::size_t w = 0; w < ways.size(); ++w) {
+            for (const std::int64_t n : nodes_[w]) at_node_[n].push_back(w);
+            if (!ways[w].area || ways[w].name.empty()) continue;
+            Aabb box;
+            for (const Vec2& p : ways[w].line) box.include(Vec3(p, ways[w].floor_m[0]));
+            areas_.push_back(w);
+            boxes.push_back(grown(box, kBeside_m));
+        }
+        index_ = BoxIndex(boxes);
+    }
+
+    // The ways at a node, in file order.
+    const std::vector<std::size_t>& ways_at(std::int64_t node) const {
+        static const std::vector<std::size_t> none;
+        const auto found = at_node_.find(node);
+        return found == at_node_.end() ? none : found->second;
+    }
+    const std::vector<std::int64_t>& nodes_of(std::size_t way) const { return nodes_[way]; }
+    // The named area in which, or next to which, a line ends; null if there is none.
+    const PlanWay* area_at(const Vec2& at, double floor_m) const {
+        std::vector<std::uint32_t> near;
+        index_.find({Vec3(at, floor_m), Vec3(at, floor_m)}, near);
+        for (const std::uint32_t a : near) {
+            const PlanWay& area = ways_[areas_[a]];
+            const std::vector<Ring> rings = rings_of_way(area);
+            if (inside(rings, at) || distance_to_outline(rings, at) < kBeside_m) return &area;
+        }
+        return nullptr;
+    }
+
+private:
+    const std::vector<PlanWay>& ways_;
+    std::vector<std::vector<std::int64_t>> nodes_;                        // of each way
+    std::unordered_map<std::int64_t, std::vector<std::size_t>> at_node_;  // looked up only
+    std::vector<std::size_t> areas_;
+    BoxIndex index_;
+};
+
+}  // namespace
+
 // Names the ways that have no name by what they join: "Footway from Platform 3 to the stairs".
 void OsmPlan::name_ways(const std::vector<Walked>& walked) {
-    std::unordered_map<std::int64_t, std::vector<std::size_t>> at_node;  // looked up only
-    std::vector<std::size_t> areas;
-    for (std::size_t w = 0; w < walked.size(); ++w) {
-        for (const std::vector<std::int64_t>& line : walked[w].lines)
-            for (const std::int64_t n : line) at_node[n].push_back(w);
-        if (walked[w].area && !plan_.ways[w].name.empty()) areas.push_back(w);
+    std::vector<std::vector<std::int64_t>> nodes;
+    std::vector<std::string> own;
+    for (const Walked& way : walked) {
+        nodes.emplace_back();
+        for (const std::vector<std::int64_t>& line : way.lines)
+            nodes.back().insert(nodes.back().end(), line.begin(), line.end());
+        own.push_back(own_name(*way.tags));
     }
-    const auto met_at = [&](std::size_t w, std::size_t end) {
-        const PlanWay& way = plan_.ways[w];
-        const std::int64_t node = walked[w].lines[0][end];
-        std::string stairs;
-        for (const std::size_t other : at_node[node]) {
-            if (other == w) continue;
+    const LedTo led(plan_.ways, std::move(nodes));
+    // A place with a name goes before lifts and stairs.
+    const auto met_at = [&](std::int64_t node, const std::vector<std::size_t>& but) {
+        std::string passage = is_lift_node(node) ? phrase("osm.the_lift") : std::string();
+        for (const std::size_t other : led.ways_at(node)) {
+            if (std::find(but.begin(), but.end(), other) != but.end()) continue;
+            if (!own[other].empty()) return own[other];
             const PlanWay& met = plan_.ways[other];
-            if (std::string name = own_name(*walked[other].tags); !name.empty()) return name;
-            if (met.steps) stairs = phrase(met.escalator ? "osm.the_escalator" : "osm.the_stairs");
+            if (met.steps && passage.empty()) passage = phrase(met.escalator ? "osm.the_escalator" : "osm.the_stairs");
         }
-        for (const std::size_t other : areas) {
-            const std::vector<Ring> rings = rings_of_way(plan_.ways[other]);
-            const bool level = std::abs(plan_.ways[other].floor_m[0] - way.floor_m[end]) < kSameFloor_m;
-            if (level && (inside(rings, way.line[end]) || distance_to_outline(rings, way.line[end]) < kBeside_m))
-                return plan_.ways[other].name;
-        }
-        return is_lift_node(node) ? phrase("osm.the_lift") : stairs;
+        if (const auto found = spaces_of_.find(node); found != spaces_of_.end())
+            for (const std::size_t s : found->second) {
+                const PlanSpace& space = plan_.spaces[s];
+                if (space.kind == PlanSpaceKind::Lift) passage = phrase("osm.the_lift");
+                else if (space.kind == PlanSpaceKind::Stairs) passage = phrase("osm.the_stairs");
+                else if (!space.name.empty()) return space.name;
+            }
+        return passage;
     };
+    // At the end itself, else through ways without names, the fewest first.
+    const auto led_to = [&](std::size_t w, bool at_end) {
+        const PlanWay& way = plan_.ways[w];
+        const std::int64_t end = at_end ? walked[w].lines[0].back() : walked[w].lines[0].front();
+        std::vector<std::size_t> through{w};
+        const auto in_area = [&](const PlanWay& line, bool last) {
+            const PlanWay* area = led.area_at(last ? line.line.back() : line.line.front(),
+                                              last ? line.floor_m.back() : line.floor_m.front());
+            return area ? area->name : std::string();
+        };
+        std::string direct = in_area(way, at_end);
+        if (direct.empty()) direct = met_at(end, through);
+        std::vector<std::int64_t> from{end};
+        for (int k = 0; k < kMostThrough && direct.empty() && !from.empty(); ++k) {
+            std::vector<std::int64_t> next;
+            for (const std::int64_t node : from)
+                for (const std::size_t other : led.ways_at(node)) {
+                    if (through.size() > kMostLooked || plan_.ways[other].area || plan_.ways[other].steps ||
+                        std::find(through.begin(), through.end(), other) != through.end())
+                        continue;
+                    through.push_back(other);
+                    for (const bool last : {false, true})
+                        if (direct.empty()) direct = in_area(plan_.ways[other], last);
+                    next.insert(next.end(), led.nodes_of(other).begin(), led.nodes_of(other).end());
+                }
+            for (const std::int64_t node : next)
+                if (direct.empty()) direct = met_at(node, through);
+            from = std::move(next);
+        }
+        return direct;
+    };
+    std::vector<std::string> names(walked.size());
     for (std::size_t w = 0; w < walked.size(); ++w) {
-        PlanWay& way = plan_.ways[w];
-        if (!way.name.empty()) continue;
+        if (!own[w].empty()) continue;
         const std::string kind = kind_of_way(*walked[w].tags);
-        way.name = kind;
-        if (way.area || way.steps) continue;
-        const std::string from = met_at(w, 0), to = met_at(w, way.line.size() - 1);
+        names[w] = kind;
+        if (plan_.ways[w].area || plan_.ways[w].steps) continue;
+        const std::string from = led_to(w, false), to = led_to(w, true);
         if (!from.empty() && !to.empty() && from != to)
-            way.name = phrase("osm.way_from_to", {{"kind", kind}, {"from", from}, {"to", to}});
+            names[w] = phrase("osm.way_from_to", {{"kind", kind}, {"from", from}, {"to", to}});
         else if (!from.empty() || !to.empty())
-            way.name = phrase("osm.way_at", {{"kind", kind}, {"to", to.empty() ? from : to}});
+            names[w] = phrase("osm.way_at", {{"kind", kind}, {"to", to.empty() ? from : to}});
     }
+    for (std::size_t w = 0; w < walked.size(); ++w)
+        if (own[w].empty()) plan_.ways[w].name = std::move(names[w]);
+    tell_ways_apart(walked);
+}
+
+// Ways of one name are told apart by their levels, then by the sides of the place that they are on.
+void OsmPlan::tell_ways_apart(const std::vector<Walked>& walked) {
+    Aabb all;
+    for (const PlanWay& way : plan_.ways)
+        for (const Vec2& p : way.line) all.include(Vec3(p, 0.0));
+    const auto level_words = [&](std::size_t w) { return level_made(walked[w].levels().front()).name; };
+    const auto side_words = [&](std::size_t w) {
+        Aabb box;
+        for (const Vec2& p : plan_.ways[w].line) box.include(Vec3(p, 0.0));
+        const Vec3 off = box.centre_m() - all.centre_m(), size = all.size_m();
+        const bool aside = std::abs(off.x) > std::max(1.0, kAsideShare * size.x) ||
+                           std::abs(off.y) > std::max(1.0, kAsideShare * size.y);
+        return aside ? compass_word(off) : phrase("room_name.middle");
+    };
+    const auto tell_apart = [&](const auto& words_of) {
+        std::map<std::string, std::vector<std::size_t>> called;
+        for (std::size_t w = 0; w < plan_.ways.size(); ++w)
+            if (!plan_.ways[w].steps) called[plan_.ways[w].name].push_back(w);
+        for (const auto& [name, ways] : called) {
+            std::set<std::string> differ;
+            for (const std::size_t w : ways) differ.insert(words_of(w));
+            if (differ.size() < 2) continue;
+            for (const std::size_t w : ways)
+                plan_.ways[w].name = phrase("plan.on_level", {{"name", name}, {"level", words_of(w)}});
+        }
+    };
+    tell_apart(level_words);
+    tell_apart(side_words);
 }
 
 // True if its middle is in a room of its level.

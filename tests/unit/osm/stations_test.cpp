@@ -96,7 +96,8 @@ TEST(OsmPlatforms, a_relation_with_a_hole_is_a_platform_round_it) {
     const StatedRoom* platform = test::room_named(scene, "Platform 7");
     ASSERT_NE(platform, nullptr);
     EXPECT_NEAR(platform->area_m2, 40 * 6 - 6 * 2, 1.0);
-    EXPECT_THAT(test::joins_of(scene, StatedPortalKind::Opening), ElementsAre("Link | Platform 7"));
+    EXPECT_THAT(test::joins_of(scene, StatedPortalKind::Opening), ElementsAre("Link | Platform 7", "Link"))
+        << "joined with each other and with the ground";
 }
 
 TEST(OsmPlatforms, a_footway_that_ends_on_the_edge_joins_them_and_is_named_so) {
@@ -112,6 +113,98 @@ TEST(OsmPlatforms, a_footway_that_ends_on_the_edge_joins_them_and_is_named_so) {
         EXPECT_TRUE(scene.report.warnings.empty()) << scene.report.warnings[0].sentence();
         EXPECT_THAT(names_of_rooms(scene), Contains("Footway from Platform 1 to Platform 2"));
     }
+}
+
+TEST(OsmWays, are_named_by_what_they_lead_to_and_never_numbered) {
+    Drawing drawing;
+    drawing.box(0, 0, 40, 5, {{"railway", "platform"}, {"ref", "1"}, {"level", "0"}});
+    const int edge = drawing.node(20, 5), bend = drawing.node(20, 12), far = drawing.node(20, 28),
+              top = drawing.node(20, 40), head = drawing.node(20, 48), room = drawing.node(30, 12);
+    drawing.way({edge, bend}, {{"highway", "footway"}});
+    drawing.way({bend, far}, {{"highway", "footway"}});
+    drawing.way({far, top}, {{"highway", "footway"}});
+    drawing.way({top, head}, {{"highway", "steps"}, {"level", "0;1"}});
+    drawing.way({bend, room}, {{"highway", "footway"}});
+    for (const double x : {-60.0, 60.0})
+        drawing.way({drawing.node(x, 0), drawing.node(x, 20)}, {{"highway", "footway"}, {"name", "Lane"}});
+    for (const char* level : {"0", "-1"})
+        drawing.way({drawing.node(40, 50), drawing.node(40, 60)}, {{"highway", "footway"}, {"level", level}});
+    const Scene scene = drawing.scene();
+    EXPECT_THAT(names_of_rooms(scene),
+                UnorderedElementsAre("Platform 1", "Footway from Platform 1 to the stairs, south-east",
+                                     "Footway from Platform 1 to the stairs, south-east",
+                                     "Footway from Platform 1 to the stairs, east", "Footway at Platform 1",
+                                     "Lane, west", "Lane, east", "Footway, Level 0", "Footway, Level -1"))
+        << "two are alike, which is better than a number";
+}
+
+TEST(OsmWays, of_one_name_are_not_numbered_among_rooms_either) {
+    Drawing drawing;
+    int from = drawing.node(0, 0);
+    for (int k = 1; k <= 5; ++k) {
+        const int to = drawing.node(8.0 * k, 0);
+        drawing.way({from, to}, {{"highway", "footway"}, {"level", "1"}, {"name", "Deck"}});
+        from = to;
+    }
+    const Scene scene = drawing.scene();
+    const auto ways = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
+    ASSERT_TRUE(ways.has_value()) << ways.error().sentence();
+    std::vector<std::string> names;
+    for (const Room& room : make_rooms(scene, (*ways)->space()).rooms)
+        if (room.is_way) names.push_back(room.name);
+    EXPECT_THAT(names, UnorderedElementsAre("Deck, west", "Deck, west", "Deck, middle", "Deck, east", "Deck, east"));
+}
+
+TEST(OsmWays, on_the_ground_are_joined_by_it) {
+    Drawing drawing;
+    for (const int n : {1, 2, 3})
+        drawing.box(0, 10.0 * n, 40, 10.0 * n + 4,
+                    {{"railway", "platform"}, {"ref", std::to_string(n)}, {"level", n == 3 ? "-1" : "0"}});
+    const Scene scene = drawing.scene();
+    EXPECT_EQ(honest_report(scene).largest_connected, 2) << "one lies below";
+}
+
+TEST(OsmWays, that_end_on_the_floor_of_another_are_joined_with_it) {
+    for (const double off_m : {0.0, 0.9, 1.5}) {
+        Drawing drawing;
+        drawing.way({drawing.node(0, 0), drawing.node(40, 0)},
+                    {{"highway", "footway"}, {"level", "1"}, {"name", "Deck"}, {"width", "2"}});
+        drawing.way({drawing.node(20, off_m), drawing.node(20, 20)},
+                    {{"highway", "footway"}, {"level", "1"}, {"name", "Bridge"}});
+        drawing.way({drawing.node(10, 0.5), drawing.node(10, -20)},
+                    {{"highway", "footway"}, {"level", "-1"}, {"name", "Tunnel"}});
+        const std::vector<std::string> joins = test::joins_of(drawing.scene(), StatedPortalKind::Opening);
+        if (off_m < 1.0) EXPECT_THAT(joins, ElementsAre("Bridge | Deck")) << off_m;
+        else EXPECT_THAT(joins, IsEmpty()) << off_m;
+    }
+}
+
+TEST(OsmWays, that_the_file_joins_with_nothing_are_not_called_closed) {
+    Drawing drawing;
+    drawing.box(0, 0, 40, 5, {{"railway", "platform"}, {"ref", "1"}, {"level", "-1"}});
+    drawing.box(0, 9, 40, 14, {{"railway", "platform"}, {"ref", "2"}, {"level", "-1"}});
+    EXPECT_THAT(drawing.scene().report.warnings, IsEmpty());
+}
+
+TEST(OsmLevelNames, are_those_of_the_file_everywhere) {
+    Drawing drawing;
+    const int high = drawing.box(0, 0, 8, 6, {{"buildingpart", "room"}, {"name", "High"}});
+    drawing.relation("<member type='way' ref='" + std::to_string(high) + "' role='buildingpart'/>",
+                     {{"type", "level"}, {"level", "1"}, {"name", "Upper floor"}});
+    drawing.box(0, 0, 8, 6, {{"indoor", "room"}, {"level", "0"}, {"name", "Low"}});
+    drawing.box(-1, -1, 20, 7, {{"indoor", "level"}, {"level", "0"}, {"name", "Ground floor"}});
+    drawing.box(0, 0, 8, 6, {{"indoor", "room"}, {"level", "-1"}, {"level:ref", "B1"}, {"name", "Cellar"}});
+    drawing.box(10, 0, 18, 6, {{"indoor", "room"}, {"level", "-2"}, {"name", "Deep"}});
+    const Scene scene = drawing.scene();
+    std::vector<std::string> storeys;
+    for (const StatedStorey& storey : scene.stated->storeys) storeys.push_back(storey.name);
+    EXPECT_THAT(storeys, ElementsAre("Level -2", "Level B1", "Ground floor", "Upper floor"));
+    // A place without a name is on the storey as the file calls it.
+    const auto ways = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
+    ASSERT_TRUE(ways.has_value()) << ways.error().sentence();
+    for (const Room& room : make_rooms(scene, (*ways)->space()).rooms)
+        if (room.map_name.empty() && room.made.levels > 1 && room.made.thing.empty())
+            EXPECT_THAT(storeys, Contains(room.made.storey)) << room.name;
 }
 
 TEST(OsmLevelsOfWays, levels_that_only_ways_reach_are_storeys) {
@@ -211,6 +304,24 @@ TEST(OsmIndoorRelations, rooms_lie_on_the_level_of_their_relation) {
     EXPECT_NEAR(test::room_named(scene, "Low")->floor_m, -3.0, 1e-6);
     EXPECT_NEAR(test::room_named(scene, "High")->floor_m, 6.0, 1e-6);
     EXPECT_THAT(scene.report.guessed, Not(Contains(HasSubstr("without a level"))));
+}
+
+TEST(OsmIndoorRelations, columns_and_ways_lie_on_the_level_of_their_relation) {
+    Drawing drawing;
+    drawing.box(0, 0, 8, 6, {{"indoor", "room"}, {"level", "0"}, {"name", "Low"}});
+    const int high = drawing.box(0, 0, 8, 6, {{"buildingpart", "room"}, {"name", "High"}}),
+              column = drawing.box(3, 2, 3.5, 2.5, {{"buildingpart", "column"}}),
+              way = drawing.way({drawing.node(9, 0), drawing.node(30, 0)}, {{"highway", "footway"}, {"name", "Deck"}});
+    for (const int id : {high, column, way})
+        drawing.relation("<member type='way' ref='" + std::to_string(id) + "' role='buildingpart'/>",
+                         {{"type", "level"}, {"level", "2"}});
+    const Scene scene = drawing.scene();
+    ASSERT_NE(test::room_named(scene, "Deck"), nullptr);
+    EXPECT_NEAR(test::room_named(scene, "Deck")->floor_m, 6.0, 1e-6);
+    const auto pillar = std::find_if(scene.features.begin(), scene.features.end(),
+                                     [](const Feature& feature) { return feature.name == "pillar"; });
+    ASSERT_NE(pillar, scene.features.end());
+    EXPECT_NEAR(pillar->bounds_m.min_m.z, 6.0, 0.01);
 }
 
 }  // namespace osm_stations_test
