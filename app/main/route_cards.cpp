@@ -59,7 +59,7 @@ public:
         // Until the body stands.
         for (int i = 0; i < 30 && (i < 2 || !session_.standing()); ++i) session_.tick(now_s_ += kFrame_s, ToolState{});
         const bool leads = session_.guide().follow_to(to.at_m, to.name, to.room, now_s_);
-        for (int i = 0; i < 10 && leads && session_.guide().plans_legs(); ++i)
+        for (int i = 0; i < 10 && leads && session_.guide().plans_rest(); ++i)
             session_.tick(now_s_ += kFrame_s, ToolState{});
         std::vector<std::string> legs = session_.guide().take_legs();
         if (!leads) legs.clear();

@@ -371,6 +371,34 @@ struct WordPlanner::Search {
         return to;
     }
 
+    // The node behind these legs, walked from the first node by all. None: one of them does not survive them.
+    std::optional<std::uint32_t> begin_with(std::span<const WordLeg> legs) {
+        std::uint32_t last = 0;
+        for (const WordLeg& leg : legs) {
+            Candidate c;
+            c.node = last;
+            c.notch = static_cast<std::uint8_t>((nodes[last].notch + leg.turn_notches + kNotches) % kNotches);
+            c.end = leg.end;
+            c.steps = static_cast<std::uint16_t>(leg.steps);
+            std::optional<Node> node = walk(c);
+            if (!node) return std::nullopt;
+            last = static_cast<std::uint32_t>(nodes.size());
+            nodes.push_back(std::move(*node));
+        }
+        return last;
+    }
+
+    // Of the nodes from `first` on, the one that has most milestones behind it, of these the one that promises the
+    // shortest route.
+    const Node& farthest(std::uint32_t first) const {
+        const auto estimate_m = [&](const Node& node) {
+            return node.cost_m + kGreed * left_m(node.samples[0].body.span);
+        };
+        return *std::max_element(nodes.begin() + first, nodes.end(), [&](const Node& a, const Node& b) {
+            return a.behind != b.behind ? a.behind < b.behind : estimate_m(a) > estimate_m(b);
+        });
+    }
+
     std::uint64_t key(const Node& node) const {
         double apart_m = 0.0;
         const Vec3 at = ground.feet_m(node.samples[0].body);
@@ -396,7 +424,7 @@ struct WordPlanner::Search {
 
 std::optional<WordRoute> WordPlanner::plan(const Vec3& from_m, double heading_rad, const WordGoal& goal,
                                            const DoorsOpen& doors, const WordErrors& errors,
-                                           const std::stop_token& stop) const {
+                                           const std::stop_token& stop, const WordParts& parts) const {
     const WalkSpace& space = ground_.space();
     contract_pre(goal.size() == space.spans.size() && doors.size() == ground_.doors().size());
     const BlindBody stands = ground_.body_at(from_m);
@@ -421,9 +449,12 @@ std::optional<WordRoute> WordPlanner::plan(const Vec3& from_m, double heading_ra
             {},
             {}};
         search.start(from_m, nearest_notch(heading_rad), doors);
-        search.offer(0);
+        const std::optional<std::uint32_t> first = search.begin_with(parts.begun);
+        if (!first) continue;
+        search.offer(*first);
         int expanded = 0, tried = 0;
-        int behind = 0, farther = 0, since = 0, refused = 0;
+        const int behind_first = search.nodes[*first].behind;
+        int behind = behind_first, farther = 0, since = 0, refused = 0;
         while (!search.open.empty() && expanded < kMostExpanded && tried < kMostTried && !stop.stop_requested()) {
             const Search::Candidate candidate = search.open.top();
             search.open.pop();
@@ -466,6 +497,13 @@ std::optional<WordRoute> WordPlanner::plan(const Vec3& from_m, double heading_ra
             ++search.here[candidate.place];
             search.nodes.push_back(std::move(*node));
             search.offer(static_cast<std::uint32_t>(search.nodes.size() - 1));
+            if (parts.places > 0 && expanded >= parts.places && !best)
+                if (const Search::Node& farthest = search.farthest(*first); farthest.behind > behind_first) {
+                    WordRoute begin = search.route_to(farthest);
+                    begin.whole = false;
+                    for (const WordLeg& leg : begin.legs) begin.length_m += leg.steps * step_m_;
+                    return begin;
+                }
         }
         if (stop.stop_requested()) return best;
         if (best && best->came >= kWordTrials * 9 / 10) break;

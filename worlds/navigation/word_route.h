@@ -42,6 +42,8 @@ struct WordRoute {
     double length_m = 0.0;
     // Of kWordTrials bodies with errors, how many came there when it was tried.
     int came = 0;
+    // False: these are its first legs only, and where they end the rest is still to be planned. `came` is 0 then.
+    bool whole = true;
 };
 inline constexpr int kWordTrials = 100;
 
@@ -50,6 +52,15 @@ struct WordErrors {
     double step_part = 0.1;    // of a step's length
     double turn_rad = 0.0873;  // at each turn: 5 degrees
     double start_m = 0.3;
+};
+
+// A route in two parts, so that its first legs are known long before the rest.
+struct WordParts {
+    // Legs that the route begins with, as planned before from the same place: the rest is planned behind them.
+    std::span<const WordLeg> begun = {};
+    // Once this many places were looked at, the legs to beyond a door or flight are enough. 0: the whole route is
+    // planned.
+    int places = 0;
 };
 
 // Where a route may end: of each span of the space whether it is there.
@@ -63,7 +74,8 @@ public:
     // From a place and a heading, rounded to the notch, to the nearest place of the goal. None: there is no way on foot
     // over floor and stairs, it was stopped, or no route was found on which a body comes there even without errors.
     std::optional<WordRoute> plan(const Vec3& from_m, double heading_rad, const WordGoal& goal, const DoorsOpen& open,
-                                  const WordErrors& errors = {}, const std::stop_token& stop = {}) const;
+                                  const WordErrors& errors = {}, const std::stop_token& stop = {},
+                                  const WordParts& parts = {}) const;
     // How many of so many bodies with errors, drawn from `seed`, come to the goal by the route.
     int try_out(const WordRoute& route, const Vec3& from_m, double heading_rad, const WordGoal& goal,
                 const DoorsOpen& open, const WordErrors& errors, int bodies, std::uint64_t seed) const;

@@ -299,8 +299,11 @@ RouteFollower::Said EarWay::tick_words(double now_s) {
             wish_ = RouteWish::OnFoot;
             return said;
         }
-        if (std::exchange(rest_asked_, false)) tell_rest(now_s);
-        else context_.answer(word_.leg(), now_s);
+        // What is still to be planned is told once it is there.
+        const std::vector<std::string> rest = rest_asked_ ? word_.rest() : std::vector<std::string>{};
+        if (!rest_asked_) context_.answer(word_.leg(), now_s);
+        else if (!rest.empty()) context_.answer(fmt::format("{}", fmt::join(rest, " ")), now_s);
+        rest_asked_ = rest_asked_ && rest.empty();
     }
     tell_facing(now_s);
     said.left = news.left;

@@ -30,7 +30,8 @@ public:
     void follow_again(const std::string& first, double now_s);
     void stop();
     bool following() const { return follower_.following(); }
-    bool plans_legs() const { return word_.state() == WordWay::State::Planned; }
+    bool plans_legs() const { return word_.awaited(); }
+    bool plans_rest() const { return word_.at_work() && !word_.whole(); }
     // As it is told: of the goal or of the nearest place to it. Kept when the way is over.
     const std::string& name() const { return name_; }
     bool to_nearest() const { return to_nearest_; }  // of what cannot be reached

@@ -48,8 +48,10 @@ public:
     // Follows the route from where the body stands to a place: to the room around it if `by_room`, else to a thing of
     // that name there. False: no route leads there.
     bool follow_to(const Vec3& goal_m, const std::string& name, bool by_room, double now_s);
-    // What is followed is still being planned; a later tick has it.
+    // Legs that were requested are still being planned; a later tick has them.
     bool plans_legs() const { return ear_.plans_legs(); }
+    // The same of the legs to the end of the route.
+    bool plans_rest() const { return ear_.plans_rest(); }
     // The legs that RestOfWay announces, one each; guidance ends. Empty: there is no route.
     std::vector<std::string> take_legs();
     // Whether a room is called so that one may choose a way to.

@@ -19,6 +19,8 @@ constexpr int kTried = 24;
 constexpr double kFewer = 0.25, kUnmoved_m = 0.1;
 
 double distance_to_stretch(const Vec3& at, const Vec3& a, const Vec3& b) {
+// Places that the planner looks at before its first legs are told. Routes in a house need fewer for all their legs.
+constexpr int kPlacesForFirst = 150;
     const Vec3 way = b - a;
     const double length2 = glm::dot(way, way);
     const double part = length2 > 0.0 ? std::clamp(glm::dot(at - a, way) / length2, 0.0, 1.0) : 0.0;
@@ -44,11 +46,13 @@ void WordWay::stop() {
     wanted_ = false;
     way_ = {};
     at_ = 0;
+    awaited_ = Awaited::Nothing;
     room_ = kNothing;
     stopped_.reset();
 }
 
-void WordWay::plan() {
+void WordWay::plan(bool in_parts) {
+    awaited_ = Awaited::Nothing;
     const std::shared_ptr<const WordFloor> floor = ground_.floor();
     wanted_ = !floor && ground_.awaited();
     state_ = floor || wanted_ ? State::Planned : State::NoWay;
@@ -59,14 +63,25 @@ void WordWay::plan() {
     planned.from_m = context_.body.feet_m();
     planned.notch = nearest_notch(context_.body.heading_goal_rad);
     planned.open = ground_.open_now(*floor);
-    planning_.begin([planned = std::move(planned), room = room_, middle_m = rooms_.graph().rooms[room_].middle_m,
+    planning_.begin([planned = std::move(planned), in_parts, room = room_,
+                     middle_m = rooms_.graph().rooms[room_].middle_m,
                      scene = rooms_.file_scene()](const std::stop_token& stop) {
         Planned made = planned;
         if (!made.goal)
             made.goal = std::make_shared<const WordGoal>(goal_in_room(
                 made.floor->ground.space(), made.floor->room_of_span, room, stated_room_at(*scene, middle_m)));
-        made.route =
-            made.floor->planner.plan(made.from_m, notch_heading_rad(made.notch), *made.goal, made.open, {}, stop);
+        made.route = made.floor->planner.plan(made.from_m, notch_heading_rad(made.notch), *made.goal, made.open, {},
+                                              stop, {.begun = {}, .places = in_parts ? kPlacesForFirst : 0});
+        return made;
+    });
+}
+
+// Behind the first legs, while they are walked.
+void WordWay::plan_rest() {
+    planning_.begin([planned = way_](const std::stop_token& stop) {
+        Planned made = planned;
+        made.route = made.floor->planner.plan(made.from_m, notch_heading_rad(made.notch), *made.goal, made.open, {},
+                                              stop, {.begun = planned.route->legs, .places = 0});
         return made;
     });
 }
@@ -78,6 +93,19 @@ void WordWay::take(Planned planned) {
     state_ = way_.route && !way_.route->legs.empty() ? State::Known : State::NoWay;
 }
 
+    if (state_ == State::Known && !way_.route->whole) plan_rest();
+}
+
+// True: it was awaited. If no rest leads on behind the first legs, the route is planned anew from where the body is.
+bool WordWay::take_rest(Planned planned) {
+    if (!planned.route || planned.route->legs.size() <= way_.route->legs.size()) {
+        plan(false);
+        return false;
+    }
+    way_.route = std::move(planned.route);
+    const Awaited awaited = std::exchange(awaited_, Awaited::Nothing);
+    if (awaited == Awaited::NextLeg) ++at_;
+    return awaited != Awaited::Nothing;
 WordWay::News WordWay::tick() {
     News news;
     if (state_ == State::Planned) {
@@ -86,6 +114,8 @@ WordWay::News WordWay::tick() {
         news.planned = state_ != State::Planned;
     }
     if (state_ != State::Known) return news;
+    } else if (!whole()) {
+        if (auto planned = planning_.take()) news.planned = take_rest(std::move(*planned));
     const Vec3& feet_m = context_.body.feet_m();
     if (glm::length(feet_m - looked_m_) < kLooked_m || !context_.body.walker->state().on_ground) return news;
     looked_m_ = feet_m;
@@ -115,16 +145,18 @@ LegAt WordWay::leg_at(std::size_t which) const {
     LegAt at{legs[which], 0, {}, {}, {}, 0};
     at.notch = ((notch % kNotches) + kNotches) % kNotches;
     at.planned_from_m = which == 0 ? way_.from_m : legs[which - 1].to_m;
-    if (which + 1 == legs.size()) at.goal = goal_;
+    if (way_.route->whole && which + 1 == legs.size()) at.goal = goal_;
     at.from_m = context_.body.feet_m();
     at.from_notch = nearest_notch(context_.body.heading_goal_rad);
     return at;
 }
 
-// From where one is the legs that are left still lead there, for bodies with errors too.
+// From where one is the legs that are left still lead there, for bodies with errors too. Of first legs that is not
+// known before the rest is.
 bool WordWay::holds() const {
     const LegAt first = leg_at(at_);
     if (at_ == 0 && glm::length(first.from_m - way_.from_m) < kUnmoved_m && way_.open == open_now()) return true;
+    if (!way_.route->whole) return true;
     WordRoute left;
     left.legs.assign(way_.route->legs.begin() + static_cast<std::ptrdiff_t>(at_), way_.route->legs.end());
     left.legs.front().turn_notches = first.notch - first.from_notch;
@@ -193,6 +225,7 @@ std::vector<std::string> WordWay::rest() {
     if (state_ != State::Known) return {};
     std::vector<std::string> legs;
     DoorsOpen open = open_now();
+    awaited_ = Awaited::Nothing;
     int notch_before = 0;
     for (std::size_t i = at_; i < way_.route->legs.size(); ++i) {
         LegAt at = leg_at(i);
@@ -204,12 +237,24 @@ std::vector<std::string> WordWay::rest() {
         if (at.leg.door != kNothing) open[at.leg.door] = true;
         notch_before = at.notch;
     }
+    if (!way_.route->whole && !waits_for_door(at_) && is_over(leg_at(at_))) return await(Awaited::NextLeg);
     return legs;
 }
 
 std::optional<double> WordWay::heading_rad() const {
+std::string WordWay::await(Awaited what) {
+    awaited_ = what;
+    return {};
+}
+
     if (state_ != State::Known) return std::nullopt;
     return notch_heading_rad(leg_at(at_).notch);
 }
 
+    awaited_ = Awaited::Nothing;
+    if (!shut && !way_.route->whole && at_ + 1 == way_.route->legs.size()) return await(Awaited::NextLeg);
 }  // namespace handrail
+    if (!way_.route->whole) {
+        awaited_ = Awaited::Rest;
+        return {};
+    }

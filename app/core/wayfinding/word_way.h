@@ -1,6 +1,6 @@
-// The route to a room that is followed by words: planned for words in the background; told leg by leg from where one
-// is, and planned anew where the rest of it would not lead there any more. Says nothing itself. App thread only; world
-// metres.
+// The route to a room that is followed by words: planned for words in the background, its first legs first; told leg by
+// leg from where one is, and planned anew where the rest of it would not lead there any more. Says nothing itself. App
+// thread only; world metres.
 #pragma once
 
 #include <memory>
@@ -22,13 +22,20 @@ public:
     void begin(std::uint32_t room, std::string goal);
     void stop();
 
-    // None: nothing is followed. Planned: it is being planned. Known: it can be told. NoWay: there is none for words.
+    // None: nothing is followed. Planned: it is being planned. Known: its first legs can be told, at least. NoWay:
+    // there is none for words.
     enum class State : std::uint8_t { None, Planned, Known, NoWay };
     State state() const { return state_; }
     bool at_work() const { return state_ == State::Planned || state_ == State::Known; }
+    // A leg or the rest that was requested is being planned: News::planned says when it is there.
+    bool awaited() const {
+        return state_ == State::Planned || (state_ == State::Known && awaited_ != Awaited::Nothing);
+    }
+    // All its legs are known, or it has none.
+    bool whole() const { return state_ != State::Planned && (state_ != State::Known || way_.route->whole); }
 
     struct News {
-        bool planned = false;  // its first leg is there to be told, or there is none
+        bool planned = false;  // what was awaited is there to be told, or there is none
         bool arrived = false, left = false;
     };
     // Costs a look at the grid where the body has moved.
@@ -56,8 +63,12 @@ private:
         int notch = 0;
         DoorsOpen open;  // as the doors stood then
     };
-    void plan();
+    enum class Awaited : std::uint8_t { Nothing, NextLeg, Rest };
+    void plan(bool in_parts = true);
+    void plan_rest();
     void take(Planned planned);
+    bool take_rest(Planned planned);
+    std::string await(Awaited what);
     LegAt leg_at(std::size_t which) const;
     bool stopped_on(const LegAt& leg) const;
     bool in_outline(const Vec3& feet_m) const;
@@ -70,7 +81,8 @@ private:
     State state_ = State::None;
     std::uint32_t room_ = kNothing;
     std::string goal_;
-    bool wanted_ = false;  // a plan, once there is a floor
+    bool wanted_ = false;                 // a plan, once there is a floor
+    Awaited awaited_ = Awaited::Nothing;  // of the legs that are not known yet
     Planned way_;
     std::size_t at_ = 0;  // the leg that is walked
     Vec3 looked_m_{0.0};
