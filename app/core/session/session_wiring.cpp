@@ -89,9 +89,7 @@ void Session::wire() {
     };
     walk_.walking.on_bumped = [this](FeatureId feature, double now_s) {
         lesson_session_.note_bump(feature);
-        // A door is opened or shut, and then the same leg goes on.
-        if (const Feature* met = state_.world.scene->find(feature); !met || met->kind != FeatureKind::Door)
-            guide_.note_stop();
+        guide_.note_stop(feature);
         // In games a button is walked against.
         if (const int met = mover_of(state_.world, feature);
             met >= 0 && state_.world.scene->features[feature.value].kind == FeatureKind::Button)

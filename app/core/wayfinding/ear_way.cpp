@@ -36,6 +36,7 @@ void EarWay::stop() {
     word_.stop();
     room_.reset();
     told_.reset();
+    stopped_.reset();
     wish_ = RouteWish::Safest;
     faces_ = rest_asked_ = false;
 }
@@ -157,7 +158,7 @@ void EarWay::tell_on(double now_s) {
     const Route& route = leg->route;
     const std::string where = where_words(context_, std::hypot(off.x, off.y), std::atan2(off.x, off.y)),
                       all = sentence_case(distance_words(route.length_m, distances(context_)));
-    std::string leaf = leaf_ahead(context_, std::array{feet_m, leg->to_m});
+    std::string leaf = leaf_in_way(leg->to_m);
     if (!leaf.empty()) leaf = " " + capitalised(phrase("leg.leaf_in_way", {{"door", leaf}}));
     for (const RoutePassage& passage : route.passages)
         if (passage.at_m < leg->along_m + 1.0) {
@@ -180,6 +181,30 @@ void EarWay::tell_on(double now_s) {
                 now_s);
         }
     context_.answer(phrase("way.next", {{"goal", name_}, {"where", where}, {"all", all}}) + leaf, now_s);
+}
+
+void EarWay::note_stop(FeatureId by) {
+    word_.note_stop(by);
+    const int times = stopped_ && stopped_->by == by ? stopped_->times + 1 : 1;
+    stopped_ = Stop{by, context_.body.feet_m(), context_.body.heading_rad, times};
+}
+
+// The door whose leaf the body meets on the way there, or has met where it stands: a leaf at a shoulder is in the way,
+// too, though by the plan the body passes it. Empty: there is none, or it goes on stopping the body.
+std::string EarWay::leaf_in_way(const Vec3& to_m) const {
+    constexpr double kHere_m = 0.25, kThatWay_rad = 0.8;
+    constexpr int kMostTimes = 4;
+    const Vec3& feet_m = context_.body.feet_m();
+    std::string leaf = leaf_ahead(context_, std::array{feet_m, to_m});
+    if (!leaf.empty() || !stopped_ || stopped_->times > kMostTimes || glm::length(stopped_->at_m - feet_m) > kHere_m ||
+        std::abs(wrap_angle(std::atan2(to_m.x - feet_m.x, to_m.y - feet_m.y) - stopped_->heading_rad)) > kThatWay_rad)
+        return leaf;
+    const int mover = mover_of(context_.world, stopped_->by);
+    const Feature* const met = context_.world.scene->find(stopped_->by);
+    const bool open = mover >= 0 && met && met->kind == FeatureKind::Door &&
+                      context_.world.scene->movers[static_cast<std::size_t>(mover)].by_hand &&
+                      !shut(context_.world, static_cast<std::uint32_t>(mover));
+    return open ? passage_name(context_, PassageKind::Door, stopped_->by, 0.0) : std::string();
 }
 
 // So near that the key takes one over them.

@@ -47,8 +47,8 @@ public:
     std::vector<std::string> rest_of_way();
     // Which way the leg that was told leads; none: no way is followed.
     std::optional<double> leg_heading_rad() const;
-    // The body was stopped by something.
-    void note_stop() { word_.note_stop(); }
+    // The body was stopped by that part.
+    void note_stop(FeatureId by);
     // The stairs to be taken in one go that it leads over next, where one stands at them.
     std::optional<RoutePassage> climb_here() const;
     // A leaf stands across the rest of the way by now: it goes on round it, without a word but what comes.
@@ -68,6 +68,7 @@ private:
     bool there(bool at_end) const;
     void follow_silently(Route route, const std::string& goal);
     void tell(const std::string& words, double now_s);
+    std::string leaf_in_way(const Vec3& to_m) const;
     RouteFollower::Said tick_words(double now_s);
     void tell_facing(double now_s);
 
@@ -81,6 +82,13 @@ private:
     bool rest_asked_ = false;             // the rest of the way was asked for before it was planned
     std::string name_;
     bool to_nearest_ = false;
+    struct Stop {
+        FeatureId by = kNoFeature;
+        Vec3 at_m{0.0};
+        double heading_rad = 0.0;
+        int times = 1;  // by the same part one after the other
+    };
+    std::optional<Stop> stopped_;              // the body, last
     std::optional<Route> told_;                // how it goes on, as tell_on told it last
     std::shared_ptr<const Scene> planned_in_;  // the world as it was when the way was planned
 };

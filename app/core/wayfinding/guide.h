@@ -89,7 +89,7 @@ public:
     std::optional<double> line_up_m(const Vec3& feet_m, double heading_rad) {
         return ground_.line_up_m(feet_m, heading_rad);
     }
-    void note_stop() { ear_.note_stop(); }
+    void note_stop(FeatureId by) { ear_.note_stop(by); }
     std::optional<RoutePassage> climb_here() const { return ear_.climb_here(); }
     // Set by the session: turns the body; tells why nobody comes to a room.
     std::function<void(double heading_rad, double now_s)> on_face;

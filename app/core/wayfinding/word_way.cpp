@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "app/core/context/telling.h"
+#include "app/core/world/questions.h"
+#include "worlds/base/language.h"
 #include "worlds/navigation/stated_rooms.h"
 
 namespace handrail {
@@ -17,10 +19,10 @@ constexpr double kLooked_m = 0.05;
 // as there came when it was planned, but for this part of all.
 constexpr int kTried = 24;
 constexpr double kFewer = 0.25, kUnmoved_m = 0.1;
-
-double distance_to_stretch(const Vec3& at, const Vec3& a, const Vec3& b) {
 // Places that the planner looks at before its first legs are told. Routes in a house need fewer for all their legs.
 constexpr int kPlacesForFirst = 150;
+
+double distance_to_stretch(const Vec3& at, const Vec3& a, const Vec3& b) {
     const Vec3 way = b - a;
     const double length2 = glm::dot(way, way);
     const double part = length2 > 0.0 ? std::clamp(glm::dot(at - a, way) / length2, 0.0, 1.0) : 0.0;
@@ -44,9 +46,9 @@ void WordWay::stop() {
     planning_.give_up();
     state_ = State::None;
     wanted_ = false;
+    awaited_ = Awaited::Nothing;
     way_ = {};
     at_ = 0;
-    awaited_ = Awaited::Nothing;
     room_ = kNothing;
     stopped_.reset();
 }
@@ -91,8 +93,6 @@ void WordWay::take(Planned planned) {
     at_ = 0;
     looked_m_ = context_.body.feet_m() + Vec3(2.0 * kLooked_m, 0.0, 0.0);
     state_ = way_.route && !way_.route->legs.empty() ? State::Known : State::NoWay;
-}
-
     if (state_ == State::Known && !way_.route->whole) plan_rest();
 }
 
@@ -106,16 +106,18 @@ bool WordWay::take_rest(Planned planned) {
     const Awaited awaited = std::exchange(awaited_, Awaited::Nothing);
     if (awaited == Awaited::NextLeg) ++at_;
     return awaited != Awaited::Nothing;
+}
+
 WordWay::News WordWay::tick() {
     News news;
     if (state_ == State::Planned) {
         if (wanted_) plan();
         if (auto planned = planning_.take()) take(std::move(*planned));
         news.planned = state_ != State::Planned;
-    }
-    if (state_ != State::Known) return news;
     } else if (!whole()) {
         if (auto planned = planning_.take()) news.planned = take_rest(std::move(*planned));
+    }
+    if (state_ != State::Known) return news;
     const Vec3& feet_m = context_.body.feet_m();
     if (glm::length(feet_m - looked_m_) < kLooked_m || !context_.body.walker->state().on_ground) return news;
     looked_m_ = feet_m;
@@ -154,9 +156,10 @@ LegAt WordWay::leg_at(std::size_t which) const {
 // From where one is the legs that are left still lead there, for bodies with errors too. Of first legs that is not
 // known before the rest is.
 bool WordWay::holds() const {
-    const LegAt first = leg_at(at_);
-    if (at_ == 0 && glm::length(first.from_m - way_.from_m) < kUnmoved_m && way_.open == open_now()) return true;
     if (!way_.route->whole) return true;
+    const LegAt first = leg_at(at_);
+    // Where it was planned it holds, even if its first leg is over there: planned anew it would be the same for ever.
+    if (glm::length(first.from_m - way_.from_m) < kUnmoved_m && way_.open == open_now()) return true;
     WordRoute left;
     left.legs.assign(way_.route->legs.begin() + static_cast<std::ptrdiff_t>(at_), way_.route->legs.end());
     left.legs.front().turn_notches = first.notch - first.from_notch;
@@ -174,10 +177,10 @@ bool WordWay::holds() const {
 std::string WordWay::tell() {
     if (state_ != State::Known) return {};
     const LegAt leg = leg_at(at_);
-    const SpokenLeg told = spoken_leg(context_, *way_.floor, leg, open_now());
+    SpokenLeg told = spoken_leg(context_, *way_.floor, leg, open_now());
     // Legs are planned on a grid coarser than the body. On it a body may slide past what stops the real one, and the
     // same leg would be told for ever.
-    if (stopped_on(leg) && told.leaf.empty()) {
+    if (stopped_on(leg) && told.leaf.empty() && !begin_with_door(told)) {
         stop();
         state_ = State::NoWay;
         return {};
@@ -185,8 +188,33 @@ std::string WordWay::tell() {
     return leg_words(told, distances(context_));
 }
 
-void WordWay::note_stop() {
-    if (state_ == State::Known) stopped_ = Stop{context_.body.feet_m(), context_.body.heading_rad};
+void WordWay::note_stop(FeatureId by) {
+    if (state_ != State::Known) return;
+    const Feature* const met = context_.world.scene->find(by);
+    Stop stop{context_.body.feet_m(), context_.body.heading_rad};
+    if (met && met->kind == FeatureKind::Door) stop.door = by;
+    if (stopped_ && stop.door && stopped_->door == stop.door) stop.times = stopped_->times + 1;
+    stopped_ = stop;
+}
+
+// From here the leg says what to do with the door that stopped the body: a shut one is opened, and the leaf of an open
+// one is shut. False: no door did that a person opens, or it goes on stopping the body.
+bool WordWay::begin_with_door(SpokenLeg& leg) const {
+    constexpr int kMostTimes = 4;
+    if (leg.open || leg.by_itself) return true;  // it does so already
+    const int mover = stopped_->door ? mover_of(context_.world, stopped_->door) : -1;
+    if (mover < 0 || stopped_->times > kMostTimes ||
+        !context_.world.scene->movers[static_cast<std::size_t>(mover)].by_hand)
+        return false;
+    const std::string door = passage_name(context_, PassageKind::Door, stopped_->door, 0.0);
+    if (shut(context_.world, static_cast<std::uint32_t>(mover)))
+        leg = {.turn_notches = leg.turn_notches,
+               .steps = 1,
+               .end = PaceEnd::Stopped,
+               .to = joined(door, phrase("questions.shut")),
+               .open = true};
+    else leg.leaf = door;
+    return true;
 }
 
 bool WordWay::stopped_on(const LegAt& leg) const {
@@ -197,6 +225,7 @@ bool WordWay::stopped_on(const LegAt& leg) const {
 
 std::string WordWay::leg() {
     if (state_ != State::Known) return {};
+    awaited_ = Awaited::Nothing;
     const std::size_t last = way_.route->legs.size() - 1;
     const DoorsOpen open = open_now();
     const auto waits_for_door = [&](std::size_t which) {
@@ -204,17 +233,26 @@ std::string WordWay::leg() {
         return door != kNothing && !open[door];
     };
     const auto is_over = [&](const LegAt& leg) {
-        return leg_is_over(*way_.floor, leg, open) || (leg.leg.end == PaceEnd::Stopped && stopped_on(leg));
+        return leg_is_over(*way_.floor, leg, open) ||
+               (leg.leg.end == PaceEnd::Stopped && stopped_on(leg) && !stopped_->door);
     };
     while (at_ < last && !waits_for_door(at_) && is_over(leg_at(at_))) ++at_;
+    if (!way_.route->whole && !waits_for_door(at_) && is_over(leg_at(at_))) return await(Awaited::NextLeg);
     if (!holds()) plan();
     return tell();
+}
+
+std::string WordWay::await(Awaited what) {
+    awaited_ = what;
+    return {};
 }
 
 std::string WordWay::next_leg() {
     if (state_ != State::Known) return {};
     const std::uint32_t door = way_.route->legs[at_].door;
     const bool shut = door != kNothing && !open_now()[door];
+    awaited_ = Awaited::Nothing;
+    if (!shut && !way_.route->whole && at_ + 1 == way_.route->legs.size()) return await(Awaited::NextLeg);
     if (!shut) ++at_;
     if (at_ >= way_.route->legs.size() || !holds()) plan();
     return tell();
@@ -223,9 +261,12 @@ std::string WordWay::next_leg() {
 std::vector<std::string> WordWay::rest() {
     if (state_ != State::Known || !holds()) plan();
     if (state_ != State::Known) return {};
+    if (!way_.route->whole) {
+        awaited_ = Awaited::Rest;
+        return {};
+    }
     std::vector<std::string> legs;
     DoorsOpen open = open_now();
-    awaited_ = Awaited::Nothing;
     int notch_before = 0;
     for (std::size_t i = at_; i < way_.route->legs.size(); ++i) {
         LegAt at = leg_at(i);
@@ -237,24 +278,12 @@ std::vector<std::string> WordWay::rest() {
         if (at.leg.door != kNothing) open[at.leg.door] = true;
         notch_before = at.notch;
     }
-    if (!way_.route->whole && !waits_for_door(at_) && is_over(leg_at(at_))) return await(Awaited::NextLeg);
     return legs;
 }
 
 std::optional<double> WordWay::heading_rad() const {
-std::string WordWay::await(Awaited what) {
-    awaited_ = what;
-    return {};
-}
-
     if (state_ != State::Known) return std::nullopt;
     return notch_heading_rad(leg_at(at_).notch);
 }
 
-    awaited_ = Awaited::Nothing;
-    if (!shut && !way_.route->whole && at_ + 1 == way_.route->legs.size()) return await(Awaited::NextLeg);
 }  // namespace handrail
-    if (!way_.route->whole) {
-        awaited_ = Awaited::Rest;
-        return {};
-    }

@@ -48,9 +48,9 @@ public:
     std::string next_leg();
     // and all that are left, one after the other.
     std::vector<std::string> rest();
-    // The body was stopped where it stands, in the direction that it faces. A leg that would go on there is not told
-    // again: there is no way for words then.
-    void note_stop();
+    // The body was stopped by that part where it stands, in the direction that it faces. If a leg would go on there, it
+    // is told with the door that stopped the body. If no door did, there is no way for words any more.
+    void note_stop(FeatureId by);
     // Where the leg that was told last leads; none: nothing is told.
     std::optional<double> heading_rad() const;
 
@@ -71,6 +71,7 @@ private:
     std::string await(Awaited what);
     LegAt leg_at(std::size_t which) const;
     bool stopped_on(const LegAt& leg) const;
+    bool begin_with_door(SpokenLeg& leg) const;
     bool in_outline(const Vec3& feet_m) const;
     bool holds() const;
     std::string tell();
@@ -89,6 +90,8 @@ private:
     struct Stop {
         Vec3 at_m{0.0};
         double heading_rad = 0.0;
+        FeatureId door = kNoFeature;  // kNoFeature: no door stopped it
+        int times = 1;                // by the same door one after the other
     };
     std::optional<Stop> stopped_;
     BackgroundTask<Planned> planning_{context_.executor, "word-route"};

@@ -322,5 +322,33 @@ TEST(OpenDoors, that_are_shut_on_the_way_are_told_to_be_opened_again) {
     EXPECT_NE(after.find("Open it"), std::string::npos) << before << " | " << after;
 }
 
+// No leg names it, since by the plan the body goes past it. Whoever asks again hears what to do with it.
+TEST(OpenDoors, that_stop_the_body_on_a_leg_are_named_by_it) {
+    test::AppSession p;
+    p.app.apply(WorldEntered{make_ready(corridor_with_closet(64))}, 0.0);
+    p.run(0.1);
+    p.app.apply(Placed{{3.0, 2.0, 0.0}, 0.5 * kPi}, p.now);
+    p.ask(Command::Routes);
+    p.line("Hall");
+    p.run(0.1);
+    const std::string leg = p.ask(Command::RepeatLeg);
+    ASSERT_EQ(leg.find("Closet"), std::string::npos) << leg;
+    ASSERT_TRUE(leg.starts_with("Straight on.")) << leg;
+    const FeatureId closet = p.app.scene()->movers[0].feature;
+    p.app.guide().note_stop(closet);
+    EXPECT_EQ(p.ask(Command::RepeatLeg), "Straight on. 1 step, until you meet Closet, shut. Open it.");
+    p.app.apply(Placed{{5.0, 2.3, 0.0}, 0.0}, p.now);
+    p.tap(Command::Use, 2.0);
+    ASSERT_TRUE(p.heard("Closet opens"));
+    p.app.apply(Placed{{3.0, 2.0, 0.0}, 0.5 * kPi}, p.now);
+    p.run(0.2);
+    p.app.guide().note_stop(closet);
+    const std::string shut_it = p.ask(Command::RepeatLeg);
+    EXPECT_NE(shut_it.find("Closet is open and in the way. Shut it."), std::string::npos) << shut_it;
+    // A door that goes on stopping the body is no way.
+    for (int i = 0; i < 4; ++i) p.app.guide().note_stop(closet);
+    EXPECT_EQ(p.ask(Command::RepeatLeg).find("Closet is open"), std::string::npos) << p.news();
+}
+
 }  // namespace open_doors_test
 }  // namespace handrail
