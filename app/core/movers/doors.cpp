@@ -20,7 +20,8 @@ namespace {
 constexpr double kBounced_hand_m = 0.015;  // off a door that it has just met, while one hears which it is
 constexpr double kNearThing_m = 0.1;       // farther from a thing nobody stands on it
 constexpr double kBesideOne_m = 3.0;       // a door that shuts as near may be the one that one is about to go through
-constexpr double kCeiling = -0.7;          // normals that look down as much belong to what is overhead
+constexpr double kInwards_m = 0.05, kMostInwards_m = 0.6;  // steps of who stands on the threshold of a lift
+constexpr double kCeiling = -0.7;                          // normals that look down as much belong to what is overhead
 
 Aabb box_of(const Scene& scene, FeatureId feature) { return scene.features[feature.value].bounds_m; }
 
@@ -286,8 +287,17 @@ Meeting Doors::meet(std::uint32_t mover, const Placement& from, const Placement&
             const Vec3 onto = onto_thing(placed_bounds(own.model->bounds_m, from), feet, body.radius_m);
             feet = world_.solids->trace(feet, feet + onto, body, false, index).end_m;
         }
-        const TraceHit hit = world_.solids->trace(feet, feet + way, body, false, index);
-        if (hit.hit && hit.normal.z < kCeiling) return Meeting::Body;
+        TraceHit hit = world_.solids->trace(feet, feet + way, body, false, index);
+        const auto meets = [&] { return hit.hit && hit.normal.z < kCeiling; };
+        // Who stands on the threshold of a lift would meet the lintel, so steps towards the middle of the cabin.
+        const Vec3 middle = placed_bounds(own.model->bounds_m, from).centre_m();
+        const Vec3 inwards{middle.x - feet.x, middle.y - feet.y, 0.0};
+        if (const double far_m = glm::length(inwards); meets() && !door && far_m > 0.0)
+            for (double by_m = kInwards_m; by_m < std::min(far_m, kMostInwards_m) && meets(); by_m += kInwards_m) {
+                const Vec3 in = world_.solids->trace(feet, feet + inwards * (by_m / far_m), body, false, index).end_m;
+                hit = world_.solids->trace(in, in + way, body, false, index);
+            }
+        if (meets()) return Meeting::Body;
         feet = hit.end_m;
     } else if (!passes_body(world_.scene->features[own.feature.value], own,
                             goes_shut ? std::optional(world_.movers.at_goal(mover)) : std::nullopt, feet, body) &&

@@ -67,5 +67,22 @@ TEST(LiftHalts, one_rides_to_the_storey_that_is_told_and_chosen_by_the_key_again
     EXPECT_NEAR(ride.app.feet_m().z, 0.0, 0.02);
 }
 
+// Under the lintel the head would be met: the lift takes one farther in instead of going back for ever.
+TEST(LiftHalts, one_rides_from_the_threshold) {
+    for (const double in_m : {0.3, 0.35, 0.4, 0.5}) {
+        SCOPED_TRACE(in_m);
+        Ride ride(test::hall_with_lift());
+        ride.walk(4.0);
+        ride.tap(Command::Use);
+        ride.run(1.5);
+        ride.app.apply(Placed{{3.0, 6.0 + in_m, 0.0}, 0.0}, ride.now);
+        ride.run(0.1);
+        ride.tap(Command::Use);
+        ride.run(9.0);
+        EXPECT_FALSE(ride.heard("touched you")) << ride.news();
+        EXPECT_NEAR(ride.app.feet_m().z, 3.0, 0.02) << ride.news();
+    }
+}
+
 }  // namespace lift_halts_test
 }  // namespace handrail
