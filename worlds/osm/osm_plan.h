@@ -61,6 +61,10 @@ private:
     void add_spaces();
     void add_doors();
     void add_walls_and_things();
+    std::vector<std::size_t> levels_here(std::string_view level_text, const OsmTags& tags) const;
+    void add_drawn(const OsmWay& way);
+    void name_thing(PlanThing& thing, const OsmTags& tags, std::string_view what) const;
+    void add_thing_at(std::int64_t node);
     void add_lift_nodes();
     bool add_lift_at(std::int64_t node, std::size_t rooms);
     void add_ways(bool rooms_are_joined);

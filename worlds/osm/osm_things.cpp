@@ -35,81 +35,89 @@ std::string_view drawn_thing(const OsmTags& tags) {
 
 }  // namespace
 
+std::vector<std::size_t> OsmPlan::levels_here(std::string_view level_text, const OsmTags& tags) const {
+    std::vector<std::size_t> here;
+    OsmLevels levels = levels_of(level_text, tags["repeat_on"]);
+    if (levels.levels.empty()) levels.levels.push_back(0.0);
+    for (const double number : levels.levels)
+        if (const std::size_t level = level_at(number); level != kNone) here.push_back(level);
+    return here;
+}
+
 void OsmPlan::add_walls_and_things() {
-    const auto levels_here = [&](std::string_view level_text, const OsmTags& tags) {
-        std::vector<std::size_t> here;
-        OsmLevels levels = levels_of(level_text, tags["repeat_on"]);
-        if (levels.levels.empty()) levels.levels.push_back(0.0);
-        for (const double number : levels.levels)
-            if (const std::size_t level = level_at(number); level != kNone) here.push_back(level);
-        return here;
-    };
     if (plan_.spaces.empty()) return;
-    for (const OsmWay& way : data_.ways) {
-        const bool wall = way.tags.is("indoor", "wall") || way.tags.is("buildingpart", "wall"),
-                   guidance = way.tags.is("tactile_paving", "yes") && !way.tags.has("highway") &&
-                              !is_walked(way.tags) && (way.tags.is("indoor", "yes") || way.tags.has("level")) &&
-                              !way.closed(),
-                   artwork = way.tags.is("indoor", "yes") && way.tags.has("tourism") && way.closed();
-        const std::string_view drawn = way.closed() && !wall ? drawn_thing(way.tags) : std::string_view();
-        if (!(wall || guidance || artwork || !drawn.empty()) || !all_known(way.nodes) ||
-            plan_.things.size() > kMostThings)
+    for (const OsmWay& way : data_.ways) add_drawn(way);
+    for (const std::int64_t n : data_.tagged_nodes) add_thing_at(n);
+}
+
+// Walls, guidance and things that are drawn as lines or outlines.
+void OsmPlan::add_drawn(const OsmWay& way) {
+    const bool wall = way.tags.is("indoor", "wall") || way.tags.is("buildingpart", "wall"),
+               guidance = way.tags.is("tactile_paving", "yes") && !way.tags.has("highway") && !is_walked(way.tags) &&
+                          (way.tags.is("indoor", "yes") || way.tags.has("level")) && !way.closed(),
+               artwork = way.tags.is("indoor", "yes") && way.tags.has("tourism") && way.closed();
+    const std::string_view drawn = way.closed() && !wall ? drawn_thing(way.tags) : std::string_view();
+    if (!(wall || guidance || artwork || !drawn.empty()) || !all_known(way.nodes) || plan_.things.size() > kMostThings)
+        return;
+    const Ring line = placed({way.nodes})[0];
+    if (std::any_of(line.begin(), line.end(), [](const Vec2& p) { return glm::length(p) > kMostSide_m; })) return;
+    for (const std::size_t level : levels_here(data_.level_of(way), way.tags)) {
+        if (wall) {
+            for (std::size_t i = 1; i < line.size(); ++i) plan_.walls.push_back({line[i - 1], line[i], level});
             continue;
-        const Ring line = placed({way.nodes})[0];
-        if (std::any_of(line.begin(), line.end(), [](const Vec2& p) { return glm::length(p) > kMostSide_m; })) continue;
-        for (const std::size_t level : levels_here(data_.level_of(way), way.tags)) {
-            if (wall) {
-                for (std::size_t i = 1; i < line.size(); ++i) plan_.walls.push_back({line[i - 1], line[i], level});
-                continue;
-            }
-            PlanThing thing;
-            thing.level = level;
-            if (guidance) {
-                thing.kind = PlanThingKind::Guidance;
-                thing.name = "tactile paving";
-                thing.made_name = true;
-                thing.height_m = kStripHigh_m;
-                for (std::size_t i = 1; i < line.size(); ++i)
-                    thing.parts.push_back(strip(line[i - 1], line[i], 0.5 * kStrip_m));
-            } else if (drawn == "pillar") {
-                thing.kind = PlanThingKind::Pillar;
-                thing.name = "pillar";
-                thing.made_name = true;
-                thing.parts = convex_parts({line});
-            } else {
-                thing.name = in_spoken(way.tags, "name");
-                if (thing.name.empty())
-                    thing.name = capitalised(kind_words(drawn.empty() ? way.tags["tourism"] : drawn));
-                for (const std::string& fact : facts_of(way.tags))
-                    thing.message += (thing.message.empty() ? "" : " ") + fact;
-                thing.parts = convex_parts({line});
-            }
-            plan_.things.push_back(std::move(thing));
         }
+        PlanThing thing;
+        thing.level = level;
+        if (guidance) {
+            thing.kind = PlanThingKind::Guidance;
+            thing.name = "tactile paving";
+            thing.made_name = true;
+            thing.height_m = kStripHigh_m;
+            for (std::size_t i = 1; i < line.size(); ++i)
+                thing.parts.push_back(strip(line[i - 1], line[i], 0.5 * kStrip_m));
+        } else if (drawn == "pillar") {
+            thing.kind = PlanThingKind::Pillar;
+            thing.name = "pillar";
+            thing.made_name = true;
+            thing.parts = convex_parts({line});
+        } else {
+            name_thing(thing, way.tags, drawn.empty() ? way.tags["tourism"] : drawn);
+            thing.parts = convex_parts({line});
+        }
+        plan_.things.push_back(std::move(thing));
     }
-    for (const std::int64_t n : data_.tagged_nodes) {
-        const OsmTags& tags = data_.nodes.at(n).tags;
-        const bool pillar = tags.is("wall:type", "pillar") || tags.is("indoor", "pillar") ||
-                            tags.is("indoor", "column") || tags.is("building", "pillar");
-        const std::string_view what = tags.has("amenity")       ? tags["amenity"]
-                                      : tags.has("information") ? tags["information"]
-                                      : tags.has("tourism")     ? tags["tourism"]
-                                                                : std::string_view();
-        const bool indoors = tags.has("level") || tags.is("indoor", "yes");
-        if (!(pillar || (!what.empty() && indoors)) || plan_.things.size() > kMostThings) continue;
-        const Vec2 at = place_of(n);
-        if (glm::length(at) > kMostSide_m) continue;
-        for (const std::size_t level : levels_here(tags["level"], tags)) {
-            PlanThing thing;
-            thing.level = level;
-            thing.kind = pillar ? PlanThingKind::Pillar : PlanThingKind::Object;
-            thing.made_name = pillar;
-            thing.name = pillar ? "pillar" : std::string(in_spoken(tags, "name"));
-            if (thing.name.empty()) thing.name = capitalised(kind_words(what));
-            for (const std::string& fact : facts_of(tags)) thing.message += (thing.message.empty() ? "" : " ") + fact;
-            thing.parts = {square(at, pillar ? kPillar_m : kThing_m)};
-            plan_.things.push_back(std::move(thing));
+}
+
+// Its own name, or else what it is.
+void OsmPlan::name_thing(PlanThing& thing, const OsmTags& tags, std::string_view what) const {
+    thing.name = in_spoken(tags, "name");
+    if (thing.name.empty()) thing.name = capitalised(kind_words(what));
+    for (const std::string& fact : facts_of(tags)) thing.message += (thing.message.empty() ? "" : " ") + fact;
+}
+
+// Pillars and things that are mapped as a place alone.
+void OsmPlan::add_thing_at(std::int64_t node) {
+    const OsmTags& tags = data_.nodes.at(node).tags;
+    const bool pillar = tags.is("wall:type", "pillar") || tags.is("indoor", "pillar") || tags.is("indoor", "column") ||
+                        tags.is("building", "pillar");
+    std::string_view what = tags["tourism"];
+    if (tags.has("information")) what = tags["information"];
+    if (tags.has("amenity")) what = tags["amenity"];
+    const bool indoors = tags.has("level") || tags.is("indoor", "yes");
+    if (!(pillar || (!what.empty() && indoors)) || plan_.things.size() > kMostThings) return;
+    const Vec2 at = place_of(node);
+    if (glm::length(at) > kMostSide_m) return;
+    for (const std::size_t level : levels_here(tags["level"], tags)) {
+        PlanThing thing;
+        thing.level = level;
+        name_thing(thing, tags, what);
+        if (pillar) {
+            thing.kind = PlanThingKind::Pillar;
+            thing.name = "pillar";
+            thing.made_name = true;
         }
+        thing.parts = {square(at, pillar ? kPillar_m : kThing_m)};
+        plan_.things.push_back(std::move(thing));
     }
 }
 
