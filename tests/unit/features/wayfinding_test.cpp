@@ -261,7 +261,7 @@ TEST(Wayfinding, tells_no_leg_again_that_the_body_has_just_been_stopped_on) {
         const std::string leg = word.leg();
         ASSERT_THAT(leg, HasSubstr("steps"));
         plain.body.heading_rad = plain.body.heading_goal_rad = word.heading_rad().value();
-        word.note_stop();
+        word.note_stop(kNoFeature);
         if (walked_on) plain.stand({3.0, 2.7, 0.0});
         (void)word.leg();
         plan();
