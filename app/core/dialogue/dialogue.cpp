@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <utility>
 
 #include "app/core/dialogue/command_words.h"
 #include "app/core/dialogue/typed_sentences.h"
@@ -47,30 +46,24 @@ bool is_also_called(const ListItem& item, std::string_view typed) {
     return !item.also_typed.empty() && is_called(item.also_typed, typed);
 }
 
-std::size_t entries_of(const ListSpec& list) { return list.items.size() + list.beyond.size(); }
-
-const ListItem& entry(const ListSpec& list, std::size_t at) {
-    return at < list.items.size() ? list.items[at] : list.beyond[at - list.items.size()];
-}
-
-// The entry that is called just so, of that number, or whose name is or begins so, or has a word that does; as many as
+// The item that is called just so, of that number, or whose name is or begins so, or has a word that does; as many as
 // there are: none. "To the kitchen", where nothing is called so, is the kitchen; umlauts may be written out.
 std::size_t item_called(const ListSpec& list, std::string_view typed) {
     std::size_t number = 0;
     const auto [end, error] = std::from_chars(typed.data(), typed.data() + typed.size(), number);
     const bool is_number = error == std::errc{} && end == typed.data() + typed.size();
     // Platforms and rooms are called by numbers too, and what is spoken is the name.
-    for (std::size_t i = 0; is_number && i < entries_of(list); ++i)
-        if (entry(list, i).name == typed) return i;
+    for (std::size_t i = 0; is_number && i < list.items.size(); ++i)
+        if (list.items[i].name == typed) return i;
     if (is_number && number >= 1 && number <= list.items.size()) return number - 1;
     const auto is = [](const std::string& name, const std::string& all) { return name == all; };
     for (const std::string& wanted : {plain_word(typed), plain_word(without_fillers(typed))})
         for (const auto fits : {+is, begins_with, holds_word})
-            for (std::size_t i = 0; i < entries_of(list) && !wanted.empty(); ++i)
-                if (fits(plain_word(entry(list, i).name), wanted)) return i;
-    for (std::size_t i = 0; i < entries_of(list); ++i)
-        if (is_also_called(entry(list, i), typed)) return i;
-    return entries_of(list);
+            for (std::size_t i = 0; i < list.items.size() && !wanted.empty(); ++i)
+                if (fits(plain_word(list.items[i].name), wanted)) return i;
+    for (std::size_t i = 0; i < list.items.size(); ++i)
+        if (is_also_called(list.items[i], typed)) return i;
+    return list.items.size();
 }
 
 // Two sentences, one after the other.
@@ -165,7 +158,7 @@ DialogueReply Dialogue::key(std::string_view name, double now_s) {
 
 DialogueReply Dialogue::list_key(ListSpec& list, std::string_view name, double now_s) {
     const std::size_t last = list.items.size() - 1, was = list.at;
-    if (name == "Enter") return choose(list, list.at);
+    if (name == "Enter") return choose(list);
     if (name == "Left" || name == "Right") {
         if (!list.items[list.at].adjustable || !list.adjusted) return {true, true, item_words(list)};
         const int by = name == "Left" ? -1 : 1;
@@ -195,8 +188,9 @@ DialogueReply Dialogue::change_value(ListSpec& list, Change change) {
     return {true, false, std::move(value)};
 }
 
-DialogueReply Dialogue::choose(ListSpec& list, std::size_t at) {
+DialogueReply Dialogue::choose(ListSpec& list) {
     const auto chosen = list.chosen;
+    const std::size_t at = list.at;
     if (!list.stays_open) close_all();
     if (chosen) chosen(at);
     return {true, false, {}};
@@ -264,15 +258,6 @@ DialogueReply Dialogue::search(ListSpec& list, bool goes_on, double now_s) {
             list.at = i;
             return {true, false, item_words(list)};
         }
-    // What is beyond the items is shown as soon as somebody types its name.
-    for (const auto fits : {begins_with, holds_word})
-        for (std::size_t i = 0; i < list.beyond.size(); ++i) {
-            if (!fits(list.beyond[i].name, search_)) continue;
-            list.chosen = [chosen = list.chosen, before = list.items.size()](std::size_t at) { chosen(before + at); };
-            list.items = std::exchange(list.beyond, {});
-            list.at = i;
-            return {true, false, item_words(list)};
-        }
     return {true, true, phrase("dialogue.nothing_begins", {{"letters", search_}})};
 }
 
@@ -302,21 +287,21 @@ DialogueReply Dialogue::line(std::string_view text, double now_s) {
     };
     if (auto done = as_key(word)) return *done;
     const std::size_t found = item_called(*list, text);
-    if (found == entries_of(*list)) {
+    if (found == list->items.size()) {
         // Other words for the keys give way to names, which may begin like them.
         if (auto done = as_key(list_word(text))) return *done;
         return {true, true, phrase("dialogue.not_in_list", {{"typed", text}})};
     }
-    if (found < list->items.size()) list->at = found;
-    return choose(*list, found);
+    list->at = found;
+    return choose(*list);
 }
 
 bool Dialogue::holds(std::string_view typed, bool by_all) const {
     const auto* list = is_open() ? std::get_if<ListSpec>(stack_.back().get()) : nullptr;
     if (!list) return false;
-    const std::size_t found = item_called(*list, without_blanks(typed));
-    return found < entries_of(*list) &&
-           (!by_all || is_called(entry(*list, found).name, typed) || is_also_called(entry(*list, found), typed));
+    const std::size_t item = item_called(*list, without_blanks(typed));
+    return item < list->items.size() &&
+           (!by_all || is_called(list->items[item].name, typed) || is_also_called(list->items[item], typed));
 }
 
 bool Dialogue::has_use_for(std::string_view line) const {

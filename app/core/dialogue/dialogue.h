@@ -39,9 +39,6 @@ struct ListSpec {
         adjusted{};  // Left -1, Right +1 on an adjustable item; returns its value from now on, in words
     std::function<std::string(std::size_t, double)> put{};  // the quantity of an item, to a number; returns likewise
     std::function<void()> left{};                           // Escape
-    // Entries that a typed line chooses by name, too, though nobody goes through them: `chosen` gets their places
-    // behind those of the items. Typed letters that fit no item show them instead.
-    std::vector<ListItem> beyond{};
     bool stays_open = false;  // else Enter closes this list and all that it lies on, before `chosen` is called
 };
 
@@ -131,7 +128,7 @@ private:
     bool search_goes_on(double now_s) const;
     DialogueReply search(ListSpec& list, bool goes_on, double now_s);
     DialogueReply text_key(TextSpec& question, std::string_view name);
-    DialogueReply choose(ListSpec& list, std::size_t at);
+    DialogueReply choose(ListSpec& list);
     template <class Change>
     DialogueReply change_value(ListSpec& list, Change change);
     DialogueReply finish(TextSpec& question);

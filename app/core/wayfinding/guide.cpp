@@ -5,12 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/context/kinds_first.h"
 #include "app/core/context/telling.h"
 #include "app/core/wayfinding/find_list.h"
 #include "app/core/wayfinding/hand_way.h"
 #include "app/core/wayfinding/storey_list.h"
-#include "app/core/whereabouts/storeys.h"
 #include "app/core/world/body_heights.h"
 #include "app/core/world/questions.h"
 #include "audio-cues/plan/speakable.h"
@@ -204,10 +202,7 @@ void Guide::list_routes(double now_s) {
         list.items.push_back({phrase("rooms.stop_following"), {}, false});
         rooms.assign(2, kNothing);
     }
-    std::vector<std::vector<std::string>> kinds = kinds_of_rooms(*context_.world.scene, graph),
-                                          of_items(list.items.size());
     for (const auto& [order_m, room, way_m] : near) {
-        of_items.push_back(std::move(kinds[room]));
         const std::string far = way_m ? distance_words(*way_m, distances(context_)) : std::string();
         list.items.push_back({sentence_case(graph.rooms[room].name),
                               joined(far, storey_words(context_, graph.rooms[room].middle_m.z)), false});
@@ -223,7 +218,7 @@ void Guide::list_routes(double now_s) {
         }
         go_to_room(rooms[at], context_.tick_s);
     };
-    open_kinds_first(context_, std::move(list), std::move(of_items), now_s);
+    context_.open_list(std::move(list), now_s);
 }
 
 // As long as rooms are not known, by the names that the map gives them.

@@ -27,9 +27,6 @@ std::size_t storey_of_room(const std::vector<StoreyOfRooms>& storeys, const Room
 
 // "Level 1", as the file calls it, else "Storey 1", counted from below.
 std::string storey_name(const std::vector<StoreyOfRooms>& storeys, std::size_t which);
-// What each room of the graph is, for long lists: "Rooms", "Footways and platforms", then its storey, if there are
-// several.
-std::vector<std::vector<std::string>> kinds_of_rooms(const Scene& scene, const RoomGraph& graph);
 // "Duplex, Level 1, storey 1 of 2: 11 rooms."
 std::string storey_sentence(const Scene& scene, const std::vector<StoreyOfRooms>& storeys, std::size_t which);
 
