@@ -91,7 +91,7 @@ Result<std::vector<SwellSheet>> sheets_around(const std::string& name, const Sto
         for (const StoreyRoom& room : storey->rooms) {
             if (room.elsewhere) continue;
             names.push_back(room.name);
-            if (lower_ascii(room.name) != lower_ascii(name) && lower_ascii(room.said) != lower_ascii(name)) continue;
+            if (lower_ascii(room.name) != lower_ascii(name)) continue;
             SheetWish wished = wish;
             if (storey->upper) wished.plate_signs.clear();
             Result<std::vector<SwellSheet>> sheets = swell_sheets(*storey, wished);

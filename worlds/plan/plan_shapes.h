@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "worlds/plan/plan_cut.h"
@@ -25,12 +24,6 @@ PlanBox box_around(const PlanOutline& hull);
 bool within_loop(const std::vector<Vec2>& loop, const Vec2& at);
 // Whether a place lies in a convex outline, border included.
 bool within(const PlanOutline& outline, const Vec2& at);
-// A wall with a mitred end, made square there; the corner that was added between the others, if `outline` is one.
-struct SquaredWall {
-    PlanOutline outline;
-    std::array<Vec2, 3> added;
-};
-std::optional<SquaredWall> squared_wall(const PlanOutline& outline);
 // How thin a convex outline is where it is thinnest.
 double narrowest_m(const PlanOutline& outline);
 

@@ -16,8 +16,7 @@ namespace handrail {
 
 struct StoreyRoom {
     std::uint32_t room = 0;  // of the RoomGraph
-    std::string name;        // in the language spoken, with the storey as the file calls it
-    std::string said;        // the name that is spoken
+    std::string name;        // in the language spoken
     RoomKind kind = RoomKind::Room;
     std::vector<std::vector<Vec2>> loops_m;  // see RoomOutline: a body's radius inside the walls
     double area_m2 = 0.0;
@@ -66,7 +65,6 @@ struct StoreyExit {
     std::uint32_t room = 0;  // a place in Storey::rooms
     std::string to;          // the other room, in the language spoken
     Vec2 place_m{0.0};
-    double width_m = 0.0;
 };
 
 struct StoreyBase {
@@ -79,9 +77,6 @@ struct StoreyFloor {
     double cell_m = 0.2;
     int wide = 0, high = 0;           // from Storey::min_m on
     std::vector<std::uint32_t> room;  // row by row; the place in Storey::rooms, kNothing where no body can stand
-    // Of the same squares: 1 beyond all floors, where no wall lies between there and the rim of the plan. Empty: it is
-    // not known.
-    std::vector<std::uint8_t> beyond;
 };
 
 struct Storey {
