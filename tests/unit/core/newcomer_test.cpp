@@ -260,7 +260,7 @@ constexpr Building kInstitute{"institute.ifczip", 1, 2}, kDuplex{"duplex-apartme
     kFamilyHouse{"fzk-haus.ifc", 2, 1},
     // From the steps that come third two ways of nearly one length lead out, and the way turns from one to the other at
     // each of two landings.
-    kStation{.file = "delft-station.osm", .here = 1, .other = 2, .below = true, .next = false},
+    kStation{.file = "delft-station.osm", .here = 1, .other = 1, .below = true, .next = false},
     kOffice{"office.ifc", 1, 2, false, true};
 
 TEST(ANewcomer, walks_in_an_office_of_ours_to_three_rooms_on_two_storeys_and_out_again) {
