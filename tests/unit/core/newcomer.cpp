@@ -3,6 +3,7 @@
 #include <cctype>
 #include <cmath>
 #include <regex>
+#include <utility>
 
 #include "app/core/scenario/session_log.h"
 
@@ -173,11 +174,13 @@ std::vector<std::string> Newcomer::entries(const std::string& key) {
     std::string spoken = ask(key);
     static const std::regex title("^[^.]*\\. ");
     spoken = std::regex_replace(spoken, title, "", std::regex_constants::format_first_only);
-    for (int i = 0; i < 200 && !spoken.empty(); ++i) {
+    // To the end, where Down says the last again or begins anew. Footways of one name follow each other.
+    std::string before;
+    for (int i = 0; i < 200 && !spoken.empty() && spoken != before; ++i) {
         const std::string entry = entry_of(spoken);
-        if (std::find(all.begin(), all.end(), entry) != all.end()) break;
+        if (all.size() > 1 && entry == all.front() && spoken.find(" 1 of ") != std::string::npos) break;
         all.push_back(entry);
-        spoken = ask("Down");
+        before = std::exchange(spoken, ask("Down"));
     }
     tap("Escape");
     return all;
