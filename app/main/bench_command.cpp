@@ -84,12 +84,10 @@ std::string text_of(const ServoMeasured& measured, double seconds, const std::st
     return phrase("bench.servo", {{"world", world},
                                   {"seconds", seconds},
                                   {"ticks", static_cast<double>(measured.ticks)},
-                                  {"touching", std::round(100.0 * measured.touching)},
                                   {"period", 1e3 * measured.periods.quantile_s(0.99)},
                                   {"longest", 1e3 * measured.periods.worst_s},
                                   {"tick", 1e6 * measured.durations.quantile_s(0.99)},
-                                  {"most", 1e6 * measured.durations.worst_s},
-                                  {"overruns", static_cast<double>(measured.overruns)}}) +
+                                  {"most", 1e6 * measured.durations.worst_s}}) +
            "\n" + measured.scheduling + "\n";
 }
 

@@ -408,7 +408,8 @@ std::string text_of(const BenchReport& report) {
 std::string markdown_of(const BenchReport& report, const std::string& families_file) {
     std::ostringstream out;
     out << fmt::format(
-        "<!-- Made by `./run bench --compare --markdown`; do not edit. -->\n# Speed against error: tables\n\nMeasured {} on "
+        "<!-- Made by `./run bench --compare --markdown`; do not edit. -->\n"
+        "# Speed against error: tables\n\nMeasured {} on "
         "{}{}. [How to read this](results/speed.md#speed-against-error); [each family separately]({}).\n",
         report.day, report.machine, report.quick ? ", quickly: times are rough" : "", families_file);
     for (const std::string& sentence : report.left_out) out << '\n' << sentence << '\n';
@@ -420,7 +421,8 @@ std::string markdown_of(const BenchReport& report, const std::string& families_f
 std::string families_markdown_of(const BenchReport& report, const std::string& first_file) {
     std::ostringstream out;
     out << fmt::format(
-        "<!-- Made by `./run bench --compare --markdown`; do not edit. -->\n# Speed against error: each family separately\n\n"
+        "<!-- Made by `./run bench --compare --markdown`; do not edit. -->\n"
+        "# Speed against error: each family separately\n\n"
         "Measured {} on {}{}. [All hard cases together]({}).\n",
         report.day, report.machine, report.quick ? ", quickly: times are rough" : "", first_file);
     at_a_glance(out, report);

@@ -203,8 +203,9 @@ TEST(OsmLevelNames, are_those_of_the_file_everywhere) {
     const auto ways = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
     ASSERT_TRUE(ways.has_value()) << ways.error().sentence();
     for (const Room& room : make_rooms(scene, (*ways)->space()).rooms)
-        if (room.map_name.empty() && room.made.levels > 1 && room.made.thing.empty())
+        if (room.map_name.empty() && room.made.levels > 1 && room.made.thing.empty()) {
             EXPECT_THAT(storeys, Contains(room.made.storey)) << room.name;
+        }
 }
 
 TEST(OsmLevelsOfWays, levels_that_only_ways_reach_are_storeys) {

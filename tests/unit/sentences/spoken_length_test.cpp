@@ -163,12 +163,12 @@ constexpr std::array kPassingParts{
     "setting_name", "setting_topic", "setting_choice", "setting_value", "unit",     "effect_name", "device_name",
     "command_word", "list_word",     "wizard_word",    "replay_word",   "osm_kind", "imdf_kind",   "place"};
 constexpr std::array kToldParts{
-    "check",         "compile",       "desk_order",    "effect",      "error",     "export",     "files",
-    "help",          "honest",        "ifc",           "imdf",        "imdf_fact", "import",     "info",
-    "learner",       "lint",          "log",           "map",         "mesh",      "obj",        "osm",
-    "osm_fact",      "plan",          "program",       "reader",      "report",    "rooms_text", "scenario",
-    "settings_file", "setting_error", "sound_contact", "sound_words", "teaching",  "touch_part", "touch_stage",
-    "window",        "world_fault",   "world_fault_do"};
+    "bench",       "check",         "compile",       "desk_order",    "effect",      "error",     "export",
+    "files",       "help",          "honest",        "ifc",           "imdf",        "imdf_fact", "import",
+    "info",        "learner",       "lint",          "log",           "map",         "mesh",      "obj",
+    "osm",         "osm_fact",      "plan",          "program",       "reader",      "report",    "rooms_text",
+    "scenario",    "settings_file", "setting_error", "sound_contact", "sound_words", "teaching",  "touch_part",
+    "touch_stage", "window",        "world_fault",   "world_fault_do"};
 
 template <std::size_t N>
 bool is_among(std::string_view part, const std::array<const char*, N>& parts) {
