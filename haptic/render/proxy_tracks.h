@@ -4,6 +4,7 @@
 // by ProxySolver; its thread and rules.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
