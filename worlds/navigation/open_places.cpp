@@ -14,9 +14,9 @@
 namespace handrail {
 namespace {
 
-constexpr double kDoorwayClear_m = 0.35;    // clearance of the body's middle: an opening of at most 1.2 m
-constexpr double kDoorwayShare = 0.6;  // and narrower than this share of what lies on both sides
-constexpr double kWideShare = 0.5;     // a wider opening
+constexpr double kDoorwayClear_m = 0.35;  // clearance of the body's middle: an opening of at most 1.2 m
+constexpr double kDoorwayShare = 0.6;     // and narrower than this share of what lies on both sides
+constexpr double kWideShare = 0.5;        // a wider opening
 constexpr double kLeastPiece_m2 = 0.3, kLeastWide_m2 = 4.0;
 constexpr double kHuge_m2 = 150.0, kHugeShare = 0.75, kLeastOfHuge_m2 = 10.0;
 constexpr double kLong = 6.0;  // a huge place of so many squares as wide as its widest part is corridors

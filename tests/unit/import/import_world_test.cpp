@@ -74,7 +74,9 @@ TEST(ImportedWorld, of_a_map_is_kept_if_reading_it_takes_long) {
             const Result<ImportedWorld> world = import_world(folder.write(name, text), {}, how);
             ASSERT_TRUE(world.has_value()) << world.error().sentence();
             EXPECT_EQ(world->kept, again && text.size() > house.size()) << name;
-            if (text.size() > house.size()) EXPECT_EQ(stored(world->scene), stored(*here));
+            if (text.size() > house.size()) {
+                EXPECT_EQ(stored(world->scene), stored(*here));
+            }
         }
 }
 

@@ -130,8 +130,7 @@ TEST(IncludeDirection, holds_in_every_source_file_of_the_program) {
         const std::string text = test::content_of(kRoot / file);
         if (text.empty()) continue;  // deleted, not committed yet
         ++looked_at;
-        EXPECT_TRUE(kMayLink.contains(folder_of(file)))
-            << file << " lies in a folder that the table does not list";
+        EXPECT_TRUE(kMayLink.contains(folder_of(file))) << file << " lies in a folder that the table does not list";
         for (const std::string& included : includes_of(text)) EXPECT_EQ(refusal(file, included), "");
     }
     EXPECT_GT(looked_at, 40U) << "the project's files were not found";
