@@ -227,7 +227,7 @@ private:
         return toml;
     }
 
-    // In the order of their times. The hand moves while keys are pressed.
+    // Writes keys and moves of the hand in the order of time: the hand moves while keys are held.
     void write_actions() {
         const auto moves = moves_of(recording_, writer_.begun_s);
         std::size_t next = 0;

@@ -461,7 +461,7 @@ void HapticSceneBuilder::choose_origin() {
         scene_.origin_m = glm::round(all.centre_m());
 }
 
-// Corners about the origin, with the normals and edges that the solver needs.
+// Moves the corners of polygons to the origin and works out the normals and edges that the solver needs.
 void HapticSceneBuilder::make_polygons() {
     std::vector<PolygonCorner> corners;
     std::vector<Vec3> points;

@@ -181,8 +181,8 @@ private:
         }
     }
 
-    // The ground outside, that the reader added, is one place, by how flat it lies; what is left of a place of which
-    // that is most, ledges and thresholds, is outside too.
+    // The ground outside, which the reader added, becomes one place: all spans at its height. If most of a place lies
+    // at that height, the rest of the place (ledges and thresholds) is outside, too.
     void label_outside() {
         const auto ground = std::find_if(scene_.features.begin(), scene_.features.end(), is_outer_ground);
         if (!scene_.stated || ground == scene_.features.end()) return;
@@ -234,8 +234,8 @@ private:
         return parts;
     }
 
-    // The straight stretch of each span of these places: a cell belongs to the longer of the two level runs through it,
-    // and a run never leaves the place.
+    // The number of the straight stretch that each span of these places belongs to. Two rows run through a span, one
+    // east and one north; the longer row decides. A row never leaves its place.
     std::vector<std::uint32_t> stretches_of(const std::vector<bool>& parts) {
         const std::vector<std::uint32_t> east = runs(0, 2), north = runs(1, 3);
         const auto along = [&](std::uint32_t s) { return east[s] >= north[s]; };

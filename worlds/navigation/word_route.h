@@ -56,7 +56,7 @@ struct WordErrors {
 
 // A route in two parts, so that its first legs are known long before the rest.
 struct WordParts {
-    // Legs that the route begins with, as planned before from the same place: the rest is planned behind them.
+    // The first legs of the route, which were planned before from the same place. Planning goes on from their end.
     std::span<const WordLeg> begun = {};
     // Once this many places were looked at, the legs to beyond a door or flight are enough. 0: the whole route is
     // planned.

@@ -93,7 +93,7 @@ Vec2 outline_size_m(const StatedRoom& room);
 bool is_oddly_named(const StatedRoom& room);
 // What the file calls the storey with its floor at a height, in one line; empty if it names none there.
 std::string stated_storey_name(const StatedBuilding& building, double floor_m);
-// The same, and between storeys the name of the one below, which a floor there belongs to. Empty: no storey has rooms.
+// Like stated_storey_name, but between two storeys it returns the name of the lower one. Empty: no storey has rooms.
 std::string stated_storey_around(const StatedBuilding& building, double floor_m);
 // How many rooms the largest group has whose members are joined by portals, or by the ground outside.
 int largest_connected(const StatedBuilding& building);

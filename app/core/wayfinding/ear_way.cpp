@@ -324,7 +324,7 @@ RouteFollower::Said EarWay::tick_words(double now_s) {
             wish_ = RouteWish::OnFoot;
             return said;
         }
-        // What is still to be planned is told once it is there.
+        // Legs that are still being planned are spoken when the plan is ready.
         const std::vector<std::string> rest = rest_asked_ ? word_.rest() : std::vector<std::string>{};
         if (!rest_asked_) context_.answer(word_.leg(), now_s);
         else if (!rest.empty()) context_.answer(fmt::format("{}", fmt::join(rest, " ")), now_s);

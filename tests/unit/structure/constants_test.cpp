@@ -35,7 +35,7 @@ bool is_of_the_program(const std::string& file) {
     return (file.ends_with(".h") || file.ends_with(".cpp")) && !file.starts_with("tests/");
 }
 
-TEST(Constants, are_found_as_they_are_declared) {
+TEST(Constants, are_found_in_every_form_of_declaration) {
     const std::string text =
         "constexpr double kOne_m = 1.0, kTwo_m = 2.0;  // kNone = 3\ninline constexpr int kThree = 3;\n"
         "struct S {\n    static constexpr int kFour = 4;\n};\nconstexpr std::size_t kFive{5};\nint a = kSix;\n"

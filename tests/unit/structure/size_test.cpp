@@ -245,7 +245,7 @@ TEST(Functions, have_few_branches) {
     std::size_t looked_at = 0;
     std::array<char, 4096> line{};
     while (std::fgets(line.data(), line.size(), pipe)) {
-        // branches, with each case counted, statements, first line, lines, place: name
+        // The columns are: branches, branches with each case counted, statements, first line, lines, file(line): name.
         std::istringstream fields(line.data());
         int branches = 0;
         fields >> branches;
