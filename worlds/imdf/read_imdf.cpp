@@ -176,7 +176,7 @@ private:
                 std::none_of(buildings.begin(), buildings.end(),
                              [&](const Json& id) { return text(id) == wanted_building_; }))
                 continue;
-            // A level that belongs to several buildings or to none keeps its height.
+            // A level that belongs to several buildings or to none is not moved with any of them.
             std::string building;
             if (buildings.is_array() && buildings.size() == 1) building = text(buildings[0]);
             levels_[text(at(level, "id"))] = {number, label(at(properties, "name")), building};
