@@ -356,9 +356,9 @@ void OsmPlan::lay_levels() {
 
 // A level is called as its own relation or outline is named, else as its things refer to it ("Level B1").
 void OsmPlan::find_level_names() {
-    const auto take = [&](std::string_view level, std::string name) {
+    const auto take = [&](std::string_view level, const std::string& name) {
         const OsmLevels levels = levels_of(level);
-        if (levels.levels.size() == 1 && !name.empty()) level_names_.try_emplace(levels.levels[0], std::move(name));
+        if (levels.levels.size() == 1 && !name.empty()) level_names_.try_emplace(levels.levels[0], name);
     };
     for (const OsmTags& tags : data_.levels) take(tags["level"], std::string(in_spoken(tags, "name")));
     for (const OsmWay& way : data_.ways)
