@@ -15,8 +15,8 @@ namespace handrail {
 namespace {
 
 constexpr double kSteps = 20.0;
-constexpr std::array<std::string_view, 5> kShortUnits{
-    "deg", "hand_m", "m", "n", "world_m"};  // said with every value, the others with the meaning alone
+// Said with every value, the others with the meaning alone.
+constexpr std::array<std::string_view, 5> kShortUnits{"deg", "hand_m", "m", "n", "world_m"};
 
 // 1, 2 or 5 times a power of ten, next below.
 double round_step(double step) {

@@ -323,8 +323,8 @@ Result<void> apply(const SettingInfo& info, const SettingValue& value, Settings&
 }
 
 SettingValue current_value(const SettingInfo& info, const Settings& settings) {
-    Settings& s =
-        const_cast<Settings&>(settings);  // the accessors give references; nothing is written through them here
+    // The accessors give references; nothing is written through them here.
+    Settings& s = const_cast<Settings&>(settings);
     return std::visit(Overloaded{[&](const NumberField& f) -> SettingValue { return f.at(s); },
                                  [&](const WholeField& f) -> SettingValue { return std::int64_t{f.at(s)}; },
                                  [&](const SwitchField& f) -> SettingValue { return f.at(s); },

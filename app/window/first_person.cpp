@@ -11,8 +11,8 @@ namespace {
 constexpr double kFieldOfView_rad = kPi / 3.0;  // upright
 constexpr double kNear_m = 0.02;
 constexpr double kSmallestBallPart = 0.02;  // of its distance: a ball of 5 mm stays in sight across a room
-constexpr float kEdgePart =
-    1.0F / 100.0F;  // width of an outline, of the picture's height; the white core is a third of it
+// Width of an outline, of the picture's height; the white core is a third of it.
+constexpr float kEdgePart = 1.0F / 100.0F;
 
 constexpr const char* kSurfaceVertex = R"(#version 330 core
 layout(location = 0) in vec3 position_m;

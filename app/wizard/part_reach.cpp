@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kSideShare = 0.3;        // of the device's radius, that counts as one side of the sweep
 constexpr double kLeastReachShare = 0.3;  // of the device's width: less was no sweep
-constexpr double kAheadShare =
-    0.125;  // the middle of the reach lies this share of its depth ahead of the body: 5 parts ahead, 3 behind
+// The middle of the reach lies this share of its depth ahead of the body: 5 parts ahead, 3 behind.
+constexpr double kAheadShare = 0.125;
 constexpr std::array kScales{7.5, 15.0, 30.0, 60.0, 120.0, 240.0};
 
 // 9 or 7.5.

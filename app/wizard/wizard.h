@@ -46,8 +46,8 @@ struct WizardSense {
 
 class Wizard {
 public:
-    static constexpr double kGentlestMost_n =
-        1.0;  // what presses while the least noticed force is sought; below every ceiling
+    // What presses while the least noticed force is sought; below every ceiling.
+    static constexpr double kGentlestMost_n = 1.0;
     static constexpr double kGentlestRise_n_per_s = 0.2;
     static constexpr double kCeilingRise_n_per_s = 1.0;  // of the wall's force when another ceiling is chosen
 
@@ -84,8 +84,8 @@ private:
         StepLength,
         Done
     };
-    static constexpr std::uint32_t kFirstJump =
-        0x40000000;  // so that coming from a world and going back to one is a jump for the servo
+    // So that coming from a world and going back to one is a jump for the servo.
+    static constexpr std::uint32_t kFirstJump = 0x40000000;
     static constexpr double kMovedShare = 0.4;  // of the device's radius, that counts as pulled, pushed or moved aside
     // What one question does. Null: nothing beyond what all do.
     struct Row {

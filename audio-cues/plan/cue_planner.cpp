@@ -15,8 +15,8 @@ namespace handrail {
 namespace {
 
 constexpr double kSayAgain_s = 5.0;  // decisions: nothing spoken twice in 5 s
-constexpr double kSettle_s =
-    0.040;  // a corner's second surface arrives within a few ticks; the first word is due after 120 ms
+// A corner's second surface arrives within a few ticks; the first word is due after 120 ms.
+constexpr double kSettle_s = 0.040;
 constexpr double kChatter_s = 0.050;             // the same feature again within this is one contact to the ear
 constexpr double kKeepName_s = 0.5;              // a tap is still named when the voice is free this soon
 constexpr double kKeepBump_s = 2.0;              // longer for a bump: the body does not leave by itself

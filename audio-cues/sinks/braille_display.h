@@ -34,8 +34,8 @@ struct BrailleLink {
     }
 
     std::atomic<double> heading_rad{0.0};
-    std::atomic<unsigned> window{
-        0};  // X's number of our window: the display shows us while that has the keyboard. 0: not yet
+    // X's number of our window: the display shows us while that has the keyboard. 0: not yet.
+    std::atomic<unsigned> window{0};
     std::atomic<int> more_asked{0};  // a routing key was pressed, so often: more about this
 
 private:

@@ -9,10 +9,10 @@ namespace handrail {
 
 class DropoutWatch {
 public:
-    static constexpr double kWindow_s =
-        1.0;  // in each, the least delay counts: single ticks come late without any harm
-    static constexpr double kLate_s =
-        0.004;  // less than a period of 256 samples, far more than clocks drift apart in a window
+    // In each, the least delay counts: single ticks come late without any harm.
+    static constexpr double kWindow_s = 1.0;
+    // Less than a period of 256 samples, far more than clocks drift apart in a window.
+    static constexpr double kLate_s = 0.004;
     static constexpr std::size_t kMost = 3;  // so many windows with a drop-out within kWithin_s are too many
     static constexpr double kWithin_s = 60.0;
 

@@ -21,8 +21,8 @@
 namespace handrail {
 namespace {
 
-constexpr std::size_t kPiece =
-    4096;  // samples sent on at once: 0.19 s, made in about 1 ms; the sink plays pieces without a gap
+// Samples sent on at once: 0.19 s, made in about 1 ms; the sink plays pieces without a gap.
+constexpr std::size_t kPiece = 4096;
 
 // The library has one state per process; these mirror it. Whoever has set `library_taken` may use the other and the
 // library. It is never terminated: espeak_Terminate can wait for ever for a thread that has not yet begun to listen

@@ -8,8 +8,8 @@ namespace handrail {
 namespace {
 
 constexpr double kRoomChange = 1.08, kRoom_s = 0.5;  // the reverberation follows a change of this factor, so often
-constexpr double kEffectLonger_s =
-    0.045;  // OpenAL Soft 1.19.1 reverberates this much longer than it is told, measured from 0.3 to 4 s
+// OpenAL Soft 1.19.1 reverberates this much longer than it is told, measured from 0.3 to 4 s.
+constexpr double kEffectLonger_s = 0.045;
 
 }  // namespace
 

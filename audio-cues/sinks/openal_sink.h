@@ -29,10 +29,10 @@ public:
         std::string device = {};  // OpenAL's name of a playback device; empty: the default one
         int periods = 2;          // of 256 samples; the first sink of a process decides for all
         bool hrtf = true;         // false: plain stereo, for loudspeakers
-        std::function<bool()> still_connected =
-            {};  // stands in for the device's own report, so that a test can pull the plug
-        std::function<void(int)> on_render =
-            {};  // told of each count of frames that the loopback device is asked for, so that a test can see them
+        // Stands in for the device's own report, so that a test can pull the plug.
+        std::function<bool()> still_connected = {};
+        // Told of each count of frames that the loopback device is asked for, so that a test can see them.
+        std::function<void(int)> on_render = {};
     };
     // At most this many sounds besides the voice; the least important gives way, of equals the oldest, and of the
     // world's own the quietest.

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kLoopFade_s = 0.030;  // loops come and go over this
 constexpr double kWorldFade_s = 0.25;  // the world's sounds are ground, not figure: they come and go slowly
-constexpr double kRoomFor_s =
-    1.5;  // one that gave way comes back when there was room for this long, or each footstep would pump it
+// One that gave way comes back when there was room for this long, or each footstep would pump it.
+constexpr double kRoomFor_s = 1.5;
 constexpr double kMuffle_db_per_s = 120.0;
 constexpr double kPulseLow = 0.25;  // what is left of a pulsing loop between its swells
 constexpr double kDuckDown_s = 0.040, kDuckUp_s = 0.250;

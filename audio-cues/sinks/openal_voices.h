@@ -50,8 +50,8 @@ public:
     static constexpr std::size_t kOneShots = 8;     // more than may sound, so that displaced ones can fade
     static constexpr std::size_t kOwnLoops = 3;     // the wall tone, and sliding of each hand
     static constexpr std::size_t kWorldVoices = 6;  // those that are heard, and as many that fade
-    using Loops =
-        std::array<SinkVoice, kOwnLoops + kWorldVoices>;  // WallTone, Slide of each hand, then those of the world
+    // WallTone, Slide of each hand, then those of the world.
+    using Loops = std::array<SinkVoice, kOwnLoops + kWorldVoices>;
 
     // Both outlive this object. `most`: sounds that are heard at once.
     OpenALVoices(const Listening& hearing, OpenALRoom& room, int most) : hearing_(hearing), room_(room), most_(most) {}

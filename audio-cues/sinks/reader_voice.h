@@ -45,8 +45,8 @@ private:
 // Owned and called by the audio thread.
 class ReaderVoice final : public Voice {
 public:
-    static constexpr double kPatience_s =
-        3.0;  // the window must have the keyboard for a moment before the reader hears of it
+    // The window must have the keyboard for a moment before the reader hears of it.
+    static constexpr double kPatience_s = 3.0;
     // A screen reader does not tell when it has ended, so that is guessed: letters at a brisk rate. Too short would
     // only let it keep a queue of its own.
     static constexpr double kStart_s = 0.3;

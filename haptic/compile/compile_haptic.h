@@ -19,10 +19,10 @@ enum class MaterialSource {
 
 struct CompileOptions {
     MaterialSource materials = MaterialSource::KeysOnly;
-    std::uint32_t world =
-        0;  // HapticScene::world of the scene that this one follows with something added or removed; 0: another world
-    MeshOptions mesh =
-        kExactMesh;  // what is done to mesh triangles of one feature and material, of the scene and of each model
+    // HapticScene::world of the scene that this one follows with something added or removed; 0: another world.
+    std::uint32_t world = 0;
+    // What is done to mesh triangles of one feature and material, of the scene and of each model.
+    MeshOptions mesh = kExactMesh;
     bool shade_meshes = false;     // let facets be felt as the curve they stand for (mesh_shading.h)
     double edge_rounding_m = 0.0;  // of convex edges of solids, world metres (round_edges.h); 0: sharp, at no cost
     std::stop_token

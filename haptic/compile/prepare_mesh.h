@@ -19,9 +19,9 @@ struct MeshOptions {
                           // millimetre thin things close up
     bool tidy = true;     // drop triangles that only repeat what their neighbours are
     bool merge = true;    // flat patches to convex polygons
-    double flat_m =
-        1e-5;  // how far a corner may lie from its polygon's plane: the noise of coordinates written with 5 or 6
-               // digits. Above 1e-4 m facets of tessellated curves become larger, and their edges are felt
+    // How far a corner may lie from its polygon's plane: the noise of coordinates written with 5 or 6 digits. Above
+    // 1e-4 m facets of tessellated curves become larger, and their edges are felt.
+    double flat_m = 1e-5;
     bool keep_curves = true;  // facets that shading rounds stay triangles
     double simplify_m = 0.0;  // largest distance between the mesh as it was and a coarser one; 0: as fine as it is
 };

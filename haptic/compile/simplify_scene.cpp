@@ -16,8 +16,8 @@ namespace {
 
 constexpr double kDeepest_m = 1.5;  // a wall; what goes deeper into it is a corridor, and stays as it is
 constexpr double kFrame_m = 0.1;    // frames and skirtings beside a doorway, which are cut with the wall
-constexpr double kStrip_m =
-    0.15;  // before and behind the wall, beyond frames: where walls would be met that stand across
+// Before and behind the wall, beyond frames: where walls would be met that stand across.
+constexpr double kStrip_m = 0.15;
 constexpr double kLeastLeaf_m = 1.0;    // high; lower ones are hatches and flaps
 constexpr double kBesideLeaf_m = 0.5;   // how far beyond a leaf of the same size the opening may still go on
 constexpr double kWidestChord_m = 6.0;  // across an opening without a door

@@ -24,8 +24,8 @@ struct DeviceSample {
     bool fresh = true;          // false when the device had no new answer for this tick
     bool connected = true;
     DeviceLoss loss = DeviceLoss::Unplugged;  // means something while not connected
-    bool homed =
-        true;  // false while the device does not know where it is: its position means nothing, and no force may act
+    // False while the device does not know where it is: its position means nothing, and no force may act.
+    bool homed = true;
     std::uint8_t homed_legs = 0;  // bit by leg, of a device that finds its zero leg by leg; others leave it 0
     bool hot = false;             // the device says that its motors are too warm
     bool failed = false;          // the driver says that the device is there but does not do as it is told

@@ -25,8 +25,8 @@ constexpr std::uint16_t kEightBits = 8;
 
 constexpr std::size_t kPacketBytes = 64, kStatusBytes = 2, kPieceBytes = 62;
 constexpr double kWriteDeadlineS = 0.005;
-constexpr double kLoadingDeadlineS =
-    0.25;  // a piece of 62 bytes takes 4 ms there and back, and the chip holds it for 16
+// A piece of 62 bytes takes 4 ms there and back, and the chip holds it for 16.
+constexpr double kLoadingDeadlineS = 0.25;
 constexpr double kHelloDeadlineS = 0.030;
 constexpr int kHelloTries = 100;
 constexpr int kPokes = 5, kPokesAfterUpload = 25;

@@ -36,8 +36,8 @@ struct PadInput {
     double left_x = 0.0, left_y = 0.0, right_x = 0.0, right_y = 0.0;  // -1 to 1, right and forward positive
     double left_trigger = 0.0, right_trigger = 0.0;                   // 0 to 1
     int hat = 8;                                                      // 0 up, clockwise to 7; 8 none
-    std::uint32_t buttons =
-        0;  // from bit 0: square cross circle triangle L1 R1 L2 R2 create options L3 R3 PS touch mute
+    // From bit 0: square cross circle triangle L1 R1 L2 R2 create options L3 R3 PS touch mute.
+    std::uint32_t buttons = 0;
 };
 
 // Ten zones along the pull of a trigger, 0 to 9. Built by the functions below; values out of range are held at its

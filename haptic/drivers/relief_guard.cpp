@@ -16,8 +16,8 @@ namespace {
 constexpr int kDyingMs = 500;  // for the kernel to end the first guard; it may be in a driver that does not let go
 constexpr auto kBetweenTries = std::chrono::milliseconds(10);
 constexpr auto kBetweenLateTries = std::chrono::milliseconds(500);
-constexpr double kOrphanS =
-    35.0;  // more than a device takes to open: a first guard without a program that has not ended by then hangs
+// More than a device takes to open: a first guard without a program that has not ended by then hangs.
+constexpr double kOrphanS = 35.0;
 
 // True when the first guard has ended; false when it holds a device and stands still, or hangs without a program.
 bool watch(HandMailbox& mailbox, int guard_fd, int life_fd) {

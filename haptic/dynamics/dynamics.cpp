@@ -255,8 +255,8 @@ World::World(const DynamicsScene& scene) {
     world.setGravity(bullet(scene.gravity_m_per_s2));
     world.setLatencyMotionStateInterpolation(false);
     world.setForceUpdateAllAabbs(false);
-    world.getSolverInfo().m_splitImpulsePenetrationThreshold =
-        -1e-4;  // pushed out of what it is in, a body is not thrown
+    // Pushed out of what it is in, a body is not thrown.
+    world.getSolverInfo().m_splitImpulsePenetrationThreshold = -1e-4;
     const auto add_still = [&](btCollisionShape* shape, Kind kind) {
         auto object = std::make_unique<btCollisionObject>();
         object->setCollisionShape(shape);

@@ -45,8 +45,8 @@ double gap_m(const DynamicsPiece& piece, const Vec3& point_m) noexcept;
 // What a body is made of, apart from its shape. Ranges: DynamicsSceneBuilder::add_body.
 struct BodyNature {
     double mass_kg = 1.0;
-    double friction =
-        0.4;  // against the building, while it slides; between two bodies the mean of both, by multiplication
+    // Against the building, while it slides; between two bodies the mean of both, by multiplication.
+    double friction = 0.4;
     double friction_static = 0.5;  // until it slides
     double elasticity = 0.2;
     double rolling = 0.1;  // of its least half width: how far the push of the floor runs ahead of a rolling body

@@ -109,8 +109,8 @@ Vec3 nearest_of(const MagnetTarget& target, const Vec3& at_m) noexcept {
 Potential magnet(const MagnetLaw& law, const Vec3& at_m, double scale, double room) noexcept {
     const double width = magnet_width(law, room);
     const double force = std::min(std::abs(law.force_n), magnet_steepness(law) * width);
-    const double blend =
-        force * width;  // potentials nearer than this to each other melt: the force turns round over about a width
+    // Potentials nearer than this to each other melt: the force turns round over about a width.
+    const double blend = force * width;
     constexpr double kRootE = 1.64872127070012815;  // exp(1/2)
     Potential lowest;
     bool first = true;
@@ -147,9 +147,9 @@ Potential button(const ButtonLaw& law, const Vec3& at_m, double scale, double ro
     constexpr double kDepth = 0.649519052838328987;  // 3 sqrt 3 / 8: U0 / (F0 q)
     const double q = button_half_travel(law, room), force = law.force_n * (2.0 * q / law.travel_hand_m);
     const double x = glm::dot(at_m - law.origin_m, law.direction) / (scale * q), size = std::abs(x);
-    const double top =
-        kDepth * (kFrom * kFrom - 1.0) * (kFrom * kFrom - 1.0) + 0.5;  // far outside, where U is called 0
-    double energy = 0.0, slope = 0.0;                                  // in units of F0 q, and of F0
+    // Far outside, where U is called 0.
+    const double top = kDepth * (kFrom * kFrom - 1.0) * (kFrom * kFrom - 1.0) + 0.5;
+    double energy = 0.0, slope = 0.0;  // in units of F0 q, and of F0
     if (size < kFrom) {
         energy = kDepth * (x * x - 1.0) * (x * x - 1.0) - top;
         slope = 4.0 * kDepth * x * (x * x - 1.0);

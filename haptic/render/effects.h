@@ -19,8 +19,8 @@ struct HandMotion {
     double scale = 1.0;                // world metres per hand metre
     double stiffest_n_per_m = 1000.0;  // of the device: all effects at one place stay below it together
     bool held = true;                  // false: nobody holds the device, so nothing may drive it
-    const BodyPoses* bodies =
-        nullptr;  // where the scene's bodies are; null, or left out: they stand as the scene has them
+    // Where the scene's bodies are; null, or left out: they stand as the scene has them.
+    const BodyPoses* bodies = nullptr;
 };
 
 // All media and effects together push no harder; the vector is scaled.
@@ -28,8 +28,8 @@ constexpr double kLargestEffect_n = 4.0;
 
 class EffectState {
 public:
-    static constexpr std::size_t kMostActive =
-        16;  // effects that act at once; of more the first in the table act and `truncated` is set
+    // Effects that act at once; of more the first in the table act and `truncated` is set.
+    static constexpr std::size_t kMostActive = 16;
 
     // What was stuck is loose, what swung hangs still: after a jump, a fault or in another scene.
     void reset() noexcept;

@@ -152,10 +152,10 @@ struct BodyWays {
 // Where all bodies of a scene are on a tick, in its order, or nothing at all: every body as the scene has it.
 struct BodyPoses {
     std::span<const BodyPose> poses{};
-    std::uint64_t number =
-        0;  // changes whenever a pose does, so that a tick on which nothing moves looks at none of them
-    const BodyWays* ways =
-        nullptr;  // null: the poses are where the bodies are, and anybody may have moved with a new number
+    // Changes whenever a pose does, so that a tick on which nothing moves looks at none of them.
+    std::uint64_t number = 0;
+    // Null: the poses are where the bodies are, and anybody may have moved with a new number.
+    const BodyWays* ways = nullptr;
 
     std::uint64_t ways_number() const noexcept { return ways ? ways->number : number; }
     bool know(std::size_t body) const noexcept { return body < poses.size(); }

@@ -9,13 +9,13 @@ namespace {
 
 constexpr double kDrag_n_per_m = 400.0;
 constexpr double kLargestDrag_n = 4.0;
-constexpr double kLargestFlow_n =
-    2.0;  // of a liquid that flows: a stream is a source, its power stays below this times its speed
+// Of a liquid that flows: a stream is a source, its power stays below this times its speed.
+constexpr double kLargestFlow_n = 2.0;
 constexpr double kRounding_m = 1e-9;
 constexpr double kLook_hand_m = 0.1;    // how much farther than it is felt liquid is looked for
 constexpr double kFilm_hand_m = 0.004;  // half the thickness of the surface film
-constexpr double kFilmSteepest =
-    0.857763884960707;  // of F = (2 A / w) y exp(-y^2), in A / w: the film's key is its largest force
+// Of F = (2 A / w) y exp(-y^2), in A / w: the film's key is its largest force.
+constexpr double kFilmSteepest = 0.857763884960707;
 constexpr double kFloatRamp_s = 0.100;
 
 // How deep a point lies below the surface of a liquid: its exposed faces where it has any. Negative outside. `all`: how

@@ -123,8 +123,8 @@ MeshShading shade_mesh(std::span<const Vec3> points, std::span<const Corners> tr
     }
     for (const MeshShading::Facet& facet : shading.facets)
         for (const float s : facet.sagitta_m)
-            shading.highest_m =
-                std::max(shading.highest_m, 4.0 / 3.0 * std::abs(static_cast<double>(s)));  // sum of l_i l_j <= 1/3
+            // Sum of l_i l_j <= 1/3.
+            shading.highest_m = std::max(shading.highest_m, 4.0 / 3.0 * std::abs(static_cast<double>(s)));
     return shading;
 }
 

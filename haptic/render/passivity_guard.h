@@ -17,8 +17,8 @@ namespace handrail {
 
 class PassivityGuard {
 public:
-    static constexpr double kNotNeeded_ns_per_m =
-        2.0;  // damping of a surface from which on the guard has nothing to add
+    // Damping of a surface from which on the guard has nothing to add.
+    static constexpr double kNotNeeded_ns_per_m = 2.0;
 
     // Damping to add now, in Ns/m. own_step_m: of the hand since the last tick, hand metres; delay_s: how much later
     // than the hold a force is felt.

@@ -11,8 +11,8 @@ using namespace proxy_parts;
 
 namespace {
 
-constexpr int kMostRubs =
-    6;  // looks at what the ball touches where friction stops it; flat surfaces need two, round ones three
+// Looks at what the ball touches where friction stops it; flat surfaces need two, round ones three.
+constexpr int kMostRubs = 6;
 constexpr double kHangs = 0.1;  // of the ball's radius: so near a surface is one that the path bridged
 
 }  // namespace

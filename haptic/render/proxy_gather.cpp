@@ -21,8 +21,8 @@ constexpr double kExact = 0.3;
 constexpr double kFarther = 1.03;  // than the last gathering went, where obstacles are dense
 
 constexpr int kLeastLooks = 128;  // so that a move that has begun to look gets somewhere
-constexpr double kCrowdedReach =
-    1.15;  // of what is needed: how far candidates are gathered where more stand near than are comfortable
+// Of what is needed: how far candidates are gathered where more stand near than are comfortable.
+constexpr double kCrowdedReach = 1.15;
 
 bool nearer(double distance_a, std::uint32_t a, double distance_b, std::uint32_t b) noexcept {
     return distance_a != distance_b ? distance_a < distance_b : a < b;

@@ -220,8 +220,8 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
                                    const Vec3& goal_step, double path_cap_m, double dt_s, const Vec3& carried_m,
                                    const BodyPoses& bodies) noexcept {
     const double scale = tuning.world_m_per_hand_m;
-    const Vec3 own_step =
-        (goal_step - carried_m) / scale;  // of the hand itself, not of a workspace that walks with the body
+    // Of the hand itself, not of a workspace that walks with the body.
+    const Vec3 own_step = (goal_step - carried_m) / scale;
     last_goal_m = goal_m;
     has_goal = true;
 

@@ -75,8 +75,8 @@ private:
     std::uint64_t played_ = 0;        // number given to the renderer
     std::uint64_t settled_ = 0;       // Moment::number that was given last; 0: between two
     std::uint32_t scene_ = 0;         // that was given last
-    std::uint64_t frame_ =
-        0;  // whose tables poses_ and ways_ look into, which hold while from_s_ < play_s < until_s_; 0: none
+    // Whose tables poses_ and ways_ look into, which hold while from_s_ < play_s < until_s_; 0: none.
+    std::uint64_t frame_ = 0;
     double from_s_ = 0.0, until_s_ = 0.0, long_s_ = 0.0;  // long_s_: from the one to the other
     std::span<const BodyPose> poses_{};
     BodyWays ways_;

@@ -36,8 +36,8 @@ struct ContactEvent {
     FeatureId feature = kNoFeature;
     MaterialId material = kDefaultMaterial;
     Vec3 position_m{0.0};  // world, at the proxy
-    double speed_m_per_s =
-        0.0;  // hand speed: approach for Begin, along the surface for Slide (0: it stopped), through it for liquids
+    // Hand speed: approach for Begin, along the surface for Slide (0: it stopped), through it for liquids.
+    double speed_m_per_s = 0.0;
     double force_n = 0.0;  // from this surface, before any ceiling
     Fault fault = Fault::None;
     std::uint8_t hand = 0;  // which of two; whoever collects the events of both writes it
@@ -45,8 +45,8 @@ struct ContactEvent {
 
 // What one tick has to tell, in order. A tick that has more to tell than fits says so in `lost`.
 struct TickEvents {
-    static constexpr std::size_t kMost =
-        24;  // twice what 3 contacts begun, 8 ended, a liquid changed and a fault raised need
+    // Twice what 3 contacts begun, 8 ended, a liquid changed and a fault raised need.
+    static constexpr std::size_t kMost = 24;
 
     std::array<ContactEvent, kMost> list{};
     std::uint8_t count = 0;

@@ -92,8 +92,8 @@ private:
     Vec3 point_m_{0.0};        // that pulls, world
     std::uint32_t next_ = 0;   // of the way's points that it goes to
     Vec3 hand_before_m_{0.0};  // world
-    Vec3 velocity_m_per_s_{
-        0.0};  // of the hand, hand metres, one pole of 20 ms: a step of an encoder of 0.06 mm is 3 mm/s
+    // Of the hand, hand metres, one pole of 20 ms: a step of an encoder of 0.06 mm is 3 mm/s.
+    Vec3 velocity_m_per_s_{0.0};
     double acted_s_ = 0.0, against_s_ = 0.0;
     double fade_ = 0.0;  // 1 to 0 after the end
     Vec3 last_n_{0.0};   // when it ended

@@ -10,8 +10,8 @@ namespace handrail {
 class HeatBudget {
 public:
     static constexpr double kWindowS = 10.0;  // of the running mean; what ten seconds of a coil's heating come to
-    static constexpr double kCooledShare =
-        0.5;  // of the heat that is allowed: from the limit it takes 7 s without force to get there
+    // Of the heat that is allowed: from the limit it takes 7 s without force to get there.
+    static constexpr double kCooledShare = 0.5;
 
     // Adds dt_s of a force of this size. sustained_n: root mean square over the window that the motors bear; infinity:
     // any.

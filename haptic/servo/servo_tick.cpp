@@ -16,8 +16,8 @@ constexpr double kFastestHandMPerS = 5.0;  // how much farther a hand may be aft
 constexpr double kMeanPeriodPoleS = 1.0;
 constexpr double kVelocityPoleS = 1.0 / (2.0 * kPi * 50.0);
 constexpr double kRateWindowS = 1.0;
-constexpr double kZeroAfterSlowS =
-    0.095;  // of the 100 ms from the onset of a slow rate to zero force, less one tick of 5 ms
+// Of the 100 ms from the onset of a slow rate to zero force, less one tick of 5 ms.
+constexpr double kZeroAfterSlowS = 0.095;
 constexpr double kLongestTouchStepS = 0.1;
 constexpr double kDeskBallRadiusM = 0.002;  // a felt diameter of 4 mm, as in a room
 constexpr double kDeskPressDepth = 0.15;    // of the reach: most that a push may need on a soft device

@@ -29,20 +29,20 @@ struct ServoTuning {
     bool forces_on = true;         // f key: ramps up over 1 s, fades away over 75 ms
     bool panic = false;            // F12: zero on this very tick, until cleared
     bool focused = true;  // the window has the keyboard; without it the force fades over 75 ms and ramps up with it
-    bool button_to_feel =
-        false;  // dead-man mode: force only while a button of the device is held; released, it fades over 75 ms
+    // Dead-man mode: force only while a button of the device is held; released, it fades over 75 ms.
+    bool button_to_feel = false;
     std::uint32_t stops_let_go = 0;  // the count of ServoSwitches::stops up to which the person wants the force back
     std::uint32_t confirm = 0;       // a new number lets a latched fault go (ramp of 1 s), if its cause is gone
     WorkspaceTuning workspace;
-    bool personal_space =
-        false;  // the wall towards the body is there, and the desk behind it; without it the tick pays one comparison
+    // The wall towards the body is there, and the desk behind it; without it the tick pays one comparison.
+    bool personal_space = false;
     BodyTuning bodies;  // counts only where the world has free ones
 };
 
 // At the desk: what the hand does there. Device frame, since the desk stands still before the person.
 struct DeskTouch {
-    bool open =
-        false;  // the hand is at the desk; hip_m and proxy_m of ToolState then tell where in the world it comes back to
+    // The hand is at the desk; hip_m and proxy_m of ToolState then tell where in the world it comes back to.
+    bool open = false;
     std::uint32_t visits = 0;  // how often it went there
     Vec3 hip_m{0.0}, proxy_m{0.0};
     FeatureId touched = kNoFeature;  // of the desk's scene
@@ -72,8 +72,8 @@ struct ToolState {
     bool fault_lasts = false;     // its cause is still there: a confirmation would be in vain
     Fault pause = Fault::None;    // FocusLost or ButtonReleased: why the force waits though nothing is wrong
     double warmth = 0.0;          // of the motors by the heat budget; at 1 the force is taken away
-    bool waiting_for_hand =
-        true;  // no force until the hand has moved by 3 mm (since the start, or since it was plugged in again)
+    // No force until the hand has moved by 3 mm (since the start, or since it was plugged in again).
+    bool waiting_for_hand = true;
     double contact_s = 0.0;  // contact time since start (break hint)
     std::uint64_t ticks = 0;
     double rate_hz = 0.0;  // measured over the last second; 0 during the first

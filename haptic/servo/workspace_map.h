@@ -70,8 +70,8 @@ private:
     WorkspaceFrame turned_;        // with the last heading, which seldom changes
     double turned_for_rad_ = 0.0;  // that heading
     double play_s_ = 0.0;          // the moment now being played, between the times of poses
-    double wait_s_ =
-        1.0 / 60.0;  // longest recent wait from a pose's time until the next was here, forgetting 0.5 % at each
+    // Longest recent wait from a pose's time until the next was here, forgetting 0.5 % at each.
+    double wait_s_ = 1.0 / 60.0;
 };
 
 }  // namespace handrail

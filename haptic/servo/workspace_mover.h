@@ -20,8 +20,8 @@ namespace handrail {
 // What the person has chosen and, by keys, asks for.
 struct WorkspaceTuning {
     bool rim = false;  // press past the rim of the reach to scroll
-    bool rim_open_behind =
-        false;  // towards the body there is no rim: something else is there. Beside that way it is a tube round it
+    // Towards the body there is no rim: something else is there. Beside that way it is a tube round it.
+    bool rim_open_behind = false;
     std::uint32_t grab_buttons = 0;  // while one of these is held the world goes along with the hand; 0: none does
     bool grab_key = false;           // as if a button were held
     Vec3 push_hand_m_per_s{0.0};     // by keys, device frame
@@ -101,8 +101,8 @@ private:
     Vec3 hand_m_{0.0};         // device frame
     Vec3 out_m_{0.0};          // of the hand from the middle of the device, or from the way towards the body
     double distance_m_ = 0.0;  // its length
-    double rim_gain_ =
-        1.0;  // falls when something else moves the workspace; comes back only where the rim gives no force
+    // Falls when something else moves the workspace; comes back only where the rim gives no force.
+    double rim_gain_ = 1.0;
     double contact_ceiling_n_ = std::numeric_limits<double>::infinity();
 };
 

@@ -33,8 +33,8 @@ public:
     double mass_kg = 0.1;
     bool held = true;
     int frames_until_homed = 0;
-    bool homes_by_moving =
-        false;  // instead: two legs find their zero when the grip is pulled out, the third when it is pushed in again
+    // Instead: two legs find their zero when the grip is pulled out, the third when it is pushed in again.
+    bool homes_by_moving = false;
     std::uint8_t buttons = 0;
     double counts_per_nm = 10000.0;  // of its motors
 

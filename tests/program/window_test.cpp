@@ -70,8 +70,8 @@ TEST(WindowOfTheProgram, takes_keys_speaks_and_shows_first_person_wall_and_plan)
                       test::built_program("handrail"),
                       folder.path().string()};
     call.environment["LIBGL_ALWAYS_SOFTWARE"] = "1";
-    call.environment["ASAN_OPTIONS"] =
-        "detect_leaks=0";  // Mesa's own leaks; its driver is gone before they could be suppressed by name
+    // Mesa's own leaks; its driver is gone before they could be suppressed by name.
+    call.environment["ASAN_OPTIONS"] = "detect_leaks=0";
     const ProgramRun run = run_program(call);
     std::ifstream said_file(folder.path() / "said");
     const std::string said((std::istreambuf_iterator<char>(said_file)), {});

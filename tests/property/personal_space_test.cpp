@@ -155,8 +155,8 @@ TEST(PersonalSpace, a_thousand_crossings_drive_no_hand_knock_nowhere_and_lead_ba
             ASSERT_EQ(rig.entered, entered + 1);
             ASSERT_TRUE(rig.tool().desk.open);
             const Vec3 place_m = rig.tool().proxy_m;
-            const bool at_once =
-                random.uniform(0.0, 1.0) < 0.3;  // some turn round while the wall still lets go of them
+            // Some turn round while the wall still lets go of them.
+            const bool at_once = random.uniform(0.0, 1.0) < 0.3;
             if (!at_once) rig.rest(0.3);
             rig.go(random.across(reach, random.uniform(-0.5, -0.1) * reach), at_once ? std::min(in, 0.3) : 0.3);
             EXPECT_EQ(rig.tool().proxy_m, place_m) << "the world did not wait";

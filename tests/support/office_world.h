@@ -9,8 +9,8 @@ namespace handrail::test {
 
 struct OfficeSize {
     int storeys = 1;
-    int corridors =
-        1;  // of each storey, side by side; at their east ends a hall joins them, with stairs at every third
+    // Of each storey, side by side; at their east ends a hall joins them, with stairs at every third.
+    int corridors = 1;
     int rooms_along_corridor = 4;  // on each side of it
     int brushes = 0;  // of all; furniture fills up what the building itself does not need. Too few: no furniture
     std::uint32_t seed = 1;

@@ -23,8 +23,8 @@ struct PatchGrid {
 struct PatchMesh {
     TriangleMesh mesh;        // vertices row by row
     std::size_t columns = 0;  // of vertices
-    double error_m =
-        0.0;  // measured: the farthest that the curved surface lies from the triangle under it, at 9 places of each
+    // Measured: the farthest that the curved surface lies from the triangle under it, at 9 places of each.
+    double error_m = 0.0;
 };
 
 inline constexpr int kMostPatchSplits = 256;  // along one side of one 3 by 3 part

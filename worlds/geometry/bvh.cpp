@@ -5,8 +5,8 @@ namespace {
 
 constexpr int kBins = 16;
 constexpr std::size_t kFewItems = 16;  // so many are cut by fours, which fills the lowest nodes
-constexpr std::size_t kDepthOfPlainHalving =
-    32;  // beyond it items are halved by count, so that 2^31 items end within 64 levels
+// Beyond it items are halved by count, so that 2^31 items end within 64 levels.
+constexpr std::size_t kDepthOfPlainHalving = 32;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // Rounded so that it does not lie above, or below, the number itself.

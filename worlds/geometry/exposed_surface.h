@@ -15,8 +15,8 @@ namespace handrail {
 
 struct SurfaceSolid {
     const ConvexSolid* shape = nullptr;
-    std::uint32_t group =
-        0;  // only solids of the same group cover each other: a door that may move away covers nothing of the wall
+    // Only solids of the same group cover each other: a door that may move away covers nothing of the wall.
+    std::uint32_t group = 0;
     bool covers = true;  // false for liquids: they are covered, but cover nothing
     int rank = 0;        // of two coinciding faces that look the same way the higher rank stays, then the larger
 };

@@ -17,8 +17,8 @@ namespace handrail {
 struct ReadOptions {
     double map_metres_per_unit = 1.0 / 32.0;  // for .map files (Quake: 1/32)
     double obj_metres_per_unit = 1.0;         // for .obj, .ply and .stl files
-    bool unit_is_known =
-        false;  // a person said it: read_world asks no more whether a very wide or narrow world is meant so
+    // A person said it: read_world asks no more whether a very wide or narrow world is meant so.
+    bool unit_is_known = false;
     bool guess_materials = true;  // from texture names; exploring yes, replay no
     bool solid_meshes = true;     // closed things of an .obj are solid; exploring yes, replay no
     std::string building;         // of a file with several, by its name or number; empty: the one with most rooms

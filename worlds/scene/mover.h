@@ -25,19 +25,19 @@ inline constexpr std::uint32_t kNoMover = 0xffffffffU;
 struct Mover {
     FeatureId feature = kNoFeature;
     Vec3 slide_m{0.0};  // whole way of one that slides
-    double swing_rad =
-        0.0;  // whole turn of one that swings, counter-clockwise from above, about the upright line through pivot_m
+    // Whole turn of one that swings, counter-clockwise from above, about the upright line through pivot_m.
+    double swing_rad = 0.0;
     Vec3 pivot_m{0.0};       // zero of its own frame, world metres
     double travel_s = 1.0;   // for the whole way
     double wait_s = 3.0;     // at the other end before it goes back by itself; negative: it stays
     bool rests_far = false;  // rests at the other end (a lift that waits below) and is sent to where the file has it
-    bool by_hand =
-        true;  // the person can set it going by touch or key; else only what stands in `sets_going` of others can
+    // The person can set it going by touch or key; else only what stands in `sets_going` of others can.
+    bool by_hand = true;
     Aabb approach_m;                        // a body that comes in here sets it going; empty: none does
     std::uint32_t group = 0;                // all of one group go together
     std::vector<std::uint32_t> sets_going;  // other movers, by their place in Scene::movers
-    std::uint32_t passes =
-        kNoMover;  // its maker lets it through all that have the same number here; kNoMover: through none but its group
+    // Its maker lets it through all that have the same number here; kNoMover: through none but its group.
+    std::uint32_t passes = kNoMover;
 
     std::vector<double> halts;      // of a lift: the parts of its way where it stops, rising; empty: its two ends
     std::uint32_t lift = kNoMover;  // a door of that lift: open only while the lift stands at `lift_part` of its way

@@ -31,8 +31,8 @@ struct Feature {
     FeatureKind kind = FeatureKind::Wall;
     std::string name;        // without the material: "north wall", "Table"; what files and scenarios know it by
     OtherLanguages name_in;  // what it is called in others than the map's own
-    bool made_name =
-        false;  // the map gave none: one of our own English names, said by spoken_name in the person's language
+    // The map gave none: one of our own English names, said by spoken_name in the person's language.
+    bool made_name = false;
     MaterialId material = kDefaultMaterial;
     Vec3 normal{0.0};  // outward, for walls, floors, ceilings and slopes; zero for objects
     Aabb bounds_m;

@@ -284,8 +284,8 @@ Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<
     for (const auto& [key, value] : scenario.settings)
         if (const auto set = settings.set(key, value, SettingSource::CommandLine); !set)
             return fail(set.error().message, file);
-    const std::string& language =
-        settings.values().speech.language;  // English, so that a file means the same everywhere
+    // English, so that a file means the same everywhere.
+    const std::string& language = settings.values().speech.language;
     if (const auto spoken = speak_language(language == "auto" ? "en" : language); !spoken)
         return fail(spoken.error().message, file);
     const SpokenTo spoken_to_them(scenario.acts_by);

@@ -16,8 +16,8 @@
 namespace handrail {
 namespace {
 
-constexpr double kTurnRate_rad_per_s =
-    2.6;  // 150 degrees a second: at scale 60 a hand at the rim moves 10 cm/s through the world
+// 150 degrees a second: at scale 60 a hand at the rim moves 10 cm/s through the world.
+constexpr double kTurnRate_rad_per_s = 2.6;
 constexpr double kStickTurnRate_rad_per_s = 1.6;  // 90 degrees a second with the stick all the way
 constexpr double kTurnRepeat_s = 0.4;
 constexpr double kFreeTurn_rad = 5.0 * kPi / 180.0;

@@ -68,8 +68,8 @@ Warmer::Beat Warmer::tick(double felt_m, const Vec3& place_m, bool found, bool h
     }
     const double interval = interval_s(felt_m);
     if (!heard || now_s - last_s_ < interval) return beat;
-    last_s_ =
-        now_s - last_s_ < 2.0 * interval ? last_s_ + interval : now_s;  // the rhythm is kept whenever it is looked at
+    // The rhythm is kept whenever it is looked at.
+    last_s_ = now_s - last_s_ < 2.0 * interval ? last_s_ + interval : now_s;
     beat.sound = true;
     if (const double went_m = before_ ? glm::length(place_m - before_->place_m) : 0.0; went_m > kRests_hand_m)
         beat.nearer = std::clamp((before_->felt_m - felt_m) / went_m, -1.0, 1.0);

@@ -13,8 +13,8 @@ constexpr double kBeside_m = 0.4;                      // from a thing's side to
 constexpr double kOnePlace_m = 0.3;                    // nearer places to stand are one
 constexpr double kReach_height_m[] = {1.0, 1.5, 0.5};  // of hands and eyes that look for it
 constexpr double kBefore_m = 0.3;                      // from a thing's face to where a hand turns to it
-constexpr double kInside_m =
-    0.05;  // a thing is looked for this far inside it: what it stands on or hangs at holds its faces
+// A thing is looked for this far inside it: what it stands on or hangs at holds its faces.
+constexpr double kInside_m = 0.05;
 constexpr double kBallRoom_m = 0.3;  // a hand goes round the leaf of an open door at that distance
 
 constexpr BodyShape kBall{0.13, 0.26};  // of 4 mm at scale 60

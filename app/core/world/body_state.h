@@ -12,8 +12,8 @@ struct BodyState {
     std::unique_ptr<Walker> walker;  // null: in no world yet
     double heading_rad = 0.0;        // where it faces now
     int times_put = 0;               // how often it was put somewhere else instead of walking there
-    double heading_goal_rad =
-        0.0;  // where the last turn leads; reached at a bounded rate, so that the hand is not thrown
+    // Where the last turn leads; reached at a bounded rate, so that the hand is not thrown.
+    double heading_goal_rad = 0.0;
     FeatureId ground = kNoFeature;  // what it stands on
     std::vector<Vec3> crumbs_m;     // places a quarter of a metre apart, the newest last, since it was last set down
 

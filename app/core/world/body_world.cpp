@@ -434,8 +434,8 @@ bool BodyWorld::hides(std::uint32_t number, const Vec3& eye_m, const Aabb& box) 
     if (one.clip_only || BoxIndex::meets(one.bounds_m, around)) return false;
     const std::vector<Bound>& bounds =
         number < building_->pieces.pieces.size() ? building_->pieces.bounds : placed_.bounds;
-    const std::uint32_t sides =
-        one.triangle ? 2 : 0;  // a sheet has no inside: it is crossed from one side to the other
+    // A sheet has no inside: it is crossed from one side to the other.
+    const std::uint32_t sides = one.triangle ? 2 : 0;
     bool outside = false;
     for (std::uint32_t k = 0; k < one.plane_count; ++k)
         outside = outside || signed_distance(bounds[one.first_plane + k].plane, eye_m) > kDrawnIn_m;

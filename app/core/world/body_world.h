@@ -83,8 +83,8 @@ public:
     const Aabb& box_of_placed(std::size_t thing) const { return things_[thing]->box_m; }
 
     static constexpr std::int32_t kNoPlaced = -2;
-    static constexpr double kContactGap_m =
-        1e-4;  // a body stops this far from a surface, so that rounding never lets it in
+    // A body stops this far from a surface, so that rounding never lets it in.
+    static constexpr double kContactGap_m = 1e-4;
 
 private:
     struct Piece {

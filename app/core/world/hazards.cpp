@@ -59,8 +59,8 @@ GroundAhead ground_ahead(const BodyWorld& world, const Vec3& feet_m, double bear
             if (found.stairs || at > range_m) break;
         }
         const Vec3 before = feet_m + way * (at - kSample_m), here = feet_m + way * at;
-        const double eye_z =
-            z + step_m + kAboveStep_m;  // as high as the look at the ground begins, so that what is not met is stood on
+        // As high as the look at the ground begins, so that what is not met is stood on.
+        const double eye_z = z + step_m + kAboveStep_m;
         if (world.trace({before.x, before.y, eye_z}, {here.x, here.y, eye_z}, BodyShape{0.0, kHeadroom_m}).hit) {
             run.whole = false;
             break;

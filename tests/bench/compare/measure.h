@@ -27,12 +27,12 @@ struct Measured {
     bool referenced = false;
     double error_rms_m = 0.0, error_p99_m = 0.0, error_max_m = 0.0;
     double off_share = 0.0;  // ticks that are off by more than 10 um
-    int wrong_holds =
-        0;  // times it began to let go of, or to push through, what the reference holds with half a newton
+    // Times it began to let go of, or to push through, what the reference holds with half a newton.
+    int wrong_holds = 0;
     double penetration_m = 0.0;   // deepest of the ball in anything
     double largest_jump_n = 0.0;  // of the force between two ticks
-    double largest_gain =
-        0.0;  // change of the force over stiffness times the hand's step, ticks with steps over a micrometre
+    // Change of the force over stiffness times the hand's step, ticks with steps over a micrometre.
+    double largest_gain = 0.0;
     std::optional<double> given_j;                                           // on closed paths: work on the hand
     std::optional<double> direction_error_rms_rad, direction_error_max_rad;  // spheres: against the exact one
     std::optional<double> instructions;

@@ -120,8 +120,8 @@ TEST(Riding, who_has_a_foot_beside_a_lift_that_goes_down_is_taken_wholly_onto_it
 }
 
 TEST(Meeting, a_lift_under_a_low_ceiling_goes_back_and_does_not_try_again_while_one_stands_on_it) {
-    const std::string low =
-        entity("func_wall", key("name", "beam"), box_brush(90, 90, 100, 230, 230, 128));  // from 3.1 m up
+    // From 3.1 m up.
+    const std::string low = entity("func_wall", key("name", "beam"), box_brush(90, 90, 100, 230, 230, 128));
     Rider rider(hall(kLevelLift + low, true));
     rider.app.apply(Placed{{5.0, 5.0, 0.0}, 0.0}, rider.now);
     const double highest = rider.highest_m(10.0);

@@ -67,8 +67,8 @@ TEST(Dynamics, gives_the_same_bits_in_two_runs_and_after_a_restart) {
         const int steps = scaled(600);
         Dynamics a(heap(seed));
         const std::uint64_t first = play(a, 1, steps);
-        auto clutter =
-            std::make_unique<std::vector<std::vector<int>>>(137, std::vector<int>(91));  // another heap history
+        // Another heap history.
+        auto clutter = std::make_unique<std::vector<std::vector<int>>>(137, std::vector<int>(91));
         Dynamics b(heap(seed));
         EXPECT_EQ(play(b, 1, steps), first);
         clutter.reset();

@@ -141,8 +141,8 @@ Scene random_world(std::mt19937& random, const Vec3& at) {
     }
     for (int i = 0; i < 6; ++i) {
         const Vec3 a{draw(0.5, 8.0), draw(0.5, 8.0), 0};
-        const double high =
-            std::bernoulli_distribution(0.5)(random) ? draw(0.4, 2.0) : draw(0.05, 0.2);  // to walk round or over
+        // To walk round or over.
+        const double high = std::bernoulli_distribution(0.5)(random) ? draw(0.4, 2.0) : draw(0.05, 0.2);
         box(a, a + Vec3(draw(0.2, 1.5), draw(0.2, 1.5), high));
     }
     builder.start(at + Vec3(0.3, 0.3, 0), 0.0);

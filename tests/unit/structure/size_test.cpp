@@ -131,8 +131,8 @@ void read_classes(const std::string& text, std::size_t begin, std::size_t end, c
         const std::string rest = text.substr(i, 7);
         const bool is_class = begins_with_word(rest, "class"), is_struct = begins_with_word(rest, "struct");
         if (!is_class && !is_struct) continue;
-        const std::size_t stop =
-            text.find_first_of("{;()=>,", i);  // the last ones: a parameter of a template or function
+        // The last ones: a parameter of a template or function.
+        const std::size_t stop = text.find_first_of("{;()=>,", i);
         if (stop == std::string::npos || stop >= end || text[stop] != '{') continue;
         if (i >= 5 && text.compare(i - 5, 5, "enum ") == 0) continue;
         std::istringstream words(text.substr(i, stop - i));
