@@ -36,9 +36,8 @@ bool is_of_the_program(const std::string& file) {
 }
 
 TEST(Constants, are_found_in_every_form_of_declaration) {
-    // KNone = 3\ninline constexpr int kThree = 3;\n".
     const std::string text =
-        "constexpr double kOne_m = 1.0, kTwo_m = 2.0;
+        "constexpr double kOne_m = 1.0, kTwo_m = 2.0;  // kNone = 3\ninline constexpr int kThree = 3;\n"
         "struct S {\n    static constexpr int kFour = 4;\n};\nconstexpr std::size_t kFive{5};\nint a = kSix;\n"
         "void f() {\n    constexpr double kSeven = kOne_m + 7.0;\n}\n";
     EXPECT_EQ(constants_of(text, true), (std::set<std::string>{"kOne_m", "kTwo_m", "kThree", "kFive"}));
