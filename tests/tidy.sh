@@ -1,18 +1,19 @@
 #!/usr/bin/env bash
 # Checks sources with clang-tidy and .clang-tidy:
-#   tests/tidy.sh              those that are changed and not committed, or that the last 30 commits changed
+#   tests/tidy.sh              those that are changed and not committed, or that the last 30 commits changed: the newest 150
 #   tests/tidy.sh all          every one of the program
 #   tests/tidy.sh FILE...      these
 # A header stands for the source of its name. Each source is read alone (build/tidy: no unity build, no precompiled headers).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 cmake --preset release -B build/tidy -DHANDRAIL_TESTS=OFF -DCMAKE_UNITY_BUILD=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >build/tidy.log || { cat build/tidy.log; exit 1; }
+most=100000
 case "${1:-}" in
-    '') files() { git diff --name-only HEAD; git ls-files --others --exclude-standard; git log -30 --name-only --format=; } ;;
+    '') most=150; files() { git diff --name-only HEAD; git ls-files --others --exclude-standard; git log -30 --name-only --format=; } ;;
     all) files() { git ls-files; } ;;
     *) files() { printf '%s\n' "$@"; } ;;
 esac
-mapfile -t sources < <(files "$@" | sed -nE 's#^((app|audio-cues|haptic|settings|worlds)/.*)\.(cpp|h)$#\1.cpp#p' | sort -u |
-    while read -r source; do [ ! -e "$source" ] || echo "$source"; done)
+mapfile -t sources < <(files "$@" | sed -nE 's#^((app|audio-cues|haptic|settings|worlds)/.*)\.(cpp|h)$#\1.cpp#p' | awk '!seen[$0]++' |
+    while read -r source; do [ ! -e "$source" ] || echo "$source"; done | sed "${most}q")
 printf '%s\0' "${sources[@]}" | xargs -0 -r -n 1 -P "$(nproc)" clang-tidy --quiet -p build/tidy 2> >(grep -v " warnings\? generated" >&2)
 echo "clang-tidy finds nothing in ${#sources[@]} sources."
