@@ -1,7 +1,7 @@
-// What is worked out on threads beside a session (rooms, what a hand feels, ways) is there in one tick or another. Here
-// is decided in which: as it comes, and told to who records; or in exactly the ones of a recording, which are waited
-// for. Each time the session asks whether something is there is counted, and the same session asks in the same order.
-// Plain state; the session's thread.
+// Decides in which tick the session receives a result from a background thread, such as rooms, haptic scenes or routes.
+// In a live session a result arrives as soon as it is ready, and the tick is reported to whoever records. In a replay,
+// results arrive in exactly the recorded ticks, and the session waits for them. Each query whether a result is ready
+// gets a number; the same session makes the same queries in the same order. Plain state; used on the session's thread.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,15 @@ namespace handrail {
 
 class Arrivals {
 public:
-    // As it comes; `tell` hears the number of each question that was answered with yes.
+    // Live: results arrive as soon as they are ready. `tell` receives the number of each query that was answered with
+    // yes.
     explicit Arrivals(std::function<void(std::uint64_t asked)> tell) : tell_(std::move(tell)) {}
-    // Exactly those questions are answered with yes.
+    // Replay: exactly the queries with these numbers are answered with yes.
     explicit Arrivals(std::set<std::uint64_t> came) : came_(std::move(came)) {}
 
-    // While one lives, what is asked on this thread is asked of these. Null: of nobody, and things come as they come.
-    // looks_only: somebody looks at the session between its ticks; nothing new is there then.
+    // While a Turn exists, this Arrivals object answers the queries of this thread. With null, results arrive as soon
+    // as they are ready and nothing is counted. looks_only: the session is being inspected between its ticks, so
+    // nothing new arrives.
     class Turn {
     public:
         explicit Turn(Arrivals* of, bool looks_only = false) : before_{now_, looks_only_} {
@@ -38,8 +40,8 @@ public:
         std::pair<Arrivals*, bool> before_;
     };
 
-    // Asks in this turn: `try_it` says whether it is there by now; `wait` makes sure that it is, and is called at most
-    // once.
+    // Makes a query in this turn. `try_it` returns whether the result is ready; `wait` blocks until it is ready and is
+    // called at most once.
     template <class TryIt, class Wait>
     static bool there(TryIt try_it, Wait wait) {
         if (!now_) return try_it();

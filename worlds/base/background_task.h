@@ -1,6 +1,6 @@
-// One background task at a time: begun, queried each tick, and given up when something newer is wanted or its owner
-// goes. Every function on the owner's thread; the executor says where the work runs. What the work keeps is also freed
-// there, so large things cost the owner nothing.
+// Runs one background task at a time. The owner begins it and queries it each tick. It is cancelled if the owner begins
+// a newer one or is destroyed. Call every function on the owner's thread; the executor decides where the work runs.
+// Objects that the work captures are freed there too, so freeing large ones costs the owner nothing.
 #pragma once
 
 #include <atomic>
@@ -20,10 +20,10 @@ namespace handrail {
 template <class Result>
 class BackgroundTask {
 public:
-    // Looks at `stop` often; what it returns after that counts for nothing.
+    // The work must check `stop` often. A result that it returns after a stop request is dropped.
     using Work = std::function<Result(const std::stop_token& stop)>;
 
-    // The executor outlives this object. name: as Executor::run has it.
+    // The executor must outlive this object. name: the thread name, as in Executor::run.
     BackgroundTask(const Executor& executor, const char* name) : executor_(executor), name_(name) {}
     ~BackgroundTask() {
         give_up();
@@ -32,7 +32,7 @@ public:
     BackgroundTask(const BackgroundTask&) = delete;
     BackgroundTask& operator=(const BackgroundTask&) = delete;
 
-    // In place of whatever was begun before.
+    // Cancels any task begun before and begins this one.
     void begin(Work work) {
         give_up();
         next_ = std::move(work);
@@ -42,11 +42,11 @@ public:
         if (run_) run_->stop.request_stop();
         next_ = nullptr;
     }
-    // What was begun last is done: take() gives it, or nothing where memory did not suffice.
+    // True if the task begun last is done. take() then returns its result, or nothing if memory ran out.
     bool ready() const { return !next_ && run_ && run_->done.load(std::memory_order_acquire); }
-    // Something is on its way that will be there to take.
+    // True if a task that was not cancelled is waiting, running or done but not yet taken.
     bool busy() const { return next_ || (run_ && !run_->stop.stop_requested()); }
-    // What was begun last, once it is done; where memory did not suffice for it, never.
+    // Returns the result of the task begun last, once it is done; never, if memory ran out for it.
     std::optional<Result> take() {
         std::optional<Result> made;
         Arrivals::there([&] { return (made = take_done()).has_value(); },
@@ -74,7 +74,7 @@ private:
         std::atomic<bool> done{false};
         std::optional<Result> made;
     };
-    // `before`: what was made in vain by the last one goes with the next.
+    // `before`: the dropped result of the last run, which is freed on the next run's thread.
     void go_on(std::shared_ptr<Run> before = nullptr) {
         if (!next_) return;
         if (run_ && run_->done.load(std::memory_order_acquire)) {

@@ -1,5 +1,5 @@
-// Real time comes from a Clock passed in, so every test can own the time. A seam: SteadyClock and VirtualClock
-// implement it.
+// An interface for real time, passed in so that every test can control the time. SteadyClock and VirtualClock implement
+// it.
 #pragma once
 
 #include <atomic>
@@ -9,18 +9,18 @@ namespace handrail {
 class Clock {
 public:
     virtual ~Clock() = default;
-    virtual double now_s() const = 0;               // seconds since an arbitrary start; never goes back; any thread
-    virtual void sleep_until_s(double time_s) = 0;  // returns at once when the time has passed
+    virtual double now_s() const = 0;  // seconds since an arbitrary start; never goes back; callable from any thread
+    virtual void sleep_until_s(double time_s) = 0;  // returns at once if the time has passed
 };
 
-// CLOCK_MONOTONIC with absolute sleeping, so that pacing does not drift.
+// Uses CLOCK_MONOTONIC and sleeps until absolute times, so that pacing does not drift.
 class SteadyClock final : public Clock {
 public:
     double now_s() const override;
     void sleep_until_s(double time_s) override;
 };
 
-// Time that moves only when told to; sleeping moves it. Any thread may read, one thread advances.
+// Time that moves only when the owner advances it; sleeping advances it too. Any thread may read, one thread advances.
 class VirtualClock final : public Clock {
 public:
     double now_s() const override { return now_s_.load(std::memory_order_acquire); }

@@ -1,6 +1,6 @@
-// What our own code promises to itself. A broken promise is a fault of Handrail, never of a file, a device or a person
-// (those are Result<T>): it names the place on stderr and ends the program, in every build. Not for the servo tick,
-// where a fault means zero force.
+// Checks of what our own code guarantees to itself. A broken contract is a fault of Handrail, never of a file, a device
+// or a person (those return Result<T>). It prints the place on stderr and ends the program, in every build. Do not use
+// it in the servo tick, where a fault means zero force.
 #pragma once
 
 namespace handrail::detail {
@@ -9,8 +9,8 @@ namespace handrail::detail {
 
 }  // namespace handrail::detail
 
-// Looks all of a value through with its validator, a Result<void>, in builds with HANDRAIL_VALIDATE alone (the preset
-// debug): it costs about as much as what made the value.
+// Checks a whole value with its validator, whose Result<void> is passed in. Only builds with HANDRAIL_VALIDATE (the
+// preset debug) do so, because it costs about as much as making the value.
 #ifdef HANDRAIL_VALIDATE
 #define contract_valid(result)                                                                                    \
     do {                                                                                                          \

@@ -1,4 +1,4 @@
-// Owns a file descriptor and closes it on every way out. Any thread; one owner.
+// Owns a file descriptor and closes it however its scope ends. Any thread; one owner.
 #pragma once
 
 #include <unistd.h>
@@ -16,7 +16,7 @@ public:
     Descriptor(Descriptor&& other) noexcept : fd_(other.release()) {}
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
-    // `other` closes what this one held.
+    // `other` then owns the old descriptor and closes it.
     Descriptor& operator=(Descriptor&& other) noexcept {
         std::swap(fd_, other.fd_);
         return *this;

@@ -1,6 +1,6 @@
-// Where background tasks run: each on a thread with a name, or at once, before the call returns. The program has
-// threads. Tests, scenarios and systems without threads run every task at once, so the same code gives the same
-// results at the same moments in every run.
+// Runs background tasks: each on a named thread, or at once before the call returns. The program uses threads. Tests,
+// scenarios and systems without threads run every task at once, so the same code gives the same results at the same
+// moments in every run.
 #pragma once
 
 #include <functional>
@@ -11,8 +11,8 @@ namespace handrail {
 class Executor {
 public:
     virtual ~Executor() = default;
-    // Runs `job`. The thread that comes back is to be joined; one that cannot be joined says that the job is done.
-    // name: at most 15 characters, shown by `top -H`. Any thread.
+    // Runs `job`. The caller must join the returned thread; if it is not joinable, the job is already done. name: at
+    // most 15 characters, shown by `top -H`. Any thread.
     virtual std::thread run(const char* name, std::function<void()> job) const = 0;
 };
 

@@ -1,4 +1,5 @@
-// Names things across modules without pointers. Words for a feature are looked up in the Scene, off the real-time path.
+// Identifies things across modules without pointers. Names of a feature are looked up in the Scene, off the real-time
+// path.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +14,7 @@ struct FeatureId {
 };
 inline constexpr FeatureId kNoFeature{};
 
-// Index into Scene::materials and HapticScene::materials (the same order in both). 0 is the default wall.
+// Index into Scene::materials and HapticScene::materials, which have the same order. 0 is the default wall.
 using MaterialId = std::uint16_t;
 inline constexpr MaterialId kDefaultMaterial = 0;
 

@@ -20,10 +20,10 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kBeside = ".new-";
-constexpr std::size_t kRandomLetters = 6;  // of mkostemp
-constexpr time_t kStaleAfterS = 60;        // longer than between making a file and locking it
+constexpr std::size_t kRandomLetters = 6;  // the number of random letters in a mkostemp template
+constexpr time_t kStaleAfterS = 60;        // longer than the time between making a temporary file and locking it
 
-// A system call that a signal interrupts has done nothing and is made again.
+// Repeats a system call that a signal interrupted; an interrupted call has done nothing.
 template <class Call>
 auto again(Call&& call) {
     for (;;) {
@@ -32,12 +32,12 @@ auto again(Call&& call) {
     }
 }
 
-// Without waiting: a pipe that nobody writes would never open.
+// O_NONBLOCK: otherwise opening a pipe that has no writer would block for ever.
 constexpr int kOpenFlags = O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY;
 
-// `file` as openat returned it, with its errno.
+// `file` is the result of openat; errno must still be the one that openat set.
 Result<OpenFile> as_open_file(Descriptor file, const std::string& name) {
-    if (file.get() < 0 && errno == ENXIO) return fail(phrase("files.no_file"), name);  // a socket
+    if (file.get() < 0 && errno == ENXIO) return fail(phrase("files.no_file"), name);  // the file is a socket
     if (file.get() < 0) return fail(phrase("files.cannot_open", {{"reason", reason_of(errno)}}), name);
     struct stat info {};
     if (::fstat(file.get(), &info) != 0) return fail(phrase("files.cannot_read", {{"reason", reason_of(errno)}}), name);
@@ -51,8 +51,8 @@ bool is_link(int folder, const fs::path& part) {
     return ::fstatat(folder, part.c_str(), &info, AT_SYMLINK_NOFOLLOW) == 0 && S_ISLNK(info.st_mode);
 }
 
-// Who replaces a file holds a lock on what it writes beside it, and loses it by dying. So what is old and not locked
-// belongs to nobody any more.
+// A process that replaces a file holds a lock on its temporary file next to it, and loses the lock when it dies. So an
+// old temporary file without a lock is left over, and can be removed.
 void sweep_up_beside(const fs::path& target) {
     const std::string begin = target.filename().string() + std::string(kBeside);
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
@@ -97,7 +97,7 @@ Result<OpenFile> open_file(const fs::path& path) {
     return as_open_file(Descriptor(again([&] { return ::open(path.c_str(), kOpenFlags); })), path.filename().string());
 }
 
-// Part by part from a folder that is open, so that nobody can put a link in the way meanwhile.
+// Opens the path part by part, starting from an open folder, so that nobody can insert a link meanwhile.
 Result<OpenFile> open_file_within(const fs::path& folder, const fs::path& name) {
     Descriptor at(again([&] { return ::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC); }));
     for (auto part = name.begin(); at.get() >= 0 && part != name.end(); ++part) {
@@ -146,7 +146,7 @@ Result<MappedFile> map_file(const OpenFile& from, std::size_t max_bytes) {
 
 namespace {
 
-// `fresh_mode`: the permission bits of a file that was not there before.
+// `fresh_mode`: the permission bits for a file that did not exist before.
 Result<void> replace(const fs::path& target, std::string_view content, mode_t fresh_mode) {
     std::error_code ec;
     const std::string name = target.filename().string();
@@ -188,7 +188,7 @@ Result<void> replace(const fs::path& target, std::string_view content, mode_t fr
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
     const Descriptor parent(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (parent.get() >= 0)
-        ::fsync(parent.get());  // the rename itself survives a power cut; failure here changes nothing
+        ::fsync(parent.get());  // so that the rename survives a power cut; a failure here changes nothing
     return {};
 }
 
@@ -204,10 +204,10 @@ Result<void> write_private_file_atomically(const fs::path& path, std::string_vie
 
 Result<void> write_named_file_atomically(const fs::path& path, std::string_view content) {
     std::error_code ec;
-    // Link by link, because the last one may point to a file that does not exist yet.
+    // Follows the links one by one, because the last one may point to a file that does not exist yet.
     fs::path target = path;
     for (int links = 0; fs::is_symlink(target, ec); ++links) {
-        if (links == 40)  // the system's own limit
+        if (links == 40)  // the system's own limit (ELOOP)
             return fail(phrase("files.cannot_save", {{"reason", reason_of(ELOOP)}}), path.filename().string());
         target = target.parent_path() / fs::read_symlink(target, ec);
     }

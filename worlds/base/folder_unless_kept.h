@@ -1,5 +1,5 @@
-// A new folder that nobody but the person can look into, and that goes again with all in it unless what it is for has
-// begun: a full disk must not leave an empty one for each try. One thread; costs nothing once kept.
+// A new folder that only the person can read. It is removed again with its content unless keep() is called, so that a
+// full disk does not leave an empty folder for each attempt. One thread; costs nothing once kept.
 #pragma once
 
 #include <sys/stat.h>
@@ -22,11 +22,11 @@ public:
         try {
             std::error_code ec;
             std::filesystem::remove_all(folder_, ec);
-        } catch (const std::exception&) {  // no memory for it: the folder stays, which harms nobody
+        } catch (const std::exception&) {  // out of memory while removing: the folder stays, which does no harm
         }
     }
-    // The errno of what went wrong; 0: nothing. Allocates nothing, so no failure comes between the folder and its
-    // guard.
+    // Returns the errno of the failure, or 0 on success. Allocates nothing, so nothing can fail between making the
+    // folder and guarding it.
     int make() {
         made_ = ::mkdir(folder_.c_str(), 0700) == 0;
         return made_ ? 0 : errno;

@@ -34,11 +34,11 @@ struct Language {
     std::string code;
     icu::Locale locale;
     std::map<std::string, std::string, std::less<>> texts;
-    std::filesystem::path folder;  // of the person's own file
+    std::filesystem::path folder;  // folder of the person's own file
 };
 
-// The texts of a table, "section.key" each; what is not a text gets a diagnostic. `fits` says what is wrong with a
-// text, or nothing.
+// Collects the texts of a table under the keys "section.key"; a value that is not a text gives a diagnostic. `fits`
+// returns what is wrong with a text, or an empty string.
 template <class Fits>
 void gather(const toml::table& table, const std::string& prefix, const std::string& file, const Fits& fits,
             Language& into, std::vector<Diagnostic>& faults) {
@@ -54,8 +54,8 @@ void gather(const toml::table& table, const std::string& prefix, const std::stri
     }
 }
 
-// Languages live as long as the process, longer than its static objects: another thread may be reading one that was
-// just left.
+// Languages live as long as the process and outlive its static objects, because another thread may still read a
+// language that was just replaced.
 Language& kept(Language language) {
     static std::mutex guard;
     static auto& all = *new std::deque<Language>;
@@ -63,7 +63,7 @@ Language& kept(Language language) {
     return all.emplace_back(std::move(language));
 }
 
-// Bundled files are right by test, so nothing is looked at twice here.
+// Tests check the bundled files, so nothing is checked again here.
 const Language* make_bundled(const BundledLanguage& source) {
     Language made{std::string(source.code), icu::Locale(std::string(source.code).c_str()), {}, {}};
     std::vector<Diagnostic> faults;
@@ -113,29 +113,29 @@ std::string narrow(const icu::UnicodeString& text) {
     return utf8;
 }
 
-// Letters, digits, "-" and "_": no path leads elsewhere.
+// Only letters, digits, "-" and "_", so that the code cannot lead to a path elsewhere.
 bool may_be_code(std::string_view code) {
     return !code.empty() && std::all_of(code.begin(), code.end(), [](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_';
     });
 }
 
-// Whether a pattern says what it means as it stands.
+// True if the pattern needs no formatting: no values, no quotes.
 bool is_plain(std::string_view pattern) { return pattern.find_first_of("{}'") == std::string_view::npos; }
 
-// Patterns that were said before, ready to be filled: making one takes longer than all the rest. Formats make some of
-// their parts when first used, even where they are const, so one thread at a time fills them.
+// Cache of compiled patterns, because compiling one takes longer than everything else. ICU's formats create some of
+// their parts at first use, even if they are const, so only one thread at a time may fill them.
 struct Compiled {
     std::mutex guard;
     std::unordered_map<const std::string*, std::unique_ptr<const icu::MessageFormat>>
-        formats;  // by the text of a kept language, which never moves
+        formats;  // keyed by the text of a kept language, which never moves
 };
 Compiled& compiled() {
-    static auto& all = *new Compiled;  // as long as the languages
+    static auto& all = *new Compiled;  // never destroyed, like the languages
     return all;
 }
 
-// The pattern is a text of `language`, which is kept.
+// `pattern` must be a text of `language`, which must be a kept language.
 std::string fill(const Language& language, const std::string& pattern, std::initializer_list<TextValue> values) {
     if (is_plain(pattern)) return pattern;
     UErrorCode status = U_ZERO_ERROR;
@@ -159,7 +159,7 @@ std::string fill(const Language& language, const std::string& pattern, std::init
     return U_SUCCESS(status) ? narrow(made) : pattern;
 }
 
-// What keeps `pattern` from standing for English's text under `key`, in a sentence; nothing if it may.
+// Returns in a sentence why `pattern` cannot replace English's text under `key`; empty if it can.
 std::string misfit(const std::string& key, const std::string& pattern) {
     std::vector<std::string> asked, offered;
     if (pattern.empty()) return phrase("language.empty_text", {{"key", key}});
@@ -186,13 +186,14 @@ std::string phrase(std::string_view key, std::initializer_list<TextValue> values
     if (speaks_to_typist()) {
         const std::string typed = std::string(key) + "_typed";
         if (const std::string* pattern = find(language, typed)) return fill(language, *pattern, values);
-        // A language of one's own may have the first form alone.
+        // The person's own language file may have the form without "_typed" only.
         if (const std::string* pattern = find(english(), typed); pattern && !find(language, key))
             return fill(english(), *pattern, values);
     }
     if (const std::string* pattern = find(language, key)) {
         std::string said = fill(language, *pattern, values);
-        if (!said.empty() || &language == &english()) return said;  // no language makes silent what English says
+        // A translation must not be empty where English has a text.
+        if (!said.empty() || &language == &english()) return said;
     }
     if (const std::string* pattern = find(english(), key)) return fill(english(), *pattern, values);
     return std::string(key);
@@ -277,7 +278,8 @@ Result<std::vector<Diagnostic>> speak_language(std::string_view code, const std:
             if (language) {
                 own.texts = language->texts;
                 spoken.store(language,
-                             std::memory_order_release);  // what is wrong with the person's own texts is told in it
+                             // So that faults in the person's own texts are reported in that language.
+                             std::memory_order_release);
             }
             gather(table, "", path.filename().string(), misfit, own, faults);
             language = &kept(std::move(own));

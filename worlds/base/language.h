@@ -1,11 +1,11 @@
-// What Handrail says, in the person's language. Every string that a person hears or reads stands in settings/languages,
-// one file for each language, under a key; code names the key and gives the values. Patterns are ICU's MessageFormat,
-// so that each language has its own number signs, plural forms and word order: "{steps, plural, one {# step} other {#
+// Handrail's texts in the person's language. Every string that a person hears or reads is in settings/languages under a
+// key, in one file for each language; the code gives the key and the values. Patterns use ICU's MessageFormat, so that
+// each language has its own number format, plural forms and word order: "{steps, plural, one {# step} other {#
 // steps}}".
 //
-// The language spoken is one for the whole process, as the C locale is: a reader that fails deep in a file has nobody
-// to ask. It starts as English, is changed on the app thread by speak_language, and may be read on any thread but the
-// servo's (phrase allocates).
+// The whole process has one spoken language, as it has one C locale, because a reader that fails deep in a file has no
+// access to a session. It starts as English. The app thread changes it with speak_language; any thread except the
+// servo's may read it (phrase allocates).
 #pragma once
 
 #include <concepts>
@@ -22,8 +22,8 @@
 
 namespace handrail {
 
-// One value of a pattern: "{name}". Whole numbers choose plural forms; how many decimals a number gets, the pattern
-// says ("{m, number, ::.0}").
+// One value of a pattern: "{name}". Whole numbers select plural forms. The pattern decides how many decimals a number
+// gets ("{m, number, ::.0}").
 struct TextValue {
     std::string_view name;
     std::variant<std::int64_t, double, std::string_view> value;
@@ -35,23 +35,24 @@ struct TextValue {
     TextValue(std::string_view n, std::string_view v) : name(n), value(v) {}
 };
 
-// The text under `key` ("rooms.too_far") in the language spoken, with its values put in; English where that language
-// lacks it, the key itself where English lacks it too. What a text with values costs stands in docs/results.md; the
-// first time it is said, up to ten times that.
+// Returns the text under `key` ("rooms.too_far") in the spoken language, with its values filled in. If that language
+// lacks the key, the text is English; if English lacks it too, the key itself is returned. docs/results.md has the cost
+// of a text with values; its first use costs up to ten times as much.
 std::string phrase(std::string_view key, std::initializer_list<TextValue> values = {});
-// Whether the language spoken, or English, has the key: for keys made of names that come from files ("material.moss").
+// True if the spoken language or English has the key. For keys built from names that come from files ("material.moss").
 bool has_phrase(std::string_view key);
 
-// A text of a world in one more language.
+// A text of a world in a further language.
 struct TextIn {
     std::string language;  // its code: "de"
     std::string text;
 };
 using OtherLanguages = std::vector<TextIn>;
-// The one in the language spoken, where there is one; else `text`, which the world is known by.
+// The text in the spoken language if there is one, else `text`, the world's main text.
 std::string in_spoken_language(const std::string& text, const OtherLanguages& others);
 
-// First letter in upper case, for the start of a sentence, in any script; a text that begins with no letter stays.
+// Puts the first letter in upper case, for the start of a sentence, in any script. A text that begins with no letter
+// stays.
 std::string capitalised(std::string_view text);
 
 // A language that can be chosen: its code ("de") and its own name for itself ("Deutsch").
@@ -62,25 +63,28 @@ struct LanguageName {
 
 // The languages that come with the program, English first.
 std::vector<LanguageName> bundled_languages();
-// Those, and the languages of files of one's own in `folder` by their codes. A file that cannot be read is left out.
+// The bundled languages and those with a file of the person's own in `folder`, by their codes. A file that cannot be
+// read is left out.
 std::vector<LanguageName> languages_to_choose(const std::filesystem::path& folder);
-// The code of the language spoken: "en".
+// The code of the spoken language: "en".
 std::string spoken_language();
-// The code of the language that the environment asks for (LC_ALL, LC_MESSAGES, LANG, the first that is set) if it comes
-// with the program or has a file in `folder`, which is not opened; else "en".
+// The code of the language that the environment requests (the first one set of LC_ALL, LC_MESSAGES, LANG) if it is
+// bundled or has a file in `folder`, which is not opened; else "en".
 std::string language_of_environment(const std::filesystem::path& folder);
-// Where its own file was read from, for a process that is to speak the same; empty where there was none.
+// The folder that the language's own file was read from, for a child process that must speak the same; empty if there
+// was none.
 std::filesystem::path spoken_language_folder();
 
 // Speaks `code` from now on. A file CODE.toml in `folder` (which may be empty or absent) adds a language or replaces
-// single texts of a bundled one. Returns what is wrong with that file, text by text, each of which is then said as
-// before (bundled, else English); a bundled language tells it itself. Fails, and changes nothing, if there is no such
-// language or its file is damaged. App thread.
+// single texts of a bundled one. Returns the faults of that file; each faulty text is replaced by the bundled one, else
+// by English. Faults are in the bundled language of that code, if there is one. If there is no such language or its
+// file is damaged, it fails and changes nothing. App thread.
 Result<std::vector<Diagnostic>> speak_language(std::string_view code, const std::filesystem::path& folder = {});
 
-// A pattern's fault in ICU's words, or nothing. `names` receives the values that it asks for, sorted.
+// Returns a pattern's fault in ICU's words, or an empty string. `names` receives the sorted names of the values that
+// the pattern uses.
 std::string pattern_fault(std::string_view pattern, std::vector<std::string>* names = nullptr);
-// The texts of a bundled language by key, sorted; empty for one that is not there. For tests and translators.
+// The texts of a bundled language, sorted by key; empty if there is no such language. For tests and translators.
 std::vector<std::pair<std::string, std::string>> bundled_texts(std::string_view code);
 
 }  // namespace handrail

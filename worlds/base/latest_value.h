@@ -1,8 +1,9 @@
 // Hands the newest value from one producer thread to one consumer thread without locks: a triple buffer. The consumer
-// always sees a whole value; values it was too slow for are overwritten. Neither side allocates, waits or fails.
-// It may lie in memory that another process writes too: every index that is read from it is masked to kIndex, and there
-// are as many slots as the mask lets through (three in use, the fourth for an index that no sound process writes), so
-// whatever stands there, nothing outside is touched.
+// always sees a complete value; values that it was too slow for are overwritten. Neither side allocates, waits or
+// fails.
+// The object may be in memory that another process writes too. Therefore every index read from it is masked with
+// kIndex, and there are as many slots as the mask allows. Three are in use; the fourth is for an index that no correct
+// process writes. So no value in that memory can cause an access outside it.
 #pragma once
 
 #include <array>
@@ -25,13 +26,13 @@ public:
         back_ = old & kIndex;
     }
 
-    // Consumer thread only. True if something newer than the last call had been published; read() then shows it.
+    // Consumer thread only. True if a newer value was published since the last call; read() then returns it.
     bool refresh() {
         if (!(middle_.load(std::memory_order_relaxed) & kFresh)) return false;
         front_ = middle_.exchange(front_ & kIndex, std::memory_order_acq_rel) & kIndex;
         return true;
     }
-    // Consumer thread only. The value taken by the last refresh().
+    // Consumer thread only. Returns the value that the last refresh() took.
     const T& read() const { return slots_[front_ & kIndex]; }
 
 private:

@@ -1,4 +1,4 @@
-// Text for pages and pictures: HTML and SVG. Pure; any thread.
+// Escapes text for pages and pictures: HTML and SVG. Pure; any thread.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace handrail {
 
-// As the text of an element or an attribute in double quotes. Control characters that XML 1.0 has no place for are left
-// out, and direction controls, which would turn round what follows the text on the page.
+// Escapes text for an element or for an attribute in double quotes. Leaves out control characters that XML 1.0 forbids,
+// and direction controls, which would reverse the text after it on the page.
 inline std::string markup_text(std::string_view text) {
     std::string out;
     while (!text.empty()) {

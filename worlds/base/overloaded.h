@@ -1,4 +1,5 @@
-// Several lambdas as one visitor for std::visit: std::visit(Overloaded{[](int) {...}, [](bool) {...}}, value).
+// Combines several lambdas into one visitor for std::visit: std::visit(Overloaded{[](int) {...}, [](bool) {...}},
+// value).
 #pragma once
 
 namespace handrail {
@@ -8,6 +9,6 @@ struct Overloaded : F... {
     using F::operator()...;
 };
 template <class... F>
-Overloaded(F...) -> Overloaded<F...>;  // clang needs it said up to its release 16
+Overloaded(F...) -> Overloaded<F...>;  // clang up to its release 16 needs this deduction guide
 
 }  // namespace handrail

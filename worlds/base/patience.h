@@ -1,5 +1,5 @@
-// When somebody who waits is to be told how far it has come: nothing of what is over within two seconds, and then
-// something every few. Plain state of whoever does the telling.
+// Decides when to report progress to a waiting person: never if the wait ends within two seconds, then every few
+// seconds. Plain state; used on the thread that reports.
 #pragma once
 
 namespace handrail {
@@ -8,17 +8,17 @@ class Patience {
 public:
     static constexpr double kFirst_s = 2.0, kEvery_s = 5.0;
 
-    // Somebody waits from this moment on.
+    // The wait begins at this moment.
     explicit Patience(double begun_s) : begun_s_(begun_s), next_s_(begun_s + kFirst_s) {}
 
-    // True once for each time that something is to be told.
+    // Returns true each time that a report is due.
     bool due(double now_s) {
         if (now_s < next_s_) return false;
         next_s_ = now_s + kEvery_s;
         told_ = true;
         return true;
     }
-    bool told() const { return told_; }  // anything yet
+    bool told() const { return told_; }  // true once a report was due
     double waited_s(double now_s) const { return now_s - begun_s_; }
 
 private:

@@ -1,5 +1,5 @@
-// Headers that nearly every source file needs, or that many need and take long; compiled once. Nothing of the project
-// itself stands here.
+// Headers that nearly every source file needs, or that many need and that take long; compiled once. Contains no headers
+// of the project itself.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Errors that a person can act on. The world can be wrong (files, devices, users): functions that meet it return
+// Errors that a person can act on. Files, devices and users can be wrong: functions that deal with them return
 // Result<T>.
 #pragma once
 
@@ -8,14 +8,15 @@
 
 namespace handrail {
 
-// One sentence fit to be spoken, with the place it concerns. line and column count from 1 in bytes; 0 means unknown.
+// One sentence that can be spoken, and the place that it is about. Line and column count from 1, in bytes; 0 means
+// unknown.
 struct Error {
     std::string file;
     int line = 0;
     int column = 0;
     std::string message;
 
-    // "house.map, line 12, column 4: message", leaving out what is unknown.
+    // "house.map, line 12, column 4: message"; unknown parts are left out.
     std::string sentence() const;
 };
 
@@ -28,8 +29,8 @@ inline tl::unexpected<Error> fail(std::string message, std::string file = {}, in
 
 enum class Severity { Warning, Error };
 
-// Something a reader met and how it went on. `message` says what was expected and found, `action` what was done about
-// it.
+// A fault that a reader found, and how it went on. `message` says what was expected and found, `action` what the reader
+// did about it.
 struct Diagnostic {
     Severity severity = Severity::Warning;
     std::string file;

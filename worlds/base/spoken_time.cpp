@@ -12,7 +12,7 @@
 namespace handrail {
 namespace {
 
-// Texts are in British English.
+// The English texts are in British English.
 icu::Locale locale_of(const std::string& language) {
     return language == "en" ? icu::Locale("en", "GB") : icu::Locale(language.c_str());
 }

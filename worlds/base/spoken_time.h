@@ -1,4 +1,4 @@
-// Dates and times of day as people of the language spoken write them, in the time zone of this machine. Any thread.
+// Writes dates and times of day as usual in the spoken language, in the time zone of this machine. Any thread.
 #pragma once
 
 #include <string>
@@ -6,10 +6,10 @@
 
 namespace handrail {
 
-// Of a moment in UTC as ISO 8601 has it, "2026-11-22T17:30:00Z": "22 November 2026". A text that is no such moment
-// comes back as it is.
+// Turns a UTC moment in ISO 8601, "2026-11-22T17:30:00Z", into "22 November 2026". Any other text is returned
+// unchanged.
 std::string day_words(std::string_view iso_utc);
-// With the time of day: "22 November 2026, 17:30".
+// The same with the time of day: "22 November 2026, 17:30".
 std::string day_and_time_words(std::string_view iso_utc);
 
 }  // namespace handrail

@@ -10,7 +10,7 @@
 namespace handrail {
 namespace {
 
-// Of the first character of `text`; 0 where that is no well-formed UTF-8.
+// The length in bytes of the first character of `text`; 0 if that is not well-formed UTF-8.
 std::size_t bytes_of_character(std::string_view text) {
     const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(text[at]); };
     const unsigned first = byte(0);

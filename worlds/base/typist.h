@@ -1,9 +1,9 @@
-// Who is spoken to: somebody at the keys of a window, at those of a terminal, or somebody who types lines of words.
-// Texts that say how to act have a second form for the last, under the same key with "_typed" behind it, which phrase()
-// then says; KeyMap::keys_of then gives the command's word, and at a terminal's keys only such as a terminal can send.
+// How the person acts: with the keys of a window, with those of a terminal, or by typing lines. Texts that explain how
+// to act have a second form for typed lines, under the same key with "_typed" appended; phrase() uses it for them.
+// KeyMap::keys_of then returns the word of the command. For a terminal, it returns only keys that a terminal can send.
 //
-// One for the whole process, as the language is. App thread sets it once at the start; any thread but the servo's may
-// read.
+// One setting for the whole process, like the language. The app thread sets it once at the start; any thread except the
+// servo's may read it.
 #pragma once
 
 namespace handrail {
