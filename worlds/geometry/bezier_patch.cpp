@@ -18,35 +18,36 @@ bool is_patch(const PatchGrid& grid) {
 
 using Curve = std::array<Vec3, 3>;
 
-// The same to the last bit from either end.
+// Bit-identical from either end of the curve.
 Vec3 on_curve(const Curve& c, double t) {
     const double s = 1.0 - t;
     return (c[0] * (s * s) + c[2] * (t * t)) + c[1] * (2.0 * s * t);
 }
 
-// Splits are powers of two, so that t and 1 - t are exact and neighbours' splits nest.
+// Numbers of splits are powers of two, so that t and 1 - t are exact and the splits of neighbours coincide.
 int splits_for(double bend_m, double chord_m) {
     int splits = 1;
     while (splits < kMostPatchSplits && bend_m / (static_cast<double>(splits) * splits) > chord_m) splits *= 2;
     return splits;
 }
 
-// A quarter of the second difference is how far the middle of a curve lies from its chord.
+// The middle of a curve is a quarter of the second difference away from its chord.
 double bend_of(const Curve& c) { return 0.25 * glm::length((c[0] + c[2]) - 2.0 * c[1]); }
 
 struct Splits {
-    std::vector<int> across;  // per part column
-    std::vector<int> up;      // per part row
+    std::vector<int> across;  // for each column of parts
+    std::vector<int> up;      // for each row of parts
 };
 
-// Half of the error is for the grid, half for its outer edges, which may be split less finely than what lies within.
+// Half of the allowed error is for the grid and half for its outer edges, which may be split more coarsely than the
+// interior.
 Splits splits_of(const PatchGrid& grid, double chord_m) {
     const int rows = grid.rows / 2, columns = grid.columns / 2;
     Splits splits{std::vector<int>(static_cast<std::size_t>(columns), 1),
                   std::vector<int>(static_cast<std::size_t>(rows), 1)};
     for (int r = 0; r < rows; ++r)
         for (int c = 0; c < columns; ++c) {
-            // Second derivatives of the part, over 2: along u and v from the control net; the mixed one adds a twist to
+            // Half of the part's second derivatives: along u and v from the control net; the mixed derivative twists
             // every cell.
             double bend_u = 0.0, bend_v = 0.0, twist = 0.0;
             for (int k = 0; k < 3; ++k) {
@@ -60,8 +61,8 @@ Splits splits_of(const PatchGrid& grid, double chord_m) {
                     twist = std::max(
                         twist, glm::length(grid.at(2 * r + i, 2 * c + j) - grid.at(2 * r + i, 2 * c + j + 1) -
                                            grid.at(2 * r + i + 1, 2 * c + j) + grid.at(2 * r + i + 1, 2 * c + j + 1)));
-            // Linear over a triangle of sides 1/m and 1/n: error <= bend_u / m^2 + bend_v / n^2 + twist / (m n), since
-            // f_uv <= 4 twist and the bound has 1/4 of it.
+            // The error of linear triangles with sides 1/m and 1/n is <= bend_u / m^2 + bend_v / n^2 + twist / (m n).
+            // The last term has no further factor because f_uv <= 4 twist and the bound contains a quarter of it.
             int& m = splits.across[static_cast<std::size_t>(c)];
             int& n = splits.up[static_cast<std::size_t>(r)];
             m = std::max(m, splits_for(bend_u, chord_m / 6.0));
@@ -75,7 +76,7 @@ Splits splits_of(const PatchGrid& grid, double chord_m) {
     return splits;
 }
 
-// A point of an outer edge: on the line through the splits that the edge itself asks for.
+// A point of an outer edge, on the straight line between the splits that the edge alone needs.
 Vec3 on_edge(const Curve& curve, int step, int steps, double chord_m) {
     const int own = std::min(splits_for(bend_of(curve), 0.5 * chord_m), steps);
     const int stride = steps / own, before = step / stride * stride;
@@ -115,7 +116,7 @@ PatchMesh tessellate(const PatchGrid& grid, double chord_m) {
     contract_pre(is_patch(grid));
     contract_pre(chord_m > 0.0);
     const Splits splits = splits_of(grid, chord_m);
-    // Every vertex of the grid, with where it lies.
+    // A vertex of the grid as part, step and number of steps.
     struct Knot {
         int part, step, steps;
     };

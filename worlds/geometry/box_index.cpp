@@ -9,8 +9,8 @@ constexpr std::uint32_t kLeaf = 4;
 
 }  // namespace
 
-// Halved at the middle item along the longest way between the boxes' middles; of equal ones the one that came first is
-// lower.
+// Each node is halved at the middle item along the axis on which the centres of the boxes spread most. Of items with
+// equal centres the earlier one sorts lower.
 BoxIndex::BoxIndex(std::span<const Aabb> boxes) {
     for (std::uint32_t i = 0; i < boxes.size(); ++i)
         if (!boxes[i].empty()) items_.push_back(i);

@@ -1,6 +1,6 @@
-// A hierarchy over boxes in double precision: which of many meet a box, which a straight line may meet before it has
-// met something. Built once, then only read, from any thread. Building O(n log n), a query O(log n + found). Bvh, which
-// the hand's tick asks, works on points and in single precision.
+// A hierarchy over boxes in double precision. It finds the boxes that meet a given box, and those that a straight line
+// may enter before it hits something. Built once, then only read, from any thread. Building costs O(n log n), a query
+// O(log n + found). Bvh, which the haptic tick queries, works on points and in single precision.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +18,8 @@ class BoxIndex {
 public:
     struct Node {
         Aabb box;
-        std::uint32_t first = 0;  // of items(), or the first of two nodes side by side
-        std::uint32_t items = 0;  // 0: an inner node
+        std::uint32_t first = 0;  // index into items(), or the first of two adjacent child nodes
+        std::uint32_t items = 0;  // number of items; 0: an inner node
     };
 
     BoxIndex() = default;
@@ -31,7 +31,7 @@ public:
     const std::vector<Node>& nodes() const noexcept { return nodes_; }
     const std::vector<std::uint32_t>& items() const noexcept { return items_; }
 
-    // Replaces `found` by the indices of all boxes that meet `box`, borders included, in rising order.
+    // Replaces `found` with the indices of all boxes that meet `box`, in rising order. Boxes that only touch count.
     void find(const Aabb& box, std::vector<std::uint32_t>& found) const;
 
     // Calls visit(item) for every item whose box meets this one, in the order of the hierarchy.
@@ -51,14 +51,14 @@ public:
         }
     }
 
-    // Calls visit(item, reach) for every item whose box, grown by low_m downwards and high_m upwards along each axis,
-    // is met by from + (to - from) t with t from 0 to `reach`, at first 1; visit may lower reach. Near ones first,
-    // roughly.
+    // Follows the line from + (to - from) t for t from 0 to `reach`, which is 1 at first. Each item's box is grown by
+    // low_m downwards and high_m upwards along each axis. Calls visit(item, reach) for every item whose grown box the
+    // line enters; visit may lower `reach`. Near items come first, roughly.
     template <class Visit>
     void along(const Vec3& from_m, const Vec3& to_m, const Vec3& low_m, const Vec3& high_m, Visit&& visit) const {
         const Vec3 way = to_m - from_m;
         double reach = 1.0;
-        // Where the line enters a box; above 1 where it does not.
+        // Returns the t at which the line enters a box; above 1 if it does not.
         const auto enters = [&](const Aabb& box) {
             double in = 0.0, out = reach;
             for (int axis = 0; axis < 3; ++axis) {
@@ -97,12 +97,12 @@ public:
     }
 
 private:
-    static constexpr std::size_t kMostDepth = 80;  // halves: 2^32 items are 32 deep
+    static constexpr std::size_t kMostDepth = 80;  // boxes are halved, so 2^32 items need 32 levels
     static constexpr double kMissed = 2.0;
 
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> items_;
-    std::vector<Aabb> boxes_;  // of items_
+    std::vector<Aabb> boxes_;  // in the order of items_
 };
 
 }  // namespace handrail

@@ -4,12 +4,12 @@ namespace handrail {
 namespace {
 
 constexpr int kBins = 16;
-constexpr std::size_t kFewItems = 16;  // so many are cut by fours, which fills the lowest nodes
-// Beyond it items are halved by count, so that 2^31 items end within 64 levels.
+constexpr std::size_t kFewItems = 16;  // up to this many items are cut into fours, which fills the lowest nodes
+// From this depth on, items are halved by count, so that 2^31 items end within 64 levels.
 constexpr std::size_t kDepthOfPlainHalving = 32;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// Rounded so that it does not lie above, or below, the number itself.
+// Rounds down (or up, below) to single precision, so that the result is never above (or below) the number.
 float rounded_down(double v) noexcept {
     const float f = static_cast<float>(v);
     return f - (std::abs(f) * 1.2e-7F + 1e-37F);
@@ -18,14 +18,15 @@ float rounded_up(double v) noexcept { return -rounded_down(-v); }
 
 }  // namespace
 
-// Bounds of one item while building; the fourth lanes hold its number, in two parts that are exact in single precision.
+// The bounds of one item during building. The fourth lanes hold its number, in two parts that are exact in single
+// precision.
 struct Bvh::Item {
     Four low, high;
 
     std::uint32_t number() const noexcept {
         return static_cast<std::uint32_t>(low[3]) | static_cast<std::uint32_t>(high[3]) << 16;
     }
-    // Twice the middle.
+    // Twice the centre of the box.
     float middle(int axis) const noexcept { return low[axis] + high[axis]; }
 };
 
@@ -52,8 +53,8 @@ struct Box {
 
 }  // namespace
 
-// Of more than four items: orders them so that the first ones, whose number is returned, make one part and the rest the
-// other.
+// Splits more than four items: reorders them so that the first ones form one part and the rest the other. Returns the
+// size of the first part.
 std::size_t Bvh::split(std::span<Item> items, std::size_t depth) {
     using FloatBox = Box<Four>;
     FloatBox middles;
@@ -186,7 +187,8 @@ Bvh::Bvh(std::span<const Aabb> bounds) {
         tasks.pop_back();
         std::array<Range, 4> ranges{task.range};
         std::size_t count = 1;
-        // The largest is split until there are four; up to four items are left together for a node of their own.
+        // Splits the largest range until there are four; ranges of up to four items stay whole and get a node of their
+        // own.
         while (count < 4) {
             std::size_t largest = count;
             for (std::size_t i = 0; i < count; ++i)
@@ -197,7 +199,7 @@ Bvh::Bvh(std::span<const Aabb> bounds) {
             ranges[largest] = range_of(range.first, left);
             ranges[count++] = range_of(range.first + left, range.count - left);
         }
-        // What still finds room here needs no node.
+        // Items of a range that still fits into this node need no child node.
         for (bool more = true; more;) {
             more = false;
             for (std::size_t i = 0; i < count; ++i) {

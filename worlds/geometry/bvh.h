@@ -1,9 +1,9 @@
-// A hierarchy of boxes over boxes: which things are near a point. Built once off the real-time path (or refitted there,
-// when the things move), then only read; queries neither allocate nor throw. Nodes of four children, whose boxes are
-// single precision relative to the middle of everything, rounded outwards, and tested together; a child is another node
-// or one item. About 40 bytes per item; about 0.3 us per item to build, 30 ns to refit. Sources: Wald, On fast
-// construction of SAH-based bounding volume hierarchies, 2007 (binning); Hjaltason & Samet, Distance browsing in
-// spatial databases, 1999 (nearest first).
+// A hierarchy over boxes that finds the items near a point. It is built once off the real-time path, and refitted there
+// if items move; queries only read, and neither allocate nor throw. A node has four children, each a node or one item.
+// Their boxes are in single precision relative to the centre of everything, rounded outwards, and are tested together.
+// About 40 bytes per item; about 0.3 us per item to build, 30 ns to refit. Sources: Wald, On fast construction of
+// SAH-based bounding volume hierarchies, 2007 (binning); Hjaltason & Samet, Distance browsing in spatial databases,
+// 1999 (nearest first).
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,8 @@ class Bvh {
     };
 
 public:
-    // Room for what nearest_first() still has to look at. Made off the real-time path, for this many looks at most.
+    // Memory for the nodes and items that nearest_first() has yet to visit. Make it off the real-time path, for the
+    // greatest number of looks that will be allowed.
     class Queue {
     public:
         explicit Queue(std::size_t most_looks) : places_(3 * most_looks + 4) {}
@@ -37,21 +38,22 @@ public:
     };
 
     Bvh() = default;
-    // Item i has bounds[i]; at most 2^31 of them, coordinates up to 1e9 m. Empty boxes are allowed and never found.
+    // Item i has bounds[i]. At most 2^31 items, coordinates up to 1e9 m. Empty boxes are allowed and never found.
     explicit Bvh(std::span<const Aabb> bounds);
 
-    // The same items with other bounds, as many as at building: keeps the tree's shape, so queries are right whatever
-    // happened and fast while neighbours stayed neighbours. Items that were empty at building stay unfound.
+    // Gives the same items new bounds, as many as at building. The shape of the tree stays, so queries are always
+    // correct, and fast as long as neighbours stayed neighbours. Items that were empty at building are still never
+    // found.
     void refit(std::span<const Aabb> bounds);
 
     bool empty() const noexcept { return nodes_.empty(); }
-    // The box around everything; empty when there is nothing.
+    // The box around all items; empty if there are none.
     Aabb bounds() const noexcept { return bounds_; }
     std::size_t bytes() const noexcept { return nodes_.capacity() * sizeof(Node); }
 
-    // Calls visit(item, reach_m) for every item whose box lies within reach_m of the point, and for some that lie
-    // little farther; visit may lower reach_m (never raise it). As many looks as there are items near: for use on a
-    // tick only where these are few.
+    // Calls visit(item, reach_m) for every item whose box is within reach_m of the point, and for some slightly farther
+    // ones. visit may lower reach_m but never raise it. The cost grows with the number of items near, so use it on a
+    // tick only if these are few.
     template <class Visit>
     void within(const Vec3& point_m, double reach_m, Visit&& visit) const noexcept {
         if (nodes_.empty() || !(distance_squared(bounds_, point_m) <= reach_m * reach_m)) return;
@@ -74,9 +76,9 @@ public:
         }
     }
 
-    // The same, boxes of boxes in rising order of their distance, with at most `looks` nodes and items looked at, which
-    // it counts down (the queue must have been made for as many). Returns how far everything is known: every item whose
-    // box is nearer than that was visited. That is the last reach_m where the looks sufficed.
+    // The same, but visits boxes in rising order of distance and looks at no more than `looks` nodes and items. It
+    // counts `looks` down; the queue must have been made for that many. Returns the distance up to which the search is
+    // complete: every item whose box is nearer was visited. If the looks sufficed, this is the last reach_m.
     template <class Visit>
     double nearest_first(const Vec3& point_m, double reach_m, int& looks, Queue& queue, Visit&& visit) const noexcept {
         if (nodes_.empty() || !(distance_squared(bounds_, point_m) <= reach_m * reach_m)) return reach_m;
@@ -125,13 +127,13 @@ private:
     static constexpr std::uint32_t kItem = 0x80000000U;
     using Four = float __attribute__((vector_size(16)));
 
-    // 112 bytes. A child that is not there has the box from +infinity to -infinity.
+    // 112 bytes. A missing child has the box from +infinity to -infinity.
     struct Node {
-        std::array<Four, 3> low, high;  // of the four children, per axis
+        std::array<Four, 3> low, high;  // of the four children, for each axis
         std::array<std::uint32_t, 4> what;
     };
 
-    // A point as the boxes see it. Its rounding to single precision shifts distances by up to slack_m.
+    // A query point in the single precision of the boxes. The rounding changes distances by up to slack_m.
     struct Query {
         std::array<float, 3> at;
         double slack_m;
@@ -139,8 +141,8 @@ private:
         explicit Query(const Vec3& p) noexcept
             : at{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)},
               slack_m((std::abs(p.x) + std::abs(p.y) + std::abs(p.z)) * 2.4e-7 + 1e-30) {}
-        // Nothing within reach_m has a greater squared distance in single precision; never infinite, as children are
-        // that are not there.
+        // An upper bound in single precision of the squared distance of everything within reach_m. Never infinite, so
+        // that missing children, whose distance is infinite, stay outside.
         float squared(double reach_m) const noexcept {
             const double reach = std::min(reach_m + slack_m, 1e18);
             return static_cast<float>(reach * reach * 1.000002);
@@ -152,7 +154,7 @@ private:
 
     static Four greater(const Four& a, const Four& b) noexcept { return a > b ? a : b; }
 
-    // The children within reach, nearest first; their number.
+    // Writes the children within reach to `near`, nearest first, and returns their number.
     static std::size_t near_children(const Node& node, const Query& query, float reach2,
                                      std::array<Place, 4>& near) noexcept {
         Four sum{};
@@ -177,7 +179,7 @@ private:
     static std::size_t split(std::span<Item> items, std::size_t depth);
     void fill(Node& node, std::size_t child, const Aabb& box) const noexcept;
 
-    std::vector<Node> nodes_;  // children after their parents
+    std::vector<Node> nodes_;  // children come after their parents
     Vec3 middle_m_{0.0};
     Aabb bounds_;
 };

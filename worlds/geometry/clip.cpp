@@ -8,14 +8,14 @@
 namespace handrail {
 namespace {
 
-constexpr double kAxisSnap = 1e-12;       // a normal this near to an axis is the axis
-constexpr double kSameDirection = 1e-10;  // 1 - dot of two normals that repeat each other
+constexpr double kAxisSnap = 1e-12;       // a normal this near to an axis is set to the axis
+constexpr double kSameDirection = 1e-10;  // two normals whose dot product differs from 1 by less count as the same
 
 // Sets the coordinate that an axis-aligned plane fixes.
 void snap_to(Vec3& point_m, const Plane& plane) noexcept {
     for (int axis = 0; axis < 3; ++axis)
         if (std::abs(plane.normal[axis]) == 1.0)
-            point_m[axis] = plane.normal[axis] * plane.offset_m + 0.0;  // + 0.0: never minus zero
+            point_m[axis] = plane.normal[axis] * plane.offset_m + 0.0;  // + 0.0 prevents minus zero
 }
 
 // A square on the plane, counter-clockwise seen from its front.
@@ -194,7 +194,8 @@ BuiltSolid solid_from_planes(std::span<const Plane> planes, const Vec3& near_m, 
         }
     }
     if (out.fault != SolidFault::None) return out;
-    // Cut again from squares of the solid's own size: corners then carry rounding errors of its size, not of the reach.
+    // Cuts again from squares of the solid's own size, so that rounding errors of the corners depend on that size, not
+    // on `reach_m`.
     const Aabb box = out.solid.bounds_m;
     intersect(used, box.centre_m(), 2.0 * glm::length(box.size_m()), tolerance, out);
     if (out.solid.faces.size() < 4) out.fault = SolidFault::Empty;

@@ -13,14 +13,15 @@
 namespace handrail {
 namespace {
 
-constexpr double kMeshFlat = 1e-5;            // of the mesh's size: what still lies in one plane
-constexpr double kMeshSameTurn = 1.0 - 1e-4;  // of two normals in one plane, where the corners lie in it too
-constexpr double kThinnest_m = 1e-4;          // a mesh flatter than this has no inside
+constexpr double kMeshFlat = 1e-5;  // fraction of the mesh's size; less than this off a plane counts as in the plane
+// Dot product of two normals from which on faces share a plane, if their corners are in it too.
+constexpr double kMeshSameTurn = 1.0 - 1e-4;
+constexpr double kThinnest_m = 1e-4;  // a mesh flatter than this has no inside
 constexpr std::size_t kMostFragments = 200'000;
-constexpr std::size_t kPlanesTried = 16;  // at each cut
-constexpr std::size_t kFewFaces = 8;      // of a convex part: it is not halved on
+constexpr std::size_t kPlanesTried = 16;  // planes compared for each cut
+constexpr std::size_t kFewFaces = 8;      // a convex part with no more faces than this is not halved further
 
-// Numbers of points of which those in exactly one place are one.
+// A number for each point; points at exactly the same place get the same number.
 std::vector<std::uint32_t> joined_points(std::span<const Vec3> points_m) {
     std::vector<std::uint32_t> order(points_m.size());
     std::iota(order.begin(), order.end(), 0U);
@@ -62,7 +63,7 @@ double volume_within_m3(std::span<const Vec3> points_m, std::span<const MeshCorn
     return six / 6.0;
 }
 
-// Space cut by planes of faces until what is left in each part is convex.
+// Cuts space by the planes of faces until what remains in each part is convex.
 class SolidFiller {
 public:
     SolidFiller(const FillLimits& limits, const Aabb& box, const std::stop_token& stop)
@@ -80,14 +81,14 @@ public:
             by_size.push_back({0.5 * glm::length(glm::cross(points_m[b] - points_m[a], points_m[c] - points_m[a])), t});
             area_m2_ += by_size.back().area_m2;
         }
-        // The largest first: theirs are the truest planes.
+        // The largest faces come first, because their planes are the most accurate.
         std::stable_sort(by_size.begin(), by_size.end(),
                          [](const Sized& a, const Sized& b) { return a.area_m2 > b.area_m2; });
         for (const auto& [size_m2, t] : by_size) {
             if (stop_.stop_requested()) return false;
             const std::array<Vec3, 3> p{points_m[triangles[t][0]], points_m[triangles[t][1]],
                                         points_m[triangles[t][2]]};
-            Plane plane;  // clockwise from outside is the other way round
+            Plane plane;  // corners are reversed below, because plane_from_clockwise expects clockwise order
             if (!(size_m2 > 1e-12) || !plane_from_clockwise(p[2], p[1], p[0], plane)) continue;
             if (!look(planes_.size())) return false;
             std::uint32_t number = 0;
@@ -110,7 +111,7 @@ public:
         return true;
     }
 
-    // False where it takes more than the limits allow.
+    // Returns false if the limits are reached or the caller stopped it.
     bool fill() {
         std::vector<Cell> open;
         open.push_back(std::move(whole_));
@@ -121,7 +122,7 @@ public:
             Cell cell = std::move(open.back());
             open.pop_back();
             const std::vector<std::uint32_t> own = planes_of(cell);
-            std::vector<std::uint32_t> beyond;  // planes that have some of the cell's faces before them
+            std::vector<std::uint32_t> beyond;  // planes that have faces of the cell in front of them
             if (!cell.convex && !look(own.size() * cell.facets.size())) return false;
             for (const std::uint32_t number : own)
                 if (!cell.convex && std::any_of(cell.facets.begin(), cell.facets.end(), [&](const Facet& facet) {
@@ -129,7 +130,8 @@ public:
                     }))
                     beyond.push_back(number);
             if (beyond.empty()) {
-                // Convex: what lies behind all of its faces, in halves where those are many.
+                // The cell is convex: the solid is the space behind all of its faces. If there are many faces, the cell
+                // is halved.
                 if (own.size() > kFewFaces && own.size() + cell.planes.size() > limits_.most_faces) {
                     if (!halve(cell, own, open, fragments)) return false;
                     continue;
@@ -158,7 +160,8 @@ public:
                 }
             }
             const Plane& plane = planes_[number];
-            // Where nothing is left the part is outside before a face, and inside behind it.
+            // A part without faces left is outside if it is in front of the cutting face, and inside if it is behind
+            // it.
             if (!front.facets.empty() && narrow(cell.planes, turned(plane), front.planes))
                 open.push_back(std::move(front));
             if (narrow(cell.planes, plane, back.planes)) {
@@ -170,7 +173,7 @@ public:
     }
 
     std::vector<ConvexSolid> take_solids() { return std::move(solids_); }
-    // What the solids may hold more or less than the shells, by how exactly corners are taken.
+    // How much the volume of the solids may differ from that of the shells, given the tolerance of the corners.
     double slack_m3(double volume_m3) const { return 2.0 * flat_m_ * area_m2_ + 1e-6 * volume_m3; }
 
 private:
@@ -182,7 +185,7 @@ private:
     struct Cell {
         std::vector<Facet> facets;
         std::vector<Plane> planes;
-        bool convex = false;  // known to be
+        bool convex = false;  // true if the cell is known to be convex
     };
 
     static double longest(const Aabb& box) {
@@ -203,7 +206,8 @@ private:
         return enough;
     }
 
-    // No corner lies before any plane. By corners alone, of which there are fewer than faces have.
+    // True if no corner is in front of any plane. Tests the shared points, of which there are fewer than corners of
+    // faces.
     bool is_convex(std::span<const Vec3> points_m, std::span<const MeshCorners> triangles,
                    std::span<const std::uint32_t> which) {
         std::vector<Vec3> corners;
@@ -233,7 +237,7 @@ private:
         return own;
     }
 
-    // The plane that cuts the fewest faces and parts the others most evenly, of some.
+    // Of up to kPlanesTried planes, the one that cuts the fewest faces and divides the others most evenly.
     std::uint32_t best_cut(const Cell& cell, const std::vector<std::uint32_t>& beyond) const {
         std::uint32_t best = beyond.front();
         double least = 1e300;
@@ -252,7 +256,8 @@ private:
         return best;
     }
 
-    // The planes of what is left of a part behind one more; false where that is nothing.
+    // Adds the plane `by` to the planes of a part; `left` receives the planes of what remains behind it. Returns false
+    // if nothing remains.
     bool narrow(const std::vector<Plane>& planes, const Plane& by, std::vector<Plane>& left,
                 Vec3* middle_m = nullptr) const {
         std::vector<Plane> all = planes;
@@ -273,7 +278,7 @@ private:
         if (built.fault == SolidFault::None && !built.was_inside_out) solids_.push_back(std::move(built.solid));
     }
 
-    // Across the middle of its faces.
+    // Halves the cell at the middle of its faces.
     bool halve(const Cell& cell, const std::vector<std::uint32_t>& own, std::vector<Cell>& open,
                std::size_t& fragments) {
         Aabb box;
@@ -318,8 +323,8 @@ private:
 
 std::vector<MeshShell> shells_of(std::span<const Vec3> points_m, std::span<const MeshCorners> triangles) {
     const std::vector<std::uint32_t> joined = joined_points(points_m);
-    // By edges, since things that stand on each other may share corners.
-    std::vector<std::array<std::uint32_t, 3>> edges;  // the lower corner, the higher, the triangle
+    // Joined along edges, not corners, because things that stand on each other may share corners.
+    std::vector<std::array<std::uint32_t, 3>> edges;  // the lower corner, the higher corner, the triangle
     edges.reserve(3 * triangles.size());
     for (std::uint32_t t = 0; t < triangles.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k) {
@@ -332,7 +337,7 @@ std::vector<MeshShell> shells_of(std::span<const Vec3> points_m, std::span<const
     for (std::size_t i = 1; i < edges.size(); ++i)
         if (edges[i][0] == edges[i - 1][0] && edges[i][1] == edges[i - 1][1]) pieces.join(edges[i][2], edges[i - 1][2]);
     constexpr std::uint32_t kNew = 0xffffffffU;
-    std::vector<std::uint32_t> shell_of(triangles.size(), kNew);  // by the piece's root
+    std::vector<std::uint32_t> shell_of(triangles.size(), kNew);  // indexed by the root of the piece
     std::vector<MeshShell> shells;
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
         std::uint32_t& shell = shell_of[pieces.find(t)];

@@ -1,7 +1,7 @@
-// Closest points of convex shapes, as the touch renderer needs them: with the unit normal of a plane that supports the
+// Closest points of convex shapes for the haptic renderer. Each comes with the unit normal of a plane that supports the
 // shape there, so that the plane bounds the whole shape wherever the query point was. Pure functions, any thread, no
-// allocation, double precision. Cost on a 2.5 GHz core: about 10 to 60 ns each. Every routine has a brute-force twin in
-// tests/unit/geometry_touch.
+// allocation, double precision. Cost on a 2.5 GHz core: about 10 to 60 ns each. Every routine has a brute-force
+// counterpart in tests/unit/geometry_touch.
 #pragma once
 
 #include <algorithm>
@@ -15,29 +15,31 @@
 
 namespace handrail {
 
-inline constexpr double kSideless_m = 1e-12;  // nearer than this a direction to the query point is only rounding
+// Nearer than this, the direction to the query point is only rounding error.
+inline constexpr double kSideless_m = 1e-12;
 
 struct ClosestPoint {
-    Vec3 point_m{0.0};  // of the shape's surface
+    Vec3 point_m{0.0};  // on the shape's surface
     Vec3 normal{
         0.0, 0.0,
-        1.0};  // unit, away from the shape; dot(normal, o) <= dot(normal, point_m) for every point o of the shape
+        // Unit length, away from the shape: dot(normal, o) <= dot(normal, point_m) for every point o of the shape.
+        1.0};
     double distance_m = 0.0;  // negative inside solids
 };
 
-// A triangle prepared for queries: a two-sided sheet. One that is lower than 1e-7 m over its longest edge is that edge,
-// which also covers triangles of no area, needles and points (error at most 1e-7 m).
+// A triangle prepared for queries: a two-sided sheet. If its height over the longest edge is less than 1e-7 m, it is
+// treated as that edge. This also covers triangles without area, needles and points (error at most 1e-7 m).
 struct TriangleShape {
     Vec3 a_m{0.0}, b_m{0.0}, c_m{0.0};  // ab is the longest edge
     Vec3 normal{0.0};                   // zero when degenerate
-    std::array<Vec3, 3> outward{};      // in the plane, out of edges ab, bc, ca; not of unit length
+    std::array<Vec3, 3> outward{};      // in the plane, outwards from edges ab, bc, ca; not of unit length
     bool degenerate = true;
 };
 TriangleShape make_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m) noexcept;
 
-// The plane that supports a triangle square to the line from its middle to a point: a quarter of the work of
-// closest_point, and from afar nearly as tight. Returns how far the point is in front of it, at most its distance from
-// the triangle; 0, and no normal, where that plane does not keep it off.
+// A plane that supports a triangle and is perpendicular to the line from the triangle's middle to a point. It costs a
+// quarter of closest_point, and from afar is nearly as tight. Returns how far the point is in front of the plane, which
+// is at most its distance from the triangle. Returns 0, and sets no normal, if the plane does not separate the two.
 inline double support_towards(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m, const Vec3& point_m,
                               Vec3& normal) noexcept {
     const Vec3 away = 3.0 * point_m - (a_m + b_m + c_m);
@@ -49,16 +51,16 @@ inline double support_towards(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m,
     return gap * per_length;
 }
 
-// A corner of a flat convex polygon, with the direction out of the edge that leads to the next corner: in the plane,
-// not of unit length.
+// A corner of a flat convex polygon, with the outward direction of the edge that leads to the next corner: in the
+// plane, not of unit length.
 struct PolygonCorner {
     Vec3 at_m{0.0};
     Vec3 outward{0.0};
 };
 
-// A flat convex polygon prepared for queries, a view of corners kept elsewhere: a two-sided sheet whose front is the
-// side its normal points to. One that is lower than 1e-7 m over its longest diagonal is that diagonal: two corners and
-// no normal.
+// A flat convex polygon prepared for queries: a view of corners that are stored elsewhere. It is a two-sided sheet; its
+// front is the side that its normal points to. If its height over the longest diagonal is less than 1e-7 m, it is
+// treated as that diagonal: two corners and a zero normal.
 struct PolygonShape {
     Vec3 normal{0.0};
     std::span<const PolygonCorner> corners;
@@ -67,28 +69,28 @@ struct PolygonShape {
 };
 
 // Appends the prepared corners and returns the normal. Expects 2 or more points of a convex polygon, counter-clockwise
-// seen from the front; points may repeat or lie on an edge (within 1e-9 m: they are left out, or a query point over the
-// one part of an edge could seem to be beyond the other). How far they lie out of one plane is the error of every
-// answer.
+// seen from the front. Points may repeat or be within 1e-9 m of an edge; these are left out, because otherwise a query
+// point over one part of the edge could seem to be beyond the other part. The distance of the points from a common
+// plane is the error of every answer.
 Vec3 make_polygon(std::span<const Vec3> points_m, std::vector<PolygonCorner>& corners);
 
-// Nearer than 1e-12 m the side cannot be told: the triangle's own normal is given.
+// If the point is nearer than 1e-12 m, its side cannot be determined, and the triangle's own normal is returned.
 ClosestPoint closest_point(const TriangleShape& triangle, const Vec3& point_m) noexcept;
-// The same for a triangle that was not prepared: what looks at many triangles once each needs.
+// The same for a triangle that was not prepared. Use it to look at many triangles once each.
 ClosestPoint closest_point_of_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m, const Vec3& point_m) noexcept;
-// As the triangle; a scan of the edges.
+// As for the triangle; scans the edges.
 ClosestPoint closest_point(const PolygonShape& polygon, const Vec3& point_m) noexcept;
-// Axis-aligned. Inside, the nearest face.
+// An axis-aligned box. Inside, the nearest face counts.
 ClosestPoint closest_point(const Aabb& box, const Vec3& point_m) noexcept;
-// A bounded convex solid given by its planes (at least 4). Inside, the nearest plane.
+// A bounded convex solid given by its planes (at least 4). Inside, the nearest plane counts.
 ClosestPoint closest_point(std::span<const Plane> solid, const Vec3& point_m) noexcept;
-// The same solids with every edge and corner rounded: all places within rounding_m of what is left when each face moves
-// in by as much. Over a face the answer is that of the sharp solid, bit for bit. Expects that every face still has an
-// area when it has moved in.
+// The same solids with every edge and corner rounded: all places within rounding_m of the solid that remains if each
+// face moves inwards by rounding_m. Over a face the answer is bit-identical to that of the sharp solid. Expects that
+// every face still has an area after it has moved.
 ClosestPoint closest_point(const Aabb& box, double rounding_m, const Vec3& point_m) noexcept;
 ClosestPoint closest_point(std::span<const Plane> solid, double rounding_m, const Vec3& point_m) noexcept;
 
-// Squared distance from a point to a box; 0 inside.
+// Squared distance from a point to a box; 0 if the point is inside.
 inline double distance_squared(const Aabb& box, const Vec3& p) noexcept {
     const Vec3 d = glm::max(glm::max(box.min_m - p, p - box.max_m), Vec3(0.0));
     return glm::dot(d, d);

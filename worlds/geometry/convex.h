@@ -8,7 +8,7 @@
 
 namespace handrail {
 
-// The points with dot(normal, p) == offset; normal has length 1 and points out of the solid it bounds.
+// The points with dot(normal, p) == offset. The normal has length 1 and points out of the solid that the plane bounds.
 struct Plane {
     Vec3 normal{0.0, 0.0, 1.0};
     double offset_m = 0.0;
@@ -18,7 +18,7 @@ inline double signed_distance(const Plane& plane, const Vec3& point_m) noexcept 
     return glm::dot(plane.normal, point_m) - plane.offset_m;
 }
 
-// Axis-aligned box; empty (min > max) until something was included.
+// An axis-aligned box; empty (min > max) until a point is included.
 struct Aabb {
     Vec3 min_m{std::numeric_limits<double>::infinity()};
     Vec3 max_m{-std::numeric_limits<double>::infinity()};
@@ -36,20 +36,20 @@ struct Aabb {
     Vec3 size_m() const noexcept { return max_m - min_m; }
 };
 
-// A flat convex polygon, counter-clockwise seen from the side its plane's normal points to. At least 3 points.
+// A flat convex polygon, counter-clockwise seen from the side that its plane's normal points to. At least 3 points.
 struct Polygon {
     std::vector<Vec3> points_m;
 };
 
-// A bounded intersection of half-spaces. faces[i] is the polygon of planes[i]: same size, planes that touch nothing are
-// gone.
+// A bounded intersection of half-spaces. faces[i] is the polygon of planes[i]; both have the same size, and planes
+// without a face are removed.
 struct ConvexSolid {
     std::vector<Plane> planes;
     std::vector<Polygon> faces;
     Aabb bounds_m;
 };
 
-// True when the point is inside the solid grown by `grow_m` (every plane pushed out), border included.
+// True if the point is inside the solid grown by `grow_m` (every plane pushed outwards). The border counts as inside.
 bool contains(const ConvexSolid& solid, const Vec3& point_m, double grow_m = 0.0) noexcept;
 
 }  // namespace handrail

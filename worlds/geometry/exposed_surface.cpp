@@ -13,11 +13,12 @@
 namespace handrail {
 namespace {
 
-constexpr std::size_t kFewSolids = 48;  // solids at a face: more of them are worth a grid
+constexpr std::size_t kFewSolids = 48;  // a face that more solids than this meet is divided into a grid
 
-// Which of faces in one place keeps what they share: one order of all faces, so that of any number of them one is left.
-// Of one rank those that stick out farther come first, as they cover the others where they do so by more than the
-// tolerance. Heights and areas count in steps of the tolerance, so that rounding errors do not decide.
+// Decides which of several coinciding faces keeps the area that they share. The order is total, so exactly one of any
+// number of faces keeps it. Of faces with equal rank the one that sticks out farther wins, because it covers the others
+// where it does so by more than the tolerance. Heights and areas are counted in steps of the tolerance, so that
+// rounding errors do not decide.
 struct FaceClaim {
     int rank;
     double height_steps, area_steps;
@@ -40,12 +41,12 @@ FaceClaim claim_of(const SurfaceSolid& solid, std::uint32_t index, std::size_t f
             std::round(area_m2(polygon) / (cut_m * cut_m)), bounds_of(polygon).centre_m(), index};
 }
 
-// Cuts polygons into what a convex solid leaves of them.
+// Cuts a convex solid out of polygons.
 class Cutter {
 public:
     explicit Cutter(const CutTolerance& tolerance) : tolerance_(tolerance) {}
 
-    // Appends the parts of `points` outside `solid` to `left`; the whole when nothing is covered.
+    // Appends the parts of `points` outside `solid` to `left`; appends all of `points` if nothing is covered.
     void subtract(const std::vector<Vec3>& points, const SurfaceSolid& solid, std::uint32_t solid_index,
                   const SurfaceSolid& own, std::uint32_t own_index, std::uint32_t own_face,
                   std::vector<std::vector<Vec3>>& left) {
@@ -57,8 +58,8 @@ public:
             const Side side = side_of(rest_, plane, tolerance_.cut_m);
             if (side == Side::Back) continue;
             if (side == Side::On) {
-                // Lying in the solid's own face: covered from outside when that looks the other way, else one of the
-                // two stays.
+                // The polygon is in a face of the solid. If that face looks the other way, it covers the polygon from
+                // outside; else one of the two stays.
                 if (glm::dot(plane.normal, normal) < 0.0 || !own.covers) continue;
                 if (claim_of(solid, solid_index, p, tolerance_.cut_m)
                         .beats(claim_of(own, own_index, own_face, tolerance_.cut_m)))
@@ -85,8 +86,8 @@ private:
     std::vector<Vec3> rest_, back_, front_;
 };
 
-// The parts of a face that many solids meet, by where they are: what a solid cannot reach it is not cut by. The parts
-// come out as if each solid in turn had been taken from all of them.
+// The parts of a face that many solids meet, arranged by place, so that a solid cuts only the parts that it can reach.
+// The parts come out as if each solid in turn had been cut out of all of them.
 class FaceParts {
 public:
     FaceParts(const Polygon& face, const Aabb& box, std::size_t solids, double cut_m) : box_(box), cut_m_(cut_m) {
@@ -101,7 +102,7 @@ public:
 
     bool all_gone() const { return left_in_all_ == 0; }
 
-    // cut(points, left): appends what is left of the points.
+    // cut(points, left) appends what remains of the points to `left`.
     template <class Cut>
     void subtract(const Aabb& solid, Cut&& cut) {
         const Aabb reach = grown(solid, 16.0 * cut_m_);
@@ -173,13 +174,13 @@ private:
     double cut_m_;
     std::array<int, 2> axes_{};
     std::size_t side_ = 1, left_in_all_ = 0;
-    std::vector<Part> parts_;  // a list by `next`
+    std::vector<Part> parts_;  // linked lists by `next`
     std::vector<std::vector<std::uint32_t>> cells_;
     std::vector<std::uint32_t> met_;
     std::vector<std::vector<Vec3>> left_;
 };
 
-// What two solids have in common that are one and the same to the surface.
+// Two solids with equal bytes are the same for the surface.
 std::string sameness(const SurfaceSolid& solid) {
     std::string bytes;
     const auto put = [&bytes](const auto& value) {
@@ -198,8 +199,8 @@ std::string sameness(const SurfaceSolid& solid) {
     return bytes;
 }
 
-// Solids that lie exactly where an earlier one like them lies: every face of theirs is covered by its, and what they
-// cover it covers too.
+// Marks solids that coincide with an earlier, equal one. The earlier one covers all their faces, and everything that
+// they cover.
 std::vector<bool> repetitions(std::span<const SurfaceSolid> solids) {
     std::vector<bool> again(solids.size(), false);
     std::unordered_map<std::string, std::uint32_t> first;
@@ -208,15 +209,15 @@ std::vector<bool> repetitions(std::span<const SurfaceSolid> solids) {
     return again;
 }
 
-// Do two edges run along each other, in opposite directions, for longer than a gap?
+// True if two edges run along each other, in opposite directions, for longer than a gap.
 bool edges_touch(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1, double gap_m) {
     const Vec3 along = a1 - a0;
     const double length = glm::length(along);
     if (length <= gap_m || glm::dot(along, b1 - b0) >= 0.0) return false;
     const Vec3 unit = along / length;
     const auto distance = [&](const Vec3& p) { return glm::length(p - a0 - unit * glm::dot(unit, p - a0)); };
-    // Only the common part must be near: two long edges that drift apart still touch where they run together, so
-    // measure at its ends.
+    // Only the common part must be near: two long edges that drift apart still touch where they run together. So the
+    // distance is measured at the ends of the common part.
     const double s0 = glm::dot(unit, b1 - a0), s1 = glm::dot(unit, b0 - a0);
     const double from = std::max(0.0, s0), to = std::min(length, s1);
     if (to - from <= 10.0 * gap_m) return false;

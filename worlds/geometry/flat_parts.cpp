@@ -18,7 +18,7 @@ Ring without_repeats(const Ring& ring) {
     return kept;
 }
 
-// Straight corners left out.
+// The ring without corners on a straight line.
 Ring tidied(const Ring& ring) {
     const Ring all = without_repeats(ring);
     Ring kept;
@@ -30,7 +30,7 @@ Ring tidied(const Ring& ring) {
     return kept;
 }
 
-// No corner turns right, and all together turn round once.
+// True if no corner turns right, and all together make one full turn.
 bool is_convex(const Ring& ring, double slack) {
     double turn = 0.0;
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -48,7 +48,7 @@ struct Edge {
     double at(double x) const { return left.y + (right.y - left.y) * (x - left.x) / (right.x - left.x); }
 };
 
-// Between two edges and two upright lines.
+// A trapezoid between two edges and two upright lines.
 struct Trapezoid {
     std::size_t low = 0, high = 0;
     double from = 0.0, to = 0.0;
@@ -65,7 +65,7 @@ std::vector<Edge> upright_free_edges(const std::vector<Ring>& rings) {
     return edges;
 }
 
-// Where edges begin, end and cross; what lies nearer together than kSame_m is one.
+// The x coordinates where edges begin, end or cross; those within kSame_m of each other count as one.
 std::vector<double> lines_of(const std::vector<Edge>& edges) {
     std::vector<double> lines;
     for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -86,7 +86,7 @@ std::vector<double> lines_of(const std::vector<Edge>& edges) {
     return lines;
 }
 
-// The union of two polygons that share an edge, where it is convex.
+// Makes the union of two polygons that share an edge; false if it is not convex.
 bool joined(const Ring& a, const Ring& b, Ring& both) {
     for (std::size_t i = 0; i < a.size(); ++i)
         for (std::size_t j = 0; j < b.size(); ++j) {
@@ -113,7 +113,7 @@ void join_neighbours(std::vector<Ring>& parts) {
             }
             parts[i] = std::move(both);
             parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(j));
-            j = i + 1;  // what did not fit before may fit now
+            j = i + 1;  // parts that did not fit before may fit now
         }
 }
 
@@ -185,7 +185,7 @@ std::vector<Ring> convex_parts(const std::vector<Ring>& rings) {
 
 namespace {
 
-// Borders of rings as a net of corners, in which borders that run both ways are gone.
+// The borders of rings as a net of corners. Borders that run in both directions are removed.
 class RingNet {
 public:
     void add(const Ring& ring) {
@@ -218,7 +218,7 @@ private:
         return corners_.size() - 1;
     }
 
-    // Cut at every corner that lies on it, whosoever that is.
+    // A side is cut at every corner that is on it, whichever ring the corner belongs to.
     void add_side(std::size_t from, std::size_t to) {
         const Vec2 a = corners_[from], way = corners_[to] - a;
         const double length = glm::length(way);
@@ -241,7 +241,7 @@ private:
         else ways_[from].push_back(to);
     }
 
-    // From a corner along the borders back to it; where several go on, the one farthest to the left.
+    // Follows the borders from a corner until it is back there. At a fork it takes the border farthest to the left.
     Ring chain(std::size_t from) {
         Ring ring;
         std::size_t now = from;
@@ -285,7 +285,7 @@ std::vector<Ring> joined_rings(const std::vector<Ring>& rings) {
         int around = 0;
         for (std::size_t k = 0; k < rings.size(); ++k) around += k != i && inside({rings[k]}, within) ? 1 : 0;
         Ring ring = rings[i];
-        // Counter-clockwise, and clockwise where an odd number of others lie around it.
+        // Rings run counter-clockwise, or clockwise if an odd number of other rings is around them.
         if ((signed_area(ring) > 0.0) != (around % 2 == 0)) std::reverse(ring.begin(), ring.end());
         net.add(ring);
     }

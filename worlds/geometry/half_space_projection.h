@@ -1,9 +1,9 @@
-// The point of an intersection of half-spaces that is nearest to a goal: a quadratic programme in three variables with
-// at most three active constraints, solved exactly by dual basis exchange. Pure function, any thread, no allocation,
-// never throws. The renderer moves the proxy with it and finds the closest point of a convex brush with it. Cost: a few
-// scans of all half-spaces, 4 multiplications each. In double precision everywhere in the program; the scalar is a
-// parameter so that single precision can be compared. Source of the scheme: Sharir & Welzl, A combinatorial bound for
-// linear programming and related problems, STACS 1992 (LP-type problems).
+// Finds the point of an intersection of half-spaces that is nearest to a goal. This is a quadratic programme in three
+// variables with at most three active constraints, solved exactly by dual basis exchange. Pure function, any thread, no
+// allocation, never throws. The renderer uses it to move the proxy and to find the closest point of a convex brush.
+// Cost: a few scans of all half-spaces, 4 multiplications each. The program uses double precision everywhere; the
+// scalar is a parameter so that single precision can be compared. Source of the scheme: Sharir & Welzl, A combinatorial
+// bound for linear programming and related problems, STACS 1992 (LP-type problems).
 #pragma once
 
 #include <array>
@@ -22,15 +22,15 @@ struct BasicHalfSpace {
 };
 using HalfSpace = BasicHalfSpace<double>;
 
-// A half-space counts as violated beyond this; far below anything a hand feels, far above rounding within 1 km of the
-// local origin.
+// A half-space counts as violated beyond this: far below anything that a hand feels, and far above rounding within 1 km
+// of the local origin.
 inline constexpr double kProjectionTolerance_m = 1e-10;
 template <class Real>
 inline constexpr Real kProjectionToleranceOf = static_cast<Real>(kProjectionTolerance_m);
 template <>
 inline constexpr float kProjectionToleranceOf<float> = 1e-7F;
 
-// Result of a projection and warm start of the next: which half-spaces hold the point, and how hard.
+// The result of a projection, and the warm start of the next: the half-spaces that hold the point, and how strongly.
 template <class Real>
 struct BasicProjectionBasis {
     int count = 0;
@@ -49,11 +49,11 @@ struct Member {
     int index;
 };
 
-// Optimum over `count` (1 to 4) members of which the last one is tight; false when no subset of at most three serves.
-// Duplicates, opposite walls (pairs) and triples of nearly coplanar normals have no usable solution and are passed
-// over. Triples are passed over far later than pairs: in a crevice of half a degree, sliding from one triangle of a
-// wall to the next meets three cuts whose determinant is 1e-9, and passing over them stops the ball for as long as the
-// cuts stay (test: random grooves).
+// Solves for the optimum over `count` (1 to 4) members, the last of which is tight. Returns false if no subset of at
+// most three is a solution. Duplicates, opposite walls (pairs) and triples of nearly coplanar normals have no usable
+// solution and are skipped. Triples are skipped at a far smaller determinant than pairs. In a crevice of half a degree,
+// a proxy that slides from one triangle of a wall to the next meets three cuts whose determinant is 1e-9. Skipping them
+// would stop the proxy for as long as the cuts stay (test: random grooves).
 template <class Real>
 bool solve(const std::array<Member<Real>, 4>& members, int count, const glm::vec<3, Real>& goal_m,
            BasicProjectionBasis<Real>& out) noexcept {
@@ -110,7 +110,7 @@ bool solve(const std::array<Member<Real>, 4>& members, int count, const glm::vec
                 return (pq * of_m + qm * of_p + mp * of_q) / det;
             };
             V d = meeting(m.offset_m, p.offset_m, q.offset_m);
-            // Thin ones lose digits; what is left over is solved for once more.
+            // Thin triples lose digits, so the residual is solved for once more.
             if (det * det < kThinTriple)
                 d += meeting(m.offset_m - glm::dot(m.normal, d), p.offset_m - glm::dot(p.normal, d),
                              q.offset_m - glm::dot(q.normal, d));
@@ -128,7 +128,7 @@ bool solve(const std::array<Member<Real>, 4>& members, int count, const glm::vec
     return false;
 }
 
-// The first of those that are violated most, beyond the tolerance; -1: none.
+// The index of the half-space that is violated most, beyond the tolerance; of equal ones the first. -1: none.
 template <class Real, class HalfSpaceAt>
 int most_violated_of(int count, const HalfSpaceAt& at, const glm::vec<3, Real>& point_m) noexcept {
     Real worst = -kProjectionToleranceOf<Real>;
@@ -144,7 +144,8 @@ int most_violated_of(int count, const HalfSpaceAt& at, const glm::vec<3, Real>& 
     return entering;
 }
 
-// The same bit for bit, four at a time, each offset greater by grown_m: half the instructions.
+// The same with bit-identical results, but four half-spaces at a time and with each offset increased by grown_m: half
+// the instructions.
 inline int most_violated_of(std::span<const HalfSpace> all, double grown_m, const Vec3& point_m) noexcept {
     using Two = double __attribute__((vector_size(16)));
     static_assert(sizeof(HalfSpace) == 4 * sizeof(double));
@@ -230,10 +231,10 @@ bool exchange(const glm::vec<3, Real>& goal_m, int count, const HalfSpaceAt& at,
 
 }  // namespace projection_detail
 
-// Fills `basis` with the nearest point to goal_m that satisfies at(0) ... at(count - 1); basis.index of the call before
-// is the warm start (set basis.count = 0 for a cold one). False when the intersection is empty or too flat to tell; the
-// basis then holds the best point so far, which satisfies its own members only. Work close to a local origin: rounding
-// grows with the coordinates.
+// Fills `basis` with the nearest point to goal_m that satisfies at(0) ... at(count - 1). The indices of the previous
+// call are the warm start (set basis.count = 0 for a cold one). Returns false if the intersection is empty or too flat
+// to decide; the basis then holds the best point up to then, which satisfies only its own members. Work close to a
+// local origin: rounding grows with the coordinates.
 template <class Real, class HalfSpaceAt>
 bool project_on_half_spaces(const glm::vec<3, Real>& goal_m, int count, const HalfSpaceAt& at,
                             BasicProjectionBasis<Real>& basis) noexcept {
@@ -242,7 +243,7 @@ bool project_on_half_spaces(const glm::vec<3, Real>& goal_m, int count, const Ha
         [&](const glm::vec<3, Real>& point) { return projection_detail::most_violated_of(count, at, point); }, basis);
 }
 
-// The same for half-spaces side by side, each moved along its normal by grown_m.
+// The same for half-spaces in an array, each moved along its normal by grown_m.
 inline bool project_on_half_spaces(const Vec3& goal_m, std::span<const HalfSpace> all, double grown_m,
                                    ProjectionBasis& basis) noexcept {
     const auto at = [&](int i) noexcept {

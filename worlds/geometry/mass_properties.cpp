@@ -13,7 +13,7 @@ void add(Spread& to, const Spread& what, double times) noexcept {
     for (std::size_t i = 0; i < 3; ++i) to[i] += what[i] * times;
 }
 
-// Spread along the axis and square to it.
+// Mass properties from the spread along an axis and perpendicular to it.
 MassProperties of_axis(double volume_m3, const Vec3& middle_m, const Vec3& axis, double along_m5,
                        double across_m5) noexcept {
     MassProperties out{volume_m3, middle_m, {Vec3(across_m5, 0, 0), Vec3(0, across_m5, 0), Vec3(0, 0, across_m5)}};
@@ -46,34 +46,35 @@ MassProperties mass_properties(const ConvexSolid& solid) noexcept {
 }
 
 MassProperties mass_properties(const RoundShape& shape) noexcept {
-    return std::visit(
-        Overloaded{[](std::monostate) { return MassProperties{}; },
-                   [](const SphereShape& s) {
-                       const double r2 = s.radius_m * s.radius_m, v = 4.0 / 3.0 * kPi * r2 * s.radius_m;
-                       return of_axis(v, s.centre_m, Vec3(0, 0, 1), v * r2 / 5.0, v * r2 / 5.0);
-                   },
-                   [](const CapsuleShape& s) {
-                       const double r2 = s.radius_m * s.radius_m, rod = kPi * r2 * s.length_m,
-                                    cap = 2.0 / 3.0 * kPi * r2 * s.radius_m;
-                       const double out = 0.375 * s.radius_m,
-                                    far = 0.5 * s.length_m +
-                                          out;  // of a round end's middle, from its flat side and from the whole's
-                       const double along =
-                           rod * s.length_m * s.length_m / 12.0 + 2.0 * cap * (r2 / 5.0 - out * out + far * far);
-                       return of_axis(rod + 2.0 * cap, s.start_m + s.axis * (0.5 * s.length_m), s.axis, along,
-                                      rod * r2 / 4.0 + 2.0 * cap * r2 / 5.0);
-                   },
-                   [](const CylinderShape& s) {
-                       const double r2 = s.radius_m * s.radius_m, v = kPi * r2 * s.height_m;
-                       return of_axis(v, s.bottom_m + s.axis * (0.5 * s.height_m), s.axis,
-                                      v * s.height_m * s.height_m / 12.0, v * r2 / 4.0);
-                   },
-                   [](const ConeShape& s) {
-                       const double r2 = s.radius_m * s.radius_m, v = kPi * r2 * s.height_m / 3.0;
-                       return of_axis(v, s.base_m + s.axis * (0.25 * s.height_m), s.axis,
-                                      v * 3.0 * s.height_m * s.height_m / 80.0, v * 3.0 * r2 / 20.0);
-                   }},
-        shape);
+    return std::visit(Overloaded{[](std::monostate) { return MassProperties{}; },
+                                 [](const SphereShape& s) {
+                                     const double r2 = s.radius_m * s.radius_m, v = 4.0 / 3.0 * kPi * r2 * s.radius_m;
+                                     return of_axis(v, s.centre_m, Vec3(0, 0, 1), v * r2 / 5.0, v * r2 / 5.0);
+                                 },
+                                 [](const CapsuleShape& s) {
+                                     const double r2 = s.radius_m * s.radius_m, rod = kPi * r2 * s.length_m,
+                                                  cap = 2.0 / 3.0 * kPi * r2 * s.radius_m;
+                                     const double out = 0.375 * s.radius_m,
+                                                  far = 0.5 * s.length_m +
+                                                        // Distance of a round end's centre of mass: `out` from its flat
+                                                        // side, `far` from the middle of the capsule.
+                                                        out;
+                                     const double along = rod * s.length_m * s.length_m / 12.0 +
+                                                          2.0 * cap * (r2 / 5.0 - out * out + far * far);
+                                     return of_axis(rod + 2.0 * cap, s.start_m + s.axis * (0.5 * s.length_m), s.axis,
+                                                    along, rod * r2 / 4.0 + 2.0 * cap * r2 / 5.0);
+                                 },
+                                 [](const CylinderShape& s) {
+                                     const double r2 = s.radius_m * s.radius_m, v = kPi * r2 * s.height_m;
+                                     return of_axis(v, s.bottom_m + s.axis * (0.5 * s.height_m), s.axis,
+                                                    v * s.height_m * s.height_m / 12.0, v * r2 / 4.0);
+                                 },
+                                 [](const ConeShape& s) {
+                                     const double r2 = s.radius_m * s.radius_m, v = kPi * r2 * s.height_m / 3.0;
+                                     return of_axis(v, s.base_m + s.axis * (0.25 * s.height_m), s.axis,
+                                                    v * 3.0 * s.height_m * s.height_m / 80.0, v * 3.0 * r2 / 20.0);
+                                 }},
+                      shape);
 }
 
 MassProperties together(const MassProperties& a, const MassProperties& b) noexcept {
@@ -89,7 +90,7 @@ MassProperties together(const MassProperties& a, const MassProperties& b) noexce
 }
 
 Rotation rotation_of(const std::array<Vec3, 3>& m) noexcept {
-    // Shepperd's choice of the largest component, 1978.
+    // Chooses the largest component (Shepperd, 1978).
     const double w = m[0].x + m[1].y + m[2].z, x = m[0].x - m[1].y - m[2].z, y = m[1].y - m[0].x - m[2].z,
                  z = m[2].z - m[0].x - m[1].y;
     if (w >= x && w >= y && w >= z) return normalized({1.0 + w, m[1].z - m[2].y, m[2].x - m[0].z, m[0].y - m[1].x});

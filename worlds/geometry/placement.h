@@ -1,5 +1,5 @@
-// Where a thing stands that has a frame of its own: world = position + scale * (rotation applied to own). Plain values
-// and pure functions; any thread; arithmetic of + - x / and square root only, so that every build agrees to the bit.
+// Where an object with its own frame is: world = position + scale * (rotation applied to own). Plain values and pure
+// functions; any thread. Uses only + - x / and square root, so that every build gives bit-identical results.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ struct Rotation {
     bool operator==(const Rotation&) const = default;
 };
 
-// The nearest unit quaternion; no rotation where there is nothing to go by.
+// The nearest unit quaternion; the identity if q is zero or not finite.
 inline Rotation normalized(const Rotation& q) noexcept {
     const double length2 = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
     if (!(length2 > 0.0) || !std::isfinite(length2)) return {};
@@ -26,13 +26,13 @@ inline Rotation normalized(const Rotation& q) noexcept {
     return {q.w * k, q.x * k, q.y * k, q.z * k};
 }
 
-// First `second`, then `first`: (first * second)(v) == first(second(v)).
+// The product first applies `b`, then `a`: (a * b)(v) == a(b(v)).
 inline Rotation operator*(const Rotation& a, const Rotation& b) noexcept {
     return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
             a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
 }
 
-// About a unit axis, right-handed. Off the real-time path: uses the C library's sine.
+// Right-handed, about a unit axis. Use it off the real-time path only: it calls the C library's sine.
 inline Rotation rotation_about(const Vec3& axis, double angle_rad) noexcept {
     const double s = std::sin(0.5 * angle_rad);
     return {std::cos(0.5 * angle_rad), axis.x * s, axis.y * s, axis.z * s};
@@ -48,7 +48,7 @@ struct Placement {
     }
 };
 
-// A placement made ready for many points: the columns of its rotation matrix.
+// A placement prepared for many points: it holds the columns of the rotation matrix.
 struct PlacedFrame {
     Vec3 position_m{0.0};
     std::array<Vec3, 3> axes{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
@@ -70,8 +70,8 @@ struct PlacedFrame {
     Vec3 to_own(const Vec3& world_m) const noexcept { return turned_back(world_m - position_m) / scale; }
 };
 
-// Part of the way from one placement to another, 0 to 1: straight for the position, along the shorter arc for the
-// rotation (normalised linear: its speed differs from even by under 1 % below 30 degrees).
+// Interpolates between two placements, `part` from 0 to 1: linearly for the position, along the shorter arc for the
+// rotation. The rotation is normalised linear; its speed is uneven by under 1 % below 30 degrees.
 inline Placement between(const Placement& from, const Placement& to, double part) noexcept {
     const Rotation &a = from.rotation, &b = to.rotation;
     const double sign = a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z < 0.0 ? -1.0 : 1.0;
@@ -83,13 +83,13 @@ inline Placement between(const Placement& from, const Placement& to, double part
     return result;
 }
 
-// Upper bound of how far any point within reach_m (own metres) of the frame's zero travels between two placements.
+// An upper bound of how far any point within reach_m (own metres) of the frame's origin travels between two placements.
 inline double farthest_travel_m(const Placement& from, const Placement& to, double reach_m) noexcept {
     const Rotation &a = from.rotation, &b = to.rotation;
     const double sign = a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z < 0.0 ? -1.0 : 1.0;
     const double dw = a.w - sign * b.w, dx = a.x - sign * b.x, dy = a.y - sign * b.y, dz = a.z - sign * b.z;
-    // Two unit quaternions whose rotations are an angle apart lie 2 sin(angle / 4) apart, so the angle is at most pi
-    // times that.
+    // If two unit quaternions represent rotations an angle apart, their distance is 2 sin(angle / 4). So the angle is
+    // at most pi times the distance.
     const double turn = std::sqrt(dw * dw + dx * dx + dy * dy + dz * dz) * kPi;
     const double scale = std::max(from.scale, to.scale);
     return glm::length(to.position_m - from.position_m) + (turn * scale + std::abs(to.scale - from.scale)) * reach_m;
