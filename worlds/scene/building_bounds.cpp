@@ -10,12 +10,12 @@
 namespace handrail {
 namespace {
 
-constexpr double kAtRoom_m = 0.6;  // a wall stands so near to a room
+constexpr double kAtRoom_m = 0.6;  // a wall this near to a room belongs to the building
 
-// What stands upright, such as a wall or a column. Paths and lawns are lower.
+// Least height of upright things such as walls and columns. Paths and lawns are lower.
 constexpr double kUpright_m = 1.0;
 
-// As a roof does, which may reach out beyond the walls.
+// True for sloping solids such as roofs, which may extend beyond the walls.
 bool slopes(const Solid& solid) {
     constexpr double kUpright = 0.1, kLevel = 0.95;
     return std::any_of(solid.shape.planes.begin(), solid.shape.planes.end(), [](const Plane& plane) {
@@ -23,7 +23,7 @@ bool slopes(const Solid& solid) {
     });
 }
 
-// Whatever is there but the ground that a reader laid.
+// The bounds of everything except the ground that a reader laid.
 Aabb all_but_ground(const Scene& scene) {
     if (std::none_of(scene.features.begin(), scene.features.end(), is_outer_ground)) return scene.bounds_m;
     Aabb all;
@@ -55,7 +55,8 @@ Aabb building_bounds_m(const Scene& scene) {
     Aabb building = rooms;
     const auto take = [&](const Aabb& box) {
         if (box.empty() || box.size_m().z < kUpright_m) return;
-        // As far as it is at the rooms: a garden wall that goes on from the house is no part of it.
+        // Includes only the part near the rooms: a garden wall that continues from the house does not belong to the
+        // building.
         const Aabb part{glm::max(box.min_m, near.min_m), glm::min(box.max_m, near.max_m)};
         if (!part.empty()) building.include(part);
     };
@@ -63,7 +64,7 @@ Aabb building_bounds_m(const Scene& scene) {
         if (!slopes(solid)) take(solid.shape.bounds_m);
     for (const Feature& feature : scene.features)
         if (feature.kind == FeatureKind::Wall || feature.kind == FeatureKind::Door) take(feature.bounds_m);
-    // With roofs and cellars.
+    // The same bounds at all heights, to include roofs and cellars.
     Aabb high = building;
     for (const Feature& feature : scene.features) {
         const Aabb& box = feature.bounds_m;

@@ -1,5 +1,5 @@
-// Effects as the world gives them: forces that hang in space, without visible geometry. haptic/compile turns them into
-// laws. The table is data.
+// Haptic effects as the world file states them: forces in space, without visible geometry. haptic/compile turns them
+// into force laws. The table is data.
 #pragma once
 
 #include <span>
@@ -16,23 +16,25 @@ namespace handrail {
 
 enum class EffectKind { Magnet, Detent, Button, FlyPaper, Inertia, Force, Vibration };
 
-// A row: what the keys of an effect of that kind may say. Forces in newtons, widths in metres of hand travel.
+// A row of the table: which values the keys of this kind of effect may have. Forces in newtons, widths in metres of
+// hand travel.
 struct EffectSpec {
-    std::string_view name;  // as the key `effect` has it
+    std::string_view name;  // the value of the key `effect`
     EffectKind kind = EffectKind::Magnet;
-    double strength_n = 0.0, least_n = 0.0, most_n = 0.0;              // default and range; all 0: the kind has none
-    double width_hand_m = 0.0, least_hand_m = 0.0, most_hand_m = 0.0;  // likewise
+    double strength_n = 0.0, least_n = 0.0, most_n = 0.0;  // default and range; all 0: this kind has no strength
+    // Default and range; all 0: this kind has no width.
+    double width_hand_m = 0.0, least_hand_m = 0.0, most_hand_m = 0.0;
     double edge_hand_m = 0.010;
 };
 
-// Fixed order.
+// All kinds, in a fixed order.
 std::span<const EffectSpec> effect_table();
-// Exact, case-insensitive; nullptr when there is none of that name.
+// Finds the whole name, ignoring case; nullptr if there is none.
 const EffectSpec* find_effect(std::string_view name);
-// What strength and width mean, in a sentence.
+// Explains in a sentence what strength and width mean.
 std::string effect_meaning(const EffectSpec& spec);
 
-// What a magnet draws to.
+// What a magnet pulls the hand to.
 enum class MagnetPull {
     Point,    // the middle of its volume
     Line,     // its longest middle line
@@ -56,7 +58,7 @@ constexpr double kLeastMass_kg = 0.05, kMostMass_kg = 0.3;
 struct Effect {
     EffectKind kind = EffectKind::Magnet;
     std::variant<ConvexSolid, EffectBall, EffectCapsule> where;
-    std::string name;  // for messages
+    std::string name;  // name for messages
     double strength_n = 0.0;
     double width_hand_m = 0.0;
     double edge_hand_m = 0.010;
@@ -64,7 +66,7 @@ struct Effect {
     double frequency_hz = 100.0;
     double mass_kg = 0.1;
     MagnetPull pull = MagnetPull::Point;
-    FeatureId belongs_to = kNoFeature;  // a thing it moves with
+    FeatureId belongs_to = kNoFeature;  // the thing that the effect moves with
     SourcePlace source;
 };
 

@@ -10,7 +10,7 @@
 namespace handrail {
 namespace {
 
-// Of the sentence that says it.
+// The key of the sentence about this point.
 std::string_view key_of(ToCheck what) {
     switch (what) {
         case ToCheck::MissingPart:
@@ -31,7 +31,7 @@ std::string_view key_of(ToCheck what) {
     return "honest.odd_name";
 }
 
-// "Bedroom 1 A203"; the number alone where there is no name.
+// "Bedroom 1 A203"; only the number if there is no name.
 std::string room_words(const StatedRoom& room) {
     if (room.name == room.number || room.number.empty()) return one_line(room.name);
     return one_line(room.name.empty() ? room.number : room.name + " " + room.number);

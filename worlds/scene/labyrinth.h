@@ -1,5 +1,5 @@
-// A game in a world: a ball is to be rolled past holes to a goal, with whatever else is free to move. Plain data, as
-// the world's file states it.
+// The labyrinth game of a world: the player rolls a ball past holes to a goal; other free bodies may help or hinder.
+// Plain data, as the world's file states it.
 #pragma once
 
 #include <vector>
@@ -15,13 +15,13 @@ struct LabyrinthPlan {
         Aabb box_m;
         SourcePlace source;
     };
-    int level = 0;                   // 1 the easiest; 0: this world is no labyrinth
-    FeatureId ball = kNoFeature;     // of a level above 0: a free body
-    std::vector<Place> holes;        // what falls in there is lost; under true gaps of the floor
-    std::vector<Place> goals;        // the ball is to come into one of them; of a level above 0 at least one
-    std::vector<FeatureId> planks;   // free bodies that are laid over holes
-    std::vector<FeatureId> blocks;   // and such that fill them
-    std::vector<FeatureId> borders;  // parts of the building round the game
+    int level = 0;                   // 1 is the easiest; 0: this world is no labyrinth
+    FeatureId ball = kNoFeature;     // a free body; always set if level > 0
+    std::vector<Place> holes;        // a ball that falls in is lost; they are below real gaps in the floor
+    std::vector<Place> goals;        // the ball must get into one of them; at least one if level > 0
+    std::vector<FeatureId> planks;   // free bodies to lay over holes
+    std::vector<FeatureId> blocks;   // free bodies to fill holes with
+    std::vector<FeatureId> borders;  // parts of the building that surround the game
 
     bool there() const { return level > 0; }
 };

@@ -1,5 +1,5 @@
-// Doorways that a person has said to be where the file has a wall: cut through the walls of a world, so that every view
-// of it has them. Pure functions over plain values; world metres; any thread.
+// Doorways that a person has reported at places where the file has a wall. They are cut through the walls of the world,
+// so that touch, walking, drawing and sound all have them. Pure functions over plain values; world metres; any thread.
 #pragma once
 
 #include <span>
@@ -10,17 +10,17 @@ namespace handrail {
 
 struct MadeDoor {
     Vec3 place_m{0.0};         // the middle of the wall, at floor height
-    double heading_rad = 0.0;  // straight through it
+    double heading_rad = 0.0;  // direction straight through the wall
     double width_m = 0.9;
     double through_m = 0.3;  // how thick the wall is there
-    std::string name;        // "Hall, kitchen": what it joins
+    std::string name;        // what it joins: "Hall, kitchen"
 };
 
 inline constexpr double kMadeDoorHigh_m = 2.05;
 
-// The world with walls, and all else that has no name of its own, cut away where these doors are, a threshold where the
-// file has no floor under the wall, and each a stated opening where the file states rooms. Sheets without an inside
-// stay. Time goes with the solids.
+// Returns the world with these doors. Walls, and everything else without a name of its own, are cut away there. A door
+// gets a threshold if there is no floor under the wall, and becomes a stated opening if the file states rooms. Sheets
+// without an inside are not cut. The time grows with the number of solids.
 Scene with_made_doors(Scene scene, std::span<const MadeDoor> doors);
 
 }  // namespace handrail

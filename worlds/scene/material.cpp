@@ -7,10 +7,10 @@
 namespace handrail {
 namespace {
 
-// Stiffness as a fraction of what the device can render, friction as Coulomb's mu. Four steps of stiffness, each a
-// third or more above the one below: more cannot be told apart on a device of 3 N. Within a step friction differs by a
-// half, or one has a texture (test: every_two_can_be_told_apart_by_touch). Plaster is the wall that most rooms have.
-// Depths and periods are hand travel.
+// Stiffness is a fraction of what the device can render, friction is Coulomb's mu. There are four steps of stiffness,
+// each a third or more above the one below: more steps cannot be told apart on a device of 3 N. Within a step, friction
+// differs by a half, or one material has a texture (test: every_two_can_be_told_apart_by_touch). Plaster is what the
+// walls of most rooms are made of. Depths and periods are in hand travel.
 constexpr TextureWave kBars{WaveShape::Square, 0.4e-3, 10e-3};
 constexpr TextureWave kJoints{WaveShape::Sine, 0.2e-3, 7e-3};
 constexpr TextureWave kTufts{WaveShape::Sine, 0.3e-3, 5e-3};
@@ -38,12 +38,12 @@ constexpr std::array kLibrary{
 struct TextureRule {
     std::string_view part;
     std::string_view material;
-    bool at_start = false;  // the texture's name must begin with it
+    bool at_start = false;  // the texture's name must begin with the pattern
 };
 
-// First match wins, so that "wizwood" is wood before "wiz" could say anything and "plaster" is plaster before "plat" is
-// metal. The game's own sets: tech, slip, comp, base, key and m5 are panels of metal, cop and ecop copper, uwall, city
-// and church cut stone.
+// The first match wins, so that "wizwood" is wood, although a name that begins with "wiz" is stone, and "plaster" is
+// plaster, although "plat" means metal. In the game's own sets, tech, slip, comp, base, key and m5 are metal panels, cop
+// and ecop are copper, and uwall, city and church are cut stone.
 constexpr std::array kTextureRules{
     TextureRule{"plaster", "plaster"},     TextureRule{"stucco", "plaster"},
     TextureRule{"plastic", "plastic"},     TextureRule{"wood", "wood"},

@@ -12,7 +12,7 @@
 namespace handrail {
 namespace {
 
-// What of a model can be touched, in its own frame.
+// The bounds of the touchable parts of a model, in its own frame.
 Aabb touchable_bounds(const Scene& model) {
     Aabb bounds;
     for (const Solid& solid : model.solids)
@@ -22,7 +22,7 @@ Aabb touchable_bounds(const Scene& model) {
     return bounds;
 }
 
-// What is drawn of a placed thing.
+// Adds the surfaces of a placed thing that are drawn.
 void draw_placed(Scene& world, const PlacedModel& placed) {
     const PlacedFrame frame(placed.at);
     const auto add = [&](std::vector<Vec3> points, const Vec3& normal) {
@@ -48,7 +48,7 @@ void shift(Shape& shape, const Vec3& by_m) {
     else if constexpr (std::is_same_v<Shape, ConeShape>) shape.base_m += by_m;
 }
 
-// The same solid in a frame whose zero is there.
+// The same solid in a frame whose origin is at zero_m.
 Solid seen_from(Solid solid, const Vec3& zero_m) {
     for (Plane& plane : solid.shape.planes) plane.offset_m -= glm::dot(plane.normal, zero_m);
     for (Polygon& face : solid.shape.faces)
@@ -156,7 +156,7 @@ Scene with_movers_apart(const Scene& world, std::size_t most_things, std::vector
     Scene scene = world;
     thing_of_mover.assign(world.movers.size(), -1);
     std::vector<bool> leaves(world.features.size(), false);
-    std::vector<std::uint32_t> movable;  // of the solids, which are many more
+    std::vector<std::uint32_t> movable;  // indices of the movable solids; most solids are not
     for (std::uint32_t s = 0; s < world.solids.size(); ++s)
         if (world.solids[s].role == SolidRole::Mover) movable.push_back(s);
     for (std::size_t i = 0; i < world.movers.size(); ++i) {
@@ -229,7 +229,7 @@ Scene with_bodies_apart(Scene world, std::size_t most_things, std::vector<int>& 
     for (std::size_t i = 0; i < models.size(); ++i) {
         const FeatureId feature = world.bodies[i].feature;
         if (!models[i]) continue;
-        if (models[i]->solids.empty()) {  // nothing of it has a volume
+        if (models[i]->solids.empty()) {  // no part of it has a volume
             body_of_feature[feature.value] = -1;
             continue;
         }
@@ -254,7 +254,7 @@ Result<Scene> without_placed(const Scene& world, const std::string& name) {
     Scene scene = world;
     undraw(scene, scene.placed[static_cast<std::size_t>(index)].feature);
     scene.placed.erase(scene.placed.begin() +
-                       index);  // its name stays, so that what was said of it can still be looked up
+                       index);  // the name stays, so that earlier references to the thing can still be resolved
     return scene;
 }
 

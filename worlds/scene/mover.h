@@ -1,6 +1,6 @@
-// Parts of the building that move as the map says: doors, lifts, buttons, sliding bridges, trains, turning parts; and
-// the places that set them going or lead elsewhere. Plain values of a Scene: where each can be and what sets it going.
-// app/core/world/mover_play moves them.
+// Parts of the building that move as the map says: doors, lifts, buttons, sliding bridges, trains and turning parts.
+// Also the volumes that start them or teleport the person. Plain values of a Scene that say where each part can be and
+// what starts it. app/core/world/mover_play moves them.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,8 @@
 
 namespace handrail {
 
-// Where a train comes by: the zero of its frame, and how long it waits there (negative: until something sends it on).
+// A stop of a train: where the origin of its frame is then, and how long it waits there. A negative wait lasts until
+// something starts the train again.
 struct TrainStop {
     Vec3 at_m{0.0};
     double wait_s = 0.0;
@@ -20,53 +21,60 @@ struct TrainStop {
 
 inline constexpr std::uint32_t kNoMover = 0xffffffffU;
 
-// Most have two ends, which stand here; at part 0 they are where the file has them. A train goes from stop to stop, a
-// turning part turns on and on.
+// Most movers have two ends, described here; at part 0 they are where the file has them. A train goes from stop to
+// stop, and a turning part turns without end.
 struct Mover {
     FeatureId feature = kNoFeature;
-    Vec3 slide_m{0.0};  // whole way of one that slides
-    // Whole turn of one that swings, counter-clockwise from above, about the upright line through pivot_m.
+    Vec3 slide_m{0.0};  // the whole travel, if it slides
+    // The whole swing, counter-clockwise from above, about the vertical line through pivot_m; 0 if it does not swing.
     double swing_rad = 0.0;
-    Vec3 pivot_m{0.0};       // zero of its own frame, world metres
-    double travel_s = 1.0;   // for the whole way
-    double wait_s = 3.0;     // at the other end before it goes back by itself; negative: it stays
-    bool rests_far = false;  // rests at the other end (a lift that waits below) and is sent to where the file has it
-    // The person can set it going by touch or key; else only what stands in `sets_going` of others can.
+    Vec3 pivot_m{0.0};      // origin of its own frame, world metres
+    double travel_s = 1.0;  // time for the whole travel
+    double wait_s = 3.0;    // time at the other end before it goes back automatically; negative: it stays
+    // It rests at the other end (a lift that waits below), and goes to its place in the file when something starts it.
+    bool rests_far = false;
+    // The person can start it by touch or key. If false, only movers and switches with this one in their `sets_going`
+    // can.
     bool by_hand = true;
-    Aabb approach_m;                        // a body that comes in here sets it going; empty: none does
-    std::uint32_t group = 0;                // all of one group go together
-    std::vector<std::uint32_t> sets_going;  // other movers, by their place in Scene::movers
-    // Its maker lets it through all that have the same number here; kNoMover: through none but its group.
+    Aabb approach_m;                        // a person who enters this box starts it; empty: nobody does
+    std::uint32_t group = 0;                // all movers with the same group move together
+    std::vector<std::uint32_t> sets_going;  // the other movers that it starts, as indices into Scene::movers
+    // Movers with the same number here may pass through each other, as the map's author intended. kNoMover: only those
+    // of its group may.
     std::uint32_t passes = kNoMover;
 
-    std::vector<double> halts;      // of a lift: the parts of its way where it stops, rising; empty: its two ends
-    std::uint32_t lift = kNoMover;  // a door of that lift: open only while the lift stands at `lift_part` of its way
+    // For a lift: the parts of its travel where it stops, rising; empty: it stops at its two ends.
+    std::vector<double> halts;
+    // For a door of a lift: that lift; the door is open only while the lift is at `lift_part` of its travel.
+    std::uint32_t lift = kNoMover;
     double lift_part = 0.0;
-    double sends_to = -1.0;  // a lift's button: to that part of the lift's way; negative: to the other end
+    // For a lift's button: the part of its travel to which the lift goes; negative: to the other end.
+    double sends_to = -1.0;
 
-    std::vector<TrainStop> stops;   // of a train, in their order; it stands at the first one at the start
-    int after_last = -1;            // the stop that follows the last; -1: it stays there
-    double speed_m_per_s = 0.0;     // of a train
-    double turn_rad_per_s = 0.0;    // of a turning part, right-handed about turn_axis through pivot_m
+    std::vector<TrainStop> stops;   // for a train: its stops in order; it starts at the first one
+    int after_last = -1;            // index of the stop that follows the last one; -1: it stays at the last
+    double speed_m_per_s = 0.0;     // for a train
+    double turn_rad_per_s = 0.0;    // for a turning part; right-handed about turn_axis through pivot_m
     Vec3 turn_axis{0.0, 0.0, 1.0};  // unit
-    bool starts_going = true;       // a train or turning part; else something sets it going
+    // For a train or a turning part: it moves from the beginning; if false, something must start it.
+    bool starts_going = true;
 
-    // Goes on for as long as nothing stops it, and has no end at which it rests.
+    // True if it moves until something stops it, and has no end at which it rests.
     bool endless() const noexcept { return stops.size() > 1 || turn_rad_per_s != 0.0; }
     bool moves() const noexcept { return slide_m != Vec3(0.0) || swing_rad != 0.0 || endless(); }
-    // Of its own frame, 0 <= part <= 1. An endless one: where it is at the start.
+    // The placement of its own frame, 0 <= part <= 1. For an endless mover, the placement at the start.
     Placement at(double part) const {
         if (!stops.empty()) return {stops.front().at_m, {}, 1.0};
         return {pivot_m + slide_m * part, rotation_about({0.0, 0.0, 1.0}, swing_rad * part), 1.0};
     }
 };
 
-// A volume that acts when a body comes into it.
+// A volume that acts when the person enters it.
 struct Switch {
-    FeatureId volume = kNoFeature;          // a trigger's or teleporter's feature
-    std::vector<std::uint32_t> sets_going;  // places in Scene::movers
+    FeatureId volume = kNoFeature;          // the feature of a trigger or teleporter
+    std::vector<std::uint32_t> sets_going;  // the movers that it starts, as indices into Scene::movers
     bool once = false;
-    bool leads_elsewhere = false;  // puts the body at feet_m, facing heading_rad
+    bool leads_elsewhere = false;  // true: moves the person to feet_m, facing heading_rad
     Vec3 feet_m{0.0};
     double heading_rad = 0.0;
 };

@@ -1,5 +1,5 @@
-// The ground that readers lay round a building whose file ends at its walls: a place to stand on, and no thing in it.
-// Pure; any thread.
+// The ground that readers lay round a building whose file ends at its walls. One can stand on it, but it does not count
+// as a thing. Pure; any thread.
 #pragma once
 
 #include "worlds/scene/scene.h"
@@ -8,7 +8,7 @@ namespace handrail {
 
 inline constexpr const char* kOuterGround = "ground outside";
 
-// What a reader calls a building next to the one that is read.
+// A reader's name for a building next to the one that it reads.
 inline constexpr const char* kNeighbouringBuilding = "building";
 
 inline bool is_outer_ground(const Feature& feature) { return feature.made_name && feature.name == kOuterGround; }

@@ -10,13 +10,13 @@
 namespace handrail {
 namespace {
 
-constexpr int kSides = 24;        // of a cylinder or cone
-constexpr int kSphereSides = 16;  // of a sphere or capsule, around
-constexpr int kSphereBands = 8;   // and from pole to pole
+constexpr int kSides = 24;        // around a cylinder or cone
+constexpr int kSphereSides = 16;  // around a sphere or capsule
+constexpr int kSphereBands = 8;   // of a sphere or capsule, from pole to pole
 
 bool differ(double a, double b) { return std::abs(a - b) > 1e-9 * std::max(std::abs(a), std::abs(b)); }
 
-// What makes the sizes no such shape; empty where they are.
+// Says why the sizes do not give this shape; empty if they do.
 std::string refusal(const Primitive& p, const Vec3& size) {
     const std::string name = spoken_kind(kPrimitiveNames[static_cast<std::size_t>(p.kind)]);
     const Rotation& q = p.at.rotation;
@@ -103,7 +103,7 @@ Result<Solid> make_solid(const Primitive& primitive, MaterialId material) {
     const Vec3 size = primitive.size_m * primitive.stretch * primitive.at.scale;
     if (std::string why = refusal(primitive, size); !why.empty()) return fail(std::move(why));
     const PlacedFrame frame(Placement{primitive.at.position_m, normalized(primitive.at.rotation), 1.0});
-    // Faces are found at size 1, where the tolerances fit, and brought to their place then.
+    // Faces are computed at size 1, which suits the tolerances, and then scaled and placed.
     const double unit = std::max({size.x, size.y, size.z});
     BuiltSolid built = solid_from_planes(planes_of(primitive.kind, size / unit), Vec3(0.0), 4.0);
     if (built.fault != SolidFault::None)

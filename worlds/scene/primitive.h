@@ -1,6 +1,6 @@
-// Things of an exact shape, built in code or by a reader: box, sphere, cylinder, cone, capsule; moved, turned and
-// scaled. A round one is felt as what it is; what is seen, walked into and covered is a solid of flat faces around it,
-// at most 4 % wider (sphere and capsule) or 1 % (cylinder and cone). Pure functions; any thread.
+// Exact shapes, built in code or by a reader: box, sphere, cylinder, cone and capsule, which may be moved, turned and
+// scaled. The hand feels a round shape exactly. Drawing, walking and covering use a flat-faced solid around it, wider
+// by at most 4 % (sphere and capsule) or 1 % (cylinder and cone). Pure functions; any thread.
 #pragma once
 
 #include <array>
@@ -18,18 +18,19 @@ inline constexpr std::array<std::string_view, 5> kPrimitiveNames{"box", "sphere"
 
 struct Primitive {
     PrimitiveKind kind = PrimitiveKind::Box;
-    // Its sides in its own frame, around the frame's zero: a sphere's are equal; cylinder, cone and capsule stand along
-    // z, as wide (x) as deep (y), the cone with its tip up, the capsule with its round ends within its length.
+    // Its sides in its own frame, around the frame's origin. A sphere has equal sides. Cylinder, cone and capsule stand
+    // along z and are as wide (x) as deep (y). The cone's tip is at the top; the capsule's length includes its round
+    // ends.
     Vec3 size_m{1.0};
-    Vec3 stretch{1.0};  // factor per axis, as far as the shape allows it
+    Vec3 stretch{1.0};  // factor for each axis; it must not change the kind of shape
     Placement at;
 };
 
-// The solid it makes, with one material and no names yet. Fails, with a sentence, for sizes that are not above zero or
-// not finite, and for a shape that is stretched into another.
+// Makes the solid, with one material and without names. Fails with a sentence if a size is not positive or not finite,
+// or if stretching changes the kind of shape.
 Result<Solid> make_solid(const Primitive& primitive, MaterialId material = kDefaultMaterial);
 
-// Negative inside; for a Solid without a round shape infinity.
+// Negative inside; infinity if the Solid has no round shape.
 double signed_distance(const RoundShape& round, const Vec3& point_m) noexcept;
 
 }  // namespace handrail

@@ -6,7 +6,7 @@ namespace handrail {
 
 namespace {
 
-// A text under the name's own key, or the name.
+// The text under the name's own key, else the name itself.
 std::string said(std::string_view section, std::string_view name) {
     std::string key(section);
     for (const char c : name) key += c == ' ' || c == '-' ? '_' : c;
@@ -63,7 +63,7 @@ using MaybeWrong = std::optional<WrongPart>;
 
 bool finite_box(const Aabb& box) { return box.empty() || (is_finite(box.min_m) && is_finite(box.max_m)); }
 
-// Finds the first thing that is wrong with a scene, in the order of its parts.
+// Finds the first fault of a scene, in the order of its parts.
 class SceneCheck {
 public:
     explicit SceneCheck(const Scene& scene) : scene_(scene) {}

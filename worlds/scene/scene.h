@@ -1,5 +1,6 @@
-// What a building is: solids, surfaces with names, volumes, starts. Built by a reader, then never changed: every view
-// (HapticScene, drawing, sound, walking) is compiled from it and refers to it by FeatureId. World metres, z up.
+// The content of a building: solids, named surfaces, volumes and starts. A reader builds it, then it never changes.
+// Every view (HapticScene, drawing, sound, walking) is compiled from it and refers to it by FeatureId. World metres, z
+// up.
 #pragma once
 
 #include <cstdint>
@@ -29,63 +30,65 @@ enum class FeatureKind { Wall, Floor, Ceiling, Slope, Object, Door, Button, Lift
 // Anything that has a name: a joined wall, the floor of a room, a table, a door, a pool.
 struct Feature {
     FeatureKind kind = FeatureKind::Wall;
-    std::string name;        // without the material: "north wall", "Table"; what files and scenarios know it by
-    OtherLanguages name_in;  // what it is called in others than the map's own
-    // The map gave none: one of our own English names, said by spoken_name in the person's language.
+    std::string name;  // without the material: "north wall", "Table"; files and scenarios identify it by this name
+    OtherLanguages name_in;  // its name in languages other than the map's own
+    // The map gave no name, so this is one of our own English names; spoken_name translates it.
     bool made_name = false;
     MaterialId material = kDefaultMaterial;
     Vec3 normal{0.0};  // outward, for walls, floors, ceilings and slopes; zero for objects
     Aabb bounds_m;
     double area_m2 = 0.0;   // exposed area
-    bool landmark = false;  // fixed and unique here
-    bool clue = false;      // helpful, may change
-    bool base = false;      // the door at the base, where one is
-    std::string message;    // spoken on entering a trigger; for others a longer description
+    bool landmark = false;  // fixed, and unique in this world
+    bool clue = false;      // helpful, but may change
+    bool base = false;      // true for the door at the base, if there is one
+    std::string message;    // for a trigger: announced on entering it; for others: a longer description
     OtherLanguages message_in;
-    bool made_message = false;  // the map gave none: `message` is the key of one of our own texts
-    std::string hinge;          // side of a door's hinge: "north", "east", ... or empty
-    std::string handle;         // side of a door's handle, likewise
+    bool made_message = false;  // the map gave no message, so `message` is the key of one of our own texts
+    std::string hinge;          // the side of a door's hinge: "north", "east", ... or empty
+    std::string handle;         // the side of a door's handle, in the same form
     SourcePlace source;
 };
 
 // What a convex solid does.
 enum class SolidRole : std::uint8_t {
-    Solid,     // stops hand and body
-    Mover,     // the same, and may move later: doors, lifts, buttons; stands as filed
-    BodyClip,  // stops the body, never the hand
+    Solid,     // stops the hand and the walker
+    Mover,     // the same, but may move: doors, lifts, buttons; placed where the file has it
+    BodyClip,  // stops the walker, never the hand
     Liquid,    // a volume to move through, felt by its viscosity
-    Trigger,   // a volume whose feature's message is spoken once on entering
-    Teleport,  // a doorway surface to elsewhere: not solid
+    Trigger,   // a volume; its feature's message is announced once on entering
+    Teleport,  // a surface that leads elsewhere, like a doorway; not solid
     Illusion,  // seen, not touched
 };
 
-// A face that gives way under the hand, above the rest of its solid.
+// A soft layer over one face of a solid; the rest of the solid stays hard.
 struct SoftFace {
-    std::uint32_t face = 0;  // of the solid
-    bool plastic = false;    // keeps a dent
+    std::uint32_t face = 0;  // index of the face in the solid
+    bool plastic = false;    // true: the face keeps a dent
     double depth_m = 0.0;
     double stiffness_fraction = 0.2;
-    double recovery_s = 0.5;  // of one that comes back
-    double yield_n = 1.0;     // of one that keeps a dent
+    double recovery_s = 0.5;  // for a face that recovers
+    double yield_n = 1.0;     // for a face that keeps a dent
 };
 
 struct Solid {
     ConvexSolid shape;
     SolidRole role = SolidRole::Solid;
-    RoundShape round;  // what the hand feels, where it is no solid of flat faces; `shape` then stands around it
-    FeatureId feature = kNoFeature;            // for objects, movers and volumes: the whole; else kNoFeature
-    std::vector<FeatureId> face_features;      // size == shape.planes.size(); the name of what one touches there
+    RoundShape round;                // the exact shape that the hand feels, if it is round; `shape` then encloses it
+    FeatureId feature = kNoFeature;  // for objects, movers and volumes: the feature of the whole solid; else kNoFeature
+    // Size == shape.planes.size(); the feature that is announced when this face is touched.
+    std::vector<FeatureId> face_features;
     std::vector<MaterialId> face_materials;    // size == shape.planes.size()
-    std::vector<bool> face_hidden;             // size == shape.planes.size(); wholly covered by other solids
-    std::optional<double> viscosity_ns_per_m;  // liquids only, of hand speed; none: no drag
+    std::vector<bool> face_hidden;             // size == shape.planes.size(); true: wholly covered by other solids
+    std::optional<double> viscosity_ns_per_m;  // liquids only, per hand speed; empty: no drag
     double buoyancy_n = 0.0,
-           film_n = 0.0;          // liquids only: what lifts a hand in it, what its surface holds back at most
-    Vec3 flow_hand_m_per_s{0.0};  // liquids only: a stream, in hand speed
+           // Liquids only: buoyancy of the hand, and the greatest force with which the surface film resists it.
+        film_n = 0.0;
+    Vec3 flow_hand_m_per_s{0.0};  // liquids only: a current, in hand speed
     std::optional<SoftFace> soft;
     SourcePlace source;
 };
 
-// A triangle of a mesh file or patch: a sheet without an inside. Degenerate ones are kept.
+// A triangle of a mesh file or patch: a sheet without an inside. Degenerate triangles are kept.
 struct MeshTriangle {
     Vec3 a_m, b_m, c_m;
     FeatureId feature = kNoFeature;
@@ -93,7 +96,7 @@ struct MeshTriangle {
     TouchSide side = TouchSide::Both;
 };
 
-// Exposed surface for drawing, naming and area; hidden parts are gone.
+// An exposed polygon for drawing, naming and area; hidden parts are removed.
 struct SurfacePolygon {
     Polygon polygon;
     Vec3 normal{0.0};
@@ -103,103 +106,103 @@ struct SurfacePolygon {
 };
 
 struct Start {
-    Vec3 feet_m{0.0};  // where the soles stand
+    Vec3 feet_m{0.0};  // where the soles are
     double heading_rad = 0.0;
-    bool base = false;  // the start a single explorer takes first
+    bool base = false;  // the start that a single explorer uses
     std::string name;
     SourcePlace source;
 };
 
 struct SoundSource {
     Vec3 position_m{0.0};
-    std::string name;       // fit to be spoken: "computer hum"
-    std::string sound;      // which sound: the class name or the key `sound`
+    std::string name;       // can be spoken: "computer hum"
+    std::string sound;      // selects the sound: the class name or the key `sound`
     double loudness = 1.0;  // 0 to 1
     OtherLanguages name_in = {};
-    bool made_name = false;  // the map gave none: `name` is the key of one of our own texts
+    bool made_name = false;  // the map gave no name, so `name` is the key of one of our own texts
 };
 
-// The map's own name for the room around a place.
+// The map's own name for the room that contains a place.
 struct RoomName {
     Vec3 at_m{0.0};
-    std::string name;  // fit to be spoken
+    std::string name;  // can be spoken
     OtherLanguages name_in = {};
 };
 
 struct Scene;
 
-// A thing with a world of its own, set down in this one: it may be moved, turned, added and removed while it is
-// touched. One model may stand in several places.
+// A thing with its own scene, placed in this world. It may be moved, turned, added and removed while it is touched. One
+// model may be placed several times.
 struct PlacedModel {
-    FeatureId feature = kNoFeature;  // of this scene: all of the thing goes by this name
+    FeatureId feature = kNoFeature;  // in this scene; all of the thing has this name
     std::shared_ptr<const Scene> model;
-    MaterialId material = kDefaultMaterial;  // of this scene; the model's own materials are not looked at
+    MaterialId material = kDefaultMaterial;  // in this scene; the model's own materials are ignored
     Placement at;
 };
 
 struct StatedBuilding;
 
-// What the reader understood, for the honesty report and `handrail info`. Counts as defined for `info --json`.
+// What the reader understood, for the honest report and for `handrail info`. Counts are defined as for `info --json`.
 struct ReadReport {
     std::string format;  // "map", "obj", "ifc"
     int brushes = 0, polygons = 0, polygons_kept = 0, polygons_hidden = 0, triangles = 0;
     int liquids = 0, movers = 0, doors = 0, starts = 0;
-    int patches = 0;  // curved patches that were read; their triangles are not counted above
+    int patches = 0;  // curved patches that were read; the counts above do not include their triangles
     std::vector<std::string> guessed, simplified, left_out;  // sentences
     std::vector<Diagnostic> warnings;                        // at most 20
-    int warnings_in_all = 0;                                 // all that were met
+    int warnings_in_all = 0;                                 // all warnings, including those beyond the first 20
 };
 
 struct Scene {
-    std::string name;  // fit to be spoken: the world's message, else the file name in words
+    std::string name;  // can be spoken: the world's message, else the file name as words
     OtherLanguages name_in;
-    std::string source_file;  // as given
-    bool game_map = false;    // game sizes for the body: 1.7 m tall, 0.57 m steps
+    std::string source_file;  // as the caller gave it
+    bool game_map = false;    // true: the body has game sizes: 1.7 m tall, 0.57 m steps
     double metres_per_unit = 1.0;
-    Aabb bounds_m;                    // of solids as they stand in the file
+    Aabb bounds_m;                    // of the solids where the file has them
     std::vector<Material> materials;  // [0] is the default wall
     std::vector<Feature> features;    // indexed by FeatureId::value
     std::vector<Solid> solids;
     std::vector<MeshTriangle> triangles;
     std::vector<PlacedModel> placed;
     std::vector<SurfacePolygon> surfaces;
-    std::vector<Start> starts;  // in file order; the base one is marked
+    std::vector<Start> starts;  // in file order; the base start is marked
     std::vector<SoundSource> sounds;
     std::vector<RoomName> room_names;
-    std::vector<Effect> effects;   // forces that hang in space
-    std::vector<Mover> movers;     // which of the solids above can go where
-    LabyrinthPlan labyrinth;       // the game in this world, where there is one
-    std::vector<FreeBody> bodies;  // which of them are free to move, at most FreeBody::kMost
+    std::vector<Effect> effects;   // forces in space
+    std::vector<Mover> movers;     // which of the solids above can move, and where to
+    LabyrinthPlan labyrinth;       // the game in this world, if there is one
+    std::vector<FreeBody> bodies;  // which of them are free to move; at most FreeBody::kMost
     std::vector<Switch> switches;
     std::shared_ptr<const StatedBuilding>
-        stated;  // rooms and doors as the file itself says them (worlds/scene/stated_building.h); null: it says none
+        // Rooms and doors as the file itself states them (worlds/scene/stated_building.h); null: it states none.
+        stated;
     ReadReport report;
 
     const Feature* find(FeatureId id) const { return id.value < features.size() ? &features[id.value] : nullptr; }
     const Material& material(MaterialId id) const { return materials[id < materials.size() ? id : kDefaultMaterial]; }
 };
 
-// "north wall, plaster" or "Table": the feature's name with its material where it has one, as it is said in the
-// language spoken. A name that the map gives is said as the map has it, in the language spoken where it has that too.
-// Empty for kNoFeature.
+// The feature's name and its material, if it has one, in the spoken language: "north wall, plaster" or "Table". A name
+// from the map is used as the map states it, in the spoken language if the map has it in that. Empty for kNoFeature.
 std::string spoken_name(const Scene& scene, FeatureId id);
 // The same without the material.
 std::string spoken_name(const Feature& feature);
 std::string spoken_name(const SoundSource& sound);
 std::string spoken_name(const Scene& scene);
 std::string spoken_message(const Feature& feature);
-// One of our own names ("north wall", "low block"), or a material's, as it is said; a name that is none of ours stays
-// as it is.
+// Translates one of our own names ("north wall", "low block") or a material's name; any other name is returned
+// unchanged.
 std::string spoken_kind(std::string_view name);
 std::string spoken_material(std::string_view name);
-// "north wall, plaster" in English and unchanged, whatever is spoken: for tables and to be compared.
+// "north wall, plaster", always in English: for tables and comparisons.
 std::string stored_name(const Scene& scene, FeatureId id);
 
-// The number of this material in the scene, which gets it if it is new. Readers only. The default wall once there are
-// too many to count.
+// Returns this material's index in the scene, and adds the material if it is new. For readers only. Returns the default
+// wall if there are too many materials for an index.
 MaterialId material_id(Scene& scene, const Material& material);
 
-// Checks sizes, indices and finiteness of a Scene that a reader or code built; says the first thing that is wrong.
+// Checks sizes, indices and finiteness of a Scene that a reader or code has built. Fails with the first fault.
 Result<void> validate(const Scene& scene);
 
 }  // namespace handrail

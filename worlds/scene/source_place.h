@@ -1,9 +1,9 @@
-// Where in its file something of a world stands.
+// The place in a file that a part of a world comes from.
 #pragma once
 
 namespace handrail {
 
-// 0 when unknown.
+// 0 means unknown.
 struct SourcePlace {
     int line = 0;
     int entity = 0;

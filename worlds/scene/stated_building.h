@@ -1,6 +1,6 @@
-// What a file itself says about its building: storeys, rooms with outlines, doors with the rooms they join. Only
-// formats that know rooms fill it (IFC); what a .map or mesh leaves open is found by analysis (worlds/navigation).
-// Plain values, built by a reader, then never changed. World metres.
+// What a file itself states about its building: storeys, rooms with outlines, and doors with the rooms that they join.
+// Only formats with rooms fill it (such as IFC); for a .map or a mesh, worlds/navigation finds rooms by analysis. Plain
+// values, built by a reader, then never changed. World metres.
 #pragma once
 
 #include <cstdint>
@@ -17,22 +17,22 @@ namespace handrail {
 inline constexpr std::uint32_t kNotStated = 0xffffffffU;
 
 struct StatedStorey {
-    std::string name;  // fit to be spoken, as the file has it: "Level 1"
+    std::string name;  // can be spoken, as the file states it: "Level 1"
     double floor_m = 0.0;
-    int rooms = 0;  // that lie on it
+    int rooms = 0;  // number of rooms on it
 };
 
 struct StatedRoom {
-    std::string name;    // fit to be spoken: the long name, else the number
+    std::string name;    // can be spoken: the long name, else the number
     std::string number;  // "A101"; may be empty
-    std::string guid;    // of the file
+    std::string guid;    // as the file states it
     std::uint32_t storey = kNotStated;
     std::vector<std::vector<Vec2>> rings;  // outline and holes, by the even-odd rule; at least one ring of 3 points
     double floor_m = 0.0, height_m = 0.0;
     Vec3 at_m{0.0};  // on its floor, within the outline
     double area_m2 = 0.0;
-    bool holds_stairs = false;  // stairs fill more than half of it
-    bool is_way = false;        // a footway, a street or a platform outside rooms
+    bool holds_stairs = false;  // stairs occupy more than half of it
+    bool is_way = false;        // true for a footway, street or platform outside of rooms
     SourcePlace source;
 };
 
@@ -40,36 +40,37 @@ enum class StatedPortalKind : std::uint8_t { Door, Opening, Stairs, Ramp, Lift }
 
 struct StatedPortal {
     StatedPortalKind kind = StatedPortalKind::Door;
-    std::string name;  // as the file has it
+    std::string name;  // as the file states it
     std::string guid;
-    FeatureId feature = kNoFeature;  // the first leaf of a door; stairs and lifts as they are felt
+    FeatureId feature = kNoFeature;  // the first leaf of a door; for stairs and lifts the feature that is touched
     std::vector<std::uint32_t>
-        rooms;          // places in StatedBuilding::rooms, rising; one: the other side is outside or has no name
+        // Indices into StatedBuilding::rooms, rising; if there is only one, the other side is outside or has no name.
+        rooms;
     Vec3 place_m{0.0};  // middle, at floor height
     double width_m = 0.0, height_m = 0.0;
-    bool by_boundaries = false;  // the file states which rooms; else found by what lies on its two sides
-    bool outside = false;        // its one room is open to the ground outside
-    bool opened_by_box = false;  // a body did not pass through what the file gives, so a box was cut free
-    bool passable = true;        // a body went through it from both sides
-    std::string why;             // of one that is not, where known: the key of its text: "door_trial.step"
-    std::string in_the_way;      // for its text: names of parts
-    double step_m = 0.0;         // for its text
+    bool by_boundaries = false;  // the file states the rooms; false: they were found on its two sides
+    bool outside = false;        // its only room is open to the ground outside
+    bool opened_by_box = false;  // a walker did not fit through the file's geometry, so a box was cut free
+    bool passable = true;        // a walker can go through from both sides
+    std::string why;             // if not passable and the reason is known: the key of its text, "door_trial.step"
+    std::string in_the_way;      // names of parts, for that text
+    double step_m = 0.0;         // for that text
     SourcePlace source;
 };
 
-// A part that has a form in the file and stands here not at all, or with another volume.
+// A part that has a form in the file, but is missing here or has another volume.
 struct MissingPart {
-    std::string name, guid, storey;  // as the file has them; may be empty
-    std::string reason;              // the key of its text: "ifc.lost_unread"
-    std::string detail;              // for the text: a class that is not read
-    double share = 0.0;              // of its volume that is missing
-    Vec3 at_m{0.0};                  // of its placement
+    std::string name, guid, storey;  // as the file states them; may be empty
+    std::string reason;              // the key of the text: "ifc.lost_unread"
+    std::string detail;              // for the text: the IFC class that Handrail does not read
+    double share = 0.0;              // of its volume, the share that is missing
+    Vec3 at_m{0.0};                  // where the file places it
     SourcePlace source;
 };
 
-// A window or a piece of furniture, as the file counts it.
+// A window or a piece of furniture, counted as in the file.
 struct StatedThing {
-    FeatureId feature = kNoFeature;  // that of the whole, if it is part of one
+    FeatureId feature = kNoFeature;  // the feature of the whole, if this is part of one
     Aabb bounds_m;                   // empty: the file gives it no form
 };
 
@@ -79,23 +80,23 @@ struct StatedBuilding {
     std::vector<StatedRoom> rooms;                  // in file order
     std::vector<StatedPortal> portals;              // in file order
     std::vector<MissingPart> missing;               // in file order
-    double wall_m = 0.0;                            // how thick its walls are, where all are alike; 0: not known
+    double wall_m = 0.0;                            // thickness of its walls if all are alike; 0: unknown
     std::vector<StatedThing> windows, furnishings;  // in file order
     int openings = 0, openings_cut = 0, stairs = 0, ramps = 0, lifts = 0, escalators = 0, walkways = 0, skipped = 0;
 };
 
-// True when the place lies within the outline, and from a step below the room's floor to a step below its ceiling.
+// True if the place is within the outline, and between a step below the room's floor and a step below its ceiling.
 bool holds(const StatedRoom& room, const Vec3& at_m);
-// Of the least rectangle round its outline that lies along one of its sides: first the side that runs more from west to
-// east.
+// The sides of the least rectangle around the outline that is parallel to one of its edges. The first is the side that
+// runs more from west to east.
 Vec2 outline_size_m(const StatedRoom& room);
-// True when stairs all but fill the room and its name says nothing of stairs, in English or German.
+// True if stairs occupy most of the room but its name does not mention stairs, in English or German.
 bool is_oddly_named(const StatedRoom& room);
-// What the file calls the storey with its floor at a height, in one line; empty if it names none there.
+// The file's name for the storey whose floor is at this height, in one line; empty if there is none.
 std::string stated_storey_name(const StatedBuilding& building, double floor_m);
-// Like stated_storey_name, but between two storeys it returns the name of the lower one. Empty: no storey has rooms.
+// Like stated_storey_name, but between two storeys it returns the name of the lower one. Empty if no storey has rooms.
 std::string stated_storey_around(const StatedBuilding& building, double floor_m);
-// How many rooms the largest group has whose members are joined by portals, or by the ground outside.
+// The number of rooms in the largest group that portals, or the ground outside, join.
 int largest_connected(const StatedBuilding& building);
 
 }  // namespace handrail

@@ -16,8 +16,8 @@ std::string_view compass_point(const Vec3& direction) noexcept {
 
 bool is_touchable(SolidRole role) { return role == SolidRole::Solid || role == SolidRole::Mover; }
 
-// Kind and name of a face of the building by the way it faces. Within 10 degrees of level is level, steeper than 80
-// degrees is a wall.
+// The direction that a face of the building faces decides its kind and name. Within 10 degrees of level is level;
+// steeper than 80 degrees is a wall.
 constexpr double kLevel = 0.985;
 constexpr double kSteep = 0.174;
 
@@ -27,12 +27,12 @@ FeatureKind kind_of_face(const Vec3& normal) {
     return std::abs(normal.z) <= kSteep ? FeatureKind::Wall : FeatureKind::Slope;
 }
 
-// Sizes that decide what a flat surface or a small thing is called, metres.
-constexpr double kNarrow = 0.4;     // a level strip narrower than this is a ledge, no floor
-constexpr double kSmallArea = 0.3;  // square metres, likewise
+// Sizes in metres that decide the name of a flat surface or a small thing.
+constexpr double kNarrow = 0.4;     // a level strip narrower than this is a ledge, not a floor
+constexpr double kSmallArea = 0.3;  // square metres; a level surface smaller than this is a ledge, too
 constexpr double kStepDepth[] = {0.15, 1.1};
 constexpr double kStepHeight[] = {0.08, 0.6};
-constexpr double kThingWidth = 2.5;  // what stands free and is wider than this is part of the building
+constexpr double kThingWidth = 2.5;  // a free-standing solid wider than this is part of the building
 
 std::string name_of_surface(FeatureKind kind, const Vec3& normal, const Aabb& bounds_m, double area_m2) {
     const Vec3 size = bounds_m.size_m();
@@ -43,13 +43,14 @@ std::string name_of_surface(FeatureKind kind, const Vec3& normal, const Aabb& bo
         case FeatureKind::Ceiling:
             return small ? "underside" : "ceiling";
         case FeatureKind::Wall:
-            return std::string(compass_point(-normal)) + " wall";  // one stands on the side its normal points to
+            // The person stands on the side that the normal points to.
+            return std::string(compass_point(-normal)) + " wall";
         default:
             return normal.z > 0.0 ? "slope rising " + std::string(compass_point(-normal)) : "sloping ceiling";
     }
 }
 
-// One joined flat surface of the building while it is being named.
+// A joined flat surface of the building, before it has a name.
 struct Surface {
     Vec3 normal{0.0};
     FeatureKind kind = FeatureKind::Wall;
@@ -58,7 +59,7 @@ struct Surface {
     double largest_piece_m2 = -1.0;
     MaterialId material = kDefaultMaterial;
     bool sky = false;
-    bool outside = true;  // every piece looks away from the building
+    bool outside = true;  // every piece faces away from the building
     std::vector<std::uint32_t> pieces;
     FeatureId feature = kNoFeature;
 };
@@ -112,8 +113,8 @@ private:
         return scene_.solids[piece.solid].shape.planes[piece.face];
     }
 
-    // 1. What of each face nothing covers. Things that move cover only themselves: what is behind them may come to
-    // light.
+    // 1. Finds the parts of each face that nothing covers. Moving things cover only themselves, because what is
+    //   behind them may become visible.
     void expose() {
         std::vector<SurfaceSolid> solids;
         for (const Solid& solid : scene_.solids) {
@@ -143,8 +144,8 @@ private:
         return std::span(pieces_).subspan(first_piece_[solid], first_piece_[solid + 1] - first_piece_[solid]);
     }
 
-    // The line from one place to the other passes through the triangle, borders included. A sheet without area stops
-    // nothing. Source: Moeller, Trumbore, Fast, minimum storage ray-triangle intersection, 1997.
+    // True if the line from one place to the other passes through the triangle, borders included. A sheet without area
+    // stops nothing. Source: Moeller, Trumbore, Fast, minimum storage ray-triangle intersection, 1997.
     static bool crosses(const MeshTriangle& sheet, const Vec3& from_m, const Vec3& to_m) {
         const Vec3 way = to_m - from_m, ab = sheet.b_m - sheet.a_m, ac = sheet.c_m - sheet.a_m;
         const Vec3 across = glm::cross(way, ac), off = from_m - sheet.a_m, turned = glm::cross(off, ab);
@@ -154,7 +155,7 @@ private:
         return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && at >= 0.0 && at <= 1.0;
     }
 
-    // Does a straight line from here leave the world without meeting a solid or a sheet of the building?
+    // True if a straight line from here leaves the world without meeting a solid or a sheet of the building.
     bool escapes(const Vec3& from_m, const Vec3& direction) {
         const Vec3 to_m = from_m + direction * (2.0 * glm::length(all_m_.size_m()) + 1.0);
         Aabb box;
@@ -178,8 +179,8 @@ private:
         });
     }
 
-    // 2. Which pieces look away from the building: a line straight out, or straight up where the start has a roof
-    // overhead, meets nothing.
+    // 2. Finds the pieces that face away from the building: a straight line outwards meets nothing. If the start is
+    //   under a roof, a line straight up counts, too.
     void look_outside() {
         bool roofed = false;
         for (const Start& start : scene_.starts) {
@@ -191,7 +192,7 @@ private:
         }
         outside_.assign(pieces_.size(), false);
         for (std::size_t i = 0; i < pieces_.size() && !stop_.stop_requested(); ++i) {
-            if (!is_building(pieces_[i].solid)) continue;  // nobody asks it of things
+            if (!is_building(pieces_[i].solid)) continue;  // not needed for things
             const Vec3& normal = plane_of(pieces_[i]).normal;
             const Vec3 middle_m = centre_of(pieces_[i].polygon);
             const auto looks_out = [&](const Vec3& p) {
@@ -204,7 +205,7 @@ private:
         }
     }
 
-    // 3. Small solids that stand free, alone or in clusters, are things: pillars, blocks.
+    // 3. Small free-standing solids, alone or in clusters, become things: pillars, blocks.
     void find_things() {
         const auto small = [&](std::uint32_t s) {
             const Vec3 size = scene_.solids[s].shape.bounds_m.size_m();
@@ -229,7 +230,7 @@ private:
         for (const std::uint32_t s : solids) box.include(scene_.solids[s].shape.bounds_m);
         const Vec3 size = box.size_m();
         if (std::max(size.x, size.y) > kThingWidth) return;
-        std::array<double, 4> seen_m2{};  // area that shows to the east, west, north, south
+        std::array<double, 4> seen_m2{};  // area visible from the east, west, north and south
         bool top = false, bottom = false, sky = false;
         for (const std::uint32_t s : solids) {
             for (std::uint32_t i = first_piece_[s]; i < first_piece_[s + 1]; ++i) {
@@ -266,8 +267,8 @@ private:
         }
     }
 
-    // A short piece next to a doorway, or over one, shows three sides as a thing does. It is part of the wall that it
-    // touches if one of its upright faces goes on in one of that wall's, in the same material.
+    // A short piece of wall next to a doorway, or over one, shows three sides as a thing does. It belongs to the wall
+    // that it touches if one of its upright faces continues in a face of that wall with the same material.
     bool continues_a_wall(const std::vector<std::uint32_t>& solids) {
         for (const std::uint32_t s : solids) {
             index_.find(grown(scene_.solids[s].shape.bounds_m, 0.01 * unit_m_), near_);
@@ -327,8 +328,7 @@ private:
         surface.material = scene_.solids[pieces_[i].solid].face_materials[pieces_[i].face];
     }
 
-    // 5. The outer side of a wall is that wall, not another one: its pieces go to the largest inner surface of the same
-    // solid.
+    // 5. The outer side of a wall gets the wall's name: its pieces join the largest inner surface of the same solid.
     void fold_outer_sides() {
         std::vector<Surface> rest(surfaces_.size());
         for (std::uint32_t g = 0; g < surfaces_.size(); ++g) {
@@ -353,7 +353,7 @@ private:
             smaller.sky = surface.sky;
             for (const std::uint32_t i : kept) add_piece(smaller, i);
             rest[g] = std::move(smaller);
-            surface.largest_piece_m2 = -2.0;  // to be replaced, once nothing looks at its old extent any more
+            surface.largest_piece_m2 = -2.0;  // marks it for replacement once nothing reads its old extent any more
         }
         for (std::uint32_t g = 0; g < surfaces_.size(); ++g)
             if (surfaces_[g].largest_piece_m2 == -2.0) surfaces_[g] = std::move(rest[g]);
@@ -422,8 +422,8 @@ private:
                     surfaces_[surface_of_piece_[i]].feature;
     }
 
-    // 8. A hand that slides over a seam may meet a hidden face's edge: it then hears the surface that covers it, or
-    // else the solid's largest.
+    // 8. A hand that slides over a seam may touch the edge of a hidden face. The face gets the name of the surface
+    //   that covers it, or else of the solid's largest surface.
     void name_hidden_faces() {
         std::vector<Aabb> boxes;
         for (const ExposedPiece& piece : pieces_) boxes.push_back(bounds_of(piece.polygon));
@@ -456,7 +456,7 @@ private:
         }
     }
 
-    // 9. What is drawn, and what things know of themselves.
+    // 9. Fills the drawn surfaces, and the area, bounds and material of things.
     void finish() {
         std::map<std::uint32_t, double> largest_m2;
         for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
@@ -478,7 +478,7 @@ private:
         }
         for (const Solid& solid : scene_.solids) {
             if (solid.feature) scene_.features[solid.feature.value].bounds_m.include(solid.shape.bounds_m);
-            // The faces around a round solid are none of the file's.
+            // The flat faces around a round solid are not the file's, so they are not counted.
             if (is_touchable(solid.role) && std::holds_alternative<std::monostate>(solid.round))
                 scene_.report.polygons_hidden +=
                     static_cast<int>(std::count(solid.face_hidden.begin(), solid.face_hidden.end(), true));
@@ -497,18 +497,18 @@ private:
     std::span<const std::vector<FaceLook>> looks_;
     double unit_m_ = 1.0;
     std::stop_token stop_;
-    BoxIndex index_;   // over the solids
-    BoxIndex sheets_;  // over the triangles
+    BoxIndex index_;   // of the solids
+    BoxIndex sheets_;  // of the triangles
     Aabb all_m_;
     std::vector<ExposedPiece> pieces_;
-    std::vector<double> areas_m2_;                        // per piece
-    std::vector<std::uint32_t> first_piece_;              // per solid, and one past the last
-    std::vector<bool> outside_;                           // per piece
-    std::vector<std::uint32_t> surface_of_piece_;         // kNone for things and volumes
-    std::map<std::uint32_t, std::uint32_t> folded_into_;  // outer pieces and the inner surface they were given to
+    std::vector<double> areas_m2_;                        // indexed by piece
+    std::vector<std::uint32_t> first_piece_;              // indexed by solid, with one more entry at the end
+    std::vector<bool> outside_;                           // indexed by piece
+    std::vector<std::uint32_t> surface_of_piece_;         // indexed by piece; kNone for things and volumes
+    std::map<std::uint32_t, std::uint32_t> folded_into_;  // outer pieces, each with the inner surface that it joined
     std::vector<Surface> surfaces_;
-    std::vector<bool> step_;           // per surface
-    std::vector<std::uint32_t> near_;  // query results
+    std::vector<bool> step_;           // indexed by surface
+    std::vector<std::uint32_t> near_;  // results of queries
 };
 
 }  // namespace
