@@ -1,4 +1,5 @@
-// Collects what a reader met: every loss is counted, the first 20 are kept in words. One reading thread.
+// Collects the faults that a reader finds. Every one is counted; the first 20 are kept as sentences. One reading
+// thread.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,7 +16,7 @@
 namespace handrail {
 
 inline constexpr double kFarthestM =
-    1e6;  // no coordinate in a file may lie further out: replay and rendering take positions up to here
+    1e6;  // greatest coordinate allowed in a file: replay and rendering accept positions up to here
 
 struct TextPlace {
     int line = 0;
@@ -24,11 +25,12 @@ struct TextPlace {
 
 class Diagnostics {
 public:
-    static constexpr std::size_t kMostKept = 20;  // more are counted only: they are heard one by one
+    // Further ones are only counted, because the person hears them one by one.
+    static constexpr std::size_t kMostKept = 20;
 
     explicit Diagnostics(std::string file) : file_(std::move(file)) {}
 
-    // `action` and `message` are keys of texts, both filled with the same values.
+    // `action` and `message` are keys of texts; both are filled with the same values.
     using Values = std::initializer_list<TextValue>;
     void warn(TextPlace place, std::string_view action, std::string_view message, Values values = {}) {
         add(Severity::Warning, place, action, message, values);
@@ -36,7 +38,7 @@ public:
     void error(TextPlace place, std::string_view action, std::string_view message, Values values = {}) {
         add(Severity::Error, place, action, message, values);
     }
-    // What somebody else said, in its own words.
+    // Adds a finished sentence, such as the message of a library.
     void pass_on(TextPlace place, std::string_view action, const std::string& words) {
         if (++in_all_ <= static_cast<int>(kMostKept))
             kept_.push_back({Severity::Warning, file_, place.line, place.column, words, phrase(action)});
@@ -61,10 +63,11 @@ private:
     int in_all_ = 0;
 };
 
-// At most `most` bytes of what was found, fit for a message: bytes that are no printable ASCII become question marks.
+// At most `most` bytes of what the file has there, safe for a message: bytes other than printable ASCII become question
+// marks.
 std::string excerpt(std::string_view found, std::size_t most = 24);
 
-// The failure of a file that holds nothing usable, with the first problem where there was one: "... in this map. It
+// The failure for a file without usable content. It includes the first fault if there was one: "... in this map. It
 // holds no brushes." `world`: "map" or "mesh".
 tl::unexpected<Error> nothing_to_touch(const Diagnostics& diagnostics, const std::string& file, std::string_view world);
 

@@ -9,12 +9,12 @@
 namespace handrail {
 namespace {
 
-// How the bytes of a format are recognised.
+// How a format is recognised by its bytes.
 enum class Sign {
-    None,    // by its ending alone
-    Begins,  // with `mark`
-    Zip,     // an archive with a file of that name, in a folder of that name, or with that ending
-    Markup   // XML whose first lines hold `mark`
+    None,    // only by the file name's ending
+    Begins,  // the bytes begin with `mark`
+    Zip,     // a ZIP archive with a file named `mark`, in a folder named `mark`, or with that ending
+    Markup   // XML with `mark` in its first lines
 };
 
 struct ForeignFormat {
@@ -69,9 +69,9 @@ constexpr std::array kFormats{
     ForeignFormat{".stp", "FreeCAD, SolidWorks", ".stl"},
 };
 
-// Files that hold no building, or one that a program has made ready for a game, by their first bytes.
+// Files that contain no building, or one compiled for a game, recognised by their first bytes.
 struct ForeignFile {
-    std::string_view first_bytes, says;  // a text's key
+    std::string_view first_bytes, says;  // `says` is a text's key
 };
 constexpr std::array kFiles{
     ForeignFile{"version https://git-lfs", "reader.lfs_pointer"},
@@ -90,7 +90,7 @@ constexpr std::array kFiles{
     ForeignFile{"<?xml", "reader.xml"},
 };
 
-// Worldcraft's own format begins with a number and then three letters.
+// RMF, Worldcraft's own format, begins with a number and then these three letters.
 bool is_rmf(std::string_view bytes) { return bytes.size() > 7 && bytes.substr(4, 3) == "RMF"; }
 
 std::string sentence_of(const ForeignFormat& format) {
@@ -103,7 +103,8 @@ std::size_t number_at(std::string_view bytes, std::size_t at) {
            static_cast<std::size_t>(static_cast<unsigned char>(bytes[at + 1])) << 8U;
 }
 
-// By the list of its files, at the end of a ZIP archive: 46 bytes and then the name, as long as two of these say.
+// Searches the list of files at the end of a ZIP archive. An entry has 46 bytes and then the name, whose length is in
+// two of them.
 bool holds(std::string_view archive, std::string_view mark) {
     constexpr std::size_t kList_bytes = 65'536, kBefore = 46, kLength = 28;
     const std::string_view list = archive.substr(archive.size() - std::min(archive.size(), kList_bytes));

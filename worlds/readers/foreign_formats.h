@@ -1,5 +1,5 @@
-// Formats that are known and not read: which program writes them, and what to export there instead. One table, so that
-// a row can become a reader. Pure functions; any thread.
+// Formats that Handrail knows but does not read: which programs write them, and which format to export instead. They
+// are in one table, so that a row can later become a reader. Pure functions; any thread.
 #pragma once
 
 #include <filesystem>
@@ -8,9 +8,10 @@
 
 namespace handrail {
 
-// One sentence fit to be spoken for bytes that are known to be of such a format, whatever the file's name; else empty.
+// If the bytes are of such a format, whatever the file's name, returns one sentence that can be spoken; else an empty
+// string.
 std::string foreign_by_content(std::string_view bytes);
-// The same by the ending of the name.
+// The same, by the ending of the file name.
 std::string foreign_by_ending(const std::filesystem::path& path);
 
 }  // namespace handrail

@@ -1,5 +1,6 @@
-// glTF 2.0, as .glb or .gltf: metres, y up, turned here to z up. Nodes are things with their names; their triangles are
-// placed as the file says. Source: Khronos, glTF 2.0 specification. Compressed meshes, lines and points are not read.
+// Reads glTF 2.0, as .glb or .gltf. The file is in metres with y up and is turned to z up. Nodes become things with
+// their names; their triangles are placed as the file says. Source: Khronos, glTF 2.0 specification. Compressed meshes,
+// lines and points are not read.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,7 +19,7 @@ using Json = nlohmann::json;
 
 constexpr std::size_t kDeepest = 64, kMostNodes = 200'000, kMostNumbers = std::size_t{1} << 31;
 
-// Four by four, column by column, as the file has it.
+// A four by four matrix, column by column, as in the file.
 using Matrix = std::array<double, 16>;
 constexpr Matrix kUnmoved{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
@@ -30,7 +31,7 @@ Matrix product(const Matrix& a, const Matrix& b) {
     return c;
 }
 
-// To z up: what was up the file's y is up ours, and its z, towards the viewer, is south.
+// Turns y up into z up: the file's y becomes our z, and the file's z, towards the viewer, becomes south.
 Vec3 to_world(const Matrix& m, const Vec3& p) {
     const Vec3 at(m[0] * p.x + m[4] * p.y + m[8] * p.z + m[12], m[1] * p.x + m[5] * p.y + m[9] * p.z + m[13],
                   m[2] * p.x + m[6] * p.y + m[10] * p.z + m[14]);
@@ -56,7 +57,7 @@ std::optional<std::size_t> whole(const Json& value) {
     return static_cast<std::size_t>(value.get<double>());
 }
 
-// The entry of a list of the file that a number stands for.
+// The entry that a number refers to in one of the file's lists.
 const Json& entry(const Json& list, const Json& number) {
     static const Json kNone;
     const auto at = whole(number);
@@ -98,7 +99,7 @@ Matrix placement_of(const Json& node) {
     return placed(shift, q, scale);
 }
 
-// A kind of number in an accessor, and what a normalized one is divided by.
+// A number type of an accessor, and the divisor for normalized values.
 struct Component {
     unsigned type;
     std::size_t size;
@@ -119,7 +120,8 @@ constexpr std::array kComponents{
     Component{5126, 4, 1.0, read_as<float>},
 };
 
-// Extensions that are read, and those that only change looks. A file that requires any other cannot be read as meant.
+// Extensions that are read, and those that change only the looks. A file that requires any other one cannot be read
+// correctly.
 bool leaves_form_alone(std::string_view extension) {
     constexpr std::array<std::string_view, 11> kBegin{"KHR_mesh_quantization",
                                                       "EXT_mesh_gpu_instancing",
@@ -168,7 +170,7 @@ public:
     GltfReader(std::string_view bytes, const std::string& file_name, const ReadOptions& options)
         : bytes_(bytes), file_name_(file_name), options_(options) {
         file_.format = "gltf";
-        // The format's unit is the metre; a person may know better.
+        // The format's unit is the metre, but the person may state another.
         file_.metres_per_unit = options.unit_is_known ? options.obj_metres_per_unit : 1.0;
     }
 
@@ -230,7 +232,7 @@ private:
         return {};
     }
 
-    // The bytes of an accessor, of `size` each, one after the other by `stride`.
+    // The bytes of an accessor: elements of `size` bytes, `stride` bytes apart.
     struct Numbers {
         std::string_view bytes;
         std::size_t count = 0, stride = 0;
@@ -251,7 +253,7 @@ private:
         return Numbers{bytes.substr(begin + skip, *length - skip), *count, stride};
     }
 
-    // Rows of N numbers, which may be whole ones of one or two bytes (KHR_mesh_quantization).
+    // Rows of N numbers; integers of one or two bytes are allowed (KHR_mesh_quantization).
     template <std::size_t N>
     std::optional<std::vector<std::array<double, N>>> rows_of(const Json& accessor) const {
         const auto* const kind = std::find_if(kComponents.begin(), kComponents.end(), [&](const Component& c) {
@@ -278,7 +280,7 @@ private:
         return points;
     }
 
-    // Where copies of a node's mesh stand in it (EXT_mesh_gpu_instancing); once where nothing says so.
+    // The matrices of the copies of a node's mesh (EXT_mesh_gpu_instancing); without that extension, a single copy.
     std::optional<std::vector<Matrix>> copies_of(const Json& node) const {
         const Json& attributes = in(in(in(node, "extensions"), "EXT_mesh_gpu_instancing"), "attributes");
         if (!attributes.is_object()) return std::vector<Matrix>{kUnmoved};
@@ -300,7 +302,7 @@ private:
         return copies;
     }
 
-    // The corners of triangles one after the other; all points in their order where the file names none.
+    // The corners of the triangles one after the other; if the file gives no indices, all points in order.
     std::optional<std::vector<std::uint32_t>> corners_of(const Json& number, std::size_t points) const {
         std::vector<std::uint32_t> corners;
         if (number.is_null()) {

@@ -11,8 +11,7 @@
 namespace handrail {
 namespace {
 
-// What libpng's callbacks and its long jump out of errors share: plain data only, made before the jump's target and
-// freed after it.
+// Shared by libpng's callbacks and its long jump on errors. Plain data only, made before setjmp and freed after it.
 struct Decoder {
     const unsigned char* bytes = nullptr;
     std::size_t size = 0, at = 0;
@@ -35,8 +34,8 @@ void take_bytes(png_structp png, png_bytep out, std::size_t count) {
 [[noreturn]] void jump_out(png_structp png, png_const_charp) { png_longjmp(png, 1); }
 void keep_quiet(png_structp, png_const_charp) {}
 
-// To 16 bits a channel, grey or colour, with an alpha channel. No object that must be destroyed lives in here: libpng
-// leaves it by a long jump.
+// Decodes to 16 bits per channel, grey or colour, with an alpha channel. No object with a destructor may be in here,
+// because libpng leaves the function by a long jump.
 bool decode(Decoder& d) {
     if (setjmp(png_jmpbuf(d.png))) return false;
     png_set_read_fn(d.png, &d, take_bytes);
@@ -45,7 +44,7 @@ bool decode(Decoder& d) {
     png_read_info(d.png, d.info);
     d.width = static_cast<int>(png_get_image_width(d.png, d.info));
     d.height = static_cast<int>(png_get_image_height(d.png, d.info));
-    png_set_expand_16(d.png);  // palettes, few bits and transparent colours too
+    png_set_expand_16(d.png);  // also expands palettes, low bit depths and transparent colours
     png_set_add_alpha(d.png, 0xffff, PNG_FILLER_AFTER);
     png_set_interlace_handling(d.png);
     png_read_update_info(d.png, d.info);
@@ -66,8 +65,8 @@ std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
     return value;
 }
 
-// Every chunk up to the last lies in the file as long as it says. libpng makes room for what a chunk says of itself
-// before it reads: 1.5 GB for 47 bytes.
+// True if every chunk up to the last is as long in the file as it claims. libpng allocates memory for a chunk's claimed
+// length before it reads: 1.5 GB for a file of 47 bytes.
 bool holds_its_chunks(std::string_view bytes) {
     for (std::size_t at = 8; at + 8 <= bytes.size();) {
         const std::size_t length = big_endian(bytes, at);
@@ -109,7 +108,7 @@ Result<HeightPicture> read_height_picture(std::string_view bytes, const std::str
         return static_cast<float>(pixels[at] << 8 | pixels[at + 1]) / 65535.0F;
     };
     picture.depths.resize(count);
-    // The channel before alpha is grey or blue.
+    // The channel before alpha is grey, or blue in a colour picture.
     for (std::size_t i = 0; i < count; ++i) picture.depths[i] = value(i, channels - 2) * value(i, channels - 1);
     return picture;
 }

@@ -1,4 +1,4 @@
-// Venues in the Indoor Mapping Data Format (worlds/imdf), as a row of the table of readers.
+// A row of the table of readers for venues in the Indoor Mapping Data Format (worlds/imdf).
 #include "worlds/imdf/read_imdf.h"
 #include "worlds/readers/reader.h"
 #include "worlds/readers/spoken_text.h"

@@ -1,6 +1,6 @@
-// What a map says of its things that are free to move: cs_name dynamic_box, dynamic_sphere and dynamic_cylinder, or
-// `free` 1, with mass or density, elasticity, rolling, the friction of its surface and a rubber string. One reading
-// thread.
+// Reads the free bodies of a map. An entity is one if cs_name is dynamic_box, dynamic_sphere or dynamic_cylinder, or if
+// `free` is 1. Its keys give the mass or density, elasticity, rolling, the friction of its surface and a rubber string.
+// One reading thread.
 #pragma once
 
 #include <map>
@@ -15,26 +15,28 @@ namespace handrail {
 
 struct BodyWish {
     FreeBody body;
-    std::optional<double> mass_kg;  // none: by its volume and density_kg_per_m3
+    std::optional<double> mass_kg;  // empty: it follows from the volume and density_kg_per_m3
     double density_kg_per_m3 = 600.0;
-    std::string string;  // targetname of what its rubber string is tied to; empty: none
+    std::string string;  // targetname of the entity at the other end of its rubber string; empty: no string
     double string_n_per_m = 20.0;
     TextPlace string_place;
 };
 
-// dynamic: free unless `free` says no. can_move: a thing by itself that nothing else moves; where one that cannot is to
-// be free that is told with its place. surface: what the keys of the entity say of it.
+// dynamic: the entity is free unless `free` is 0. can_move: it is a separate thing that nothing else moves; if an
+// entity that cannot move should be free, that is reported with its place. surface: what the entity's keys say about
+// its surface.
 std::optional<BodyWish> body_wish_of(const MapEntity& entity, bool dynamic, bool can_move, const Material& surface,
                                      const MapKeys& keys, Diagnostics& diagnostics);
 
 class MapBodies {
 public:
-    // The entity's solids are in the scene, under this name. What has no volume, and what would be one too many, stays
-    // where it is, which is told.
+    // `feature` is the feature of the entity's solids in the scene. A body without volume, or beyond the maximum
+    // number, stays fixed, and that is reported.
     void add(Scene& scene, const BodyWish& wish, FeatureId feature, TextPlace place, Diagnostics& diagnostics);
-    // An entity with a place and a name, to which a string can be tied. name: its targetname.
+    // Notes an entity with a position and a name, to which a string can be tied. name: its targetname.
     void note_point(const std::string& name, const Vec3& at_m) { points_m_.emplace(name, at_m); }
-    // After the last entity: ties strings, and tells of those that lead nowhere and of bodies beyond the most.
+    // Call after the last entity. Ties the strings; reports strings that lead nowhere and bodies beyond the maximum
+    // number.
     void finish(Scene& scene, Diagnostics& diagnostics) const;
 
 private:
@@ -43,7 +45,7 @@ private:
         BodyWish wish;
     };
     std::vector<Tied> tied_;
-    std::map<std::string, Vec3> points_m_;  // the first of a name
+    std::map<std::string, Vec3> points_m_;  // if a name occurs twice, the first place
     std::size_t too_many_ = 0;
     TextPlace first_too_many_;
 };

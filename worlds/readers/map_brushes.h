@@ -1,4 +1,4 @@
-// Brushes of a map as solids, with what their textures say of them, and the count of both. One reading thread.
+// Turns the brushes of a map into solids, finds out what their textures mean, and counts them. One reading thread.
 #pragma once
 
 #include <cstdint>
@@ -16,24 +16,24 @@ namespace handrail {
 
 class MapBrushes {
 public:
-    // What is given by reference outlives this object, and so does the text of the map.
+    // The referenced objects and the text of the map must outlive this object.
     MapBrushes(double metres_per_unit, Diagnostics& diagnostics, ReadReport& report)
         : units_(metres_per_unit), diagnostics_(diagnostics), report_(report) {}
 
-    // In world metres. `report`: with warnings about what is amiss.
+    // The solid in world metres. `report`: whether to add warnings about faults.
     BuiltSolid solid_of(const MapBrush& brush, bool report);
-    // With warnings, and counted in the report.
+    // The same with warnings; also counts the brush in the report.
     BuiltSolid counted_solid_of(const MapBrush& brush);
     void count(const BuiltSolid& built);
-    // Of the brush that was built last: which face one of its planes was.
+    // For the brush built last: the face that a plane of the solid came from.
     std::uint32_t face_of_plane(std::uint32_t plane) const { return face_of_plane_[plane]; }
 
     const TextureFacts& facts_of(std::string_view texture);
-    // Special only when every face is: the first face then names the kind.
+    // A brush has a special meaning only if all its faces have one; the first face then decides which.
     TextureSense sense_of(const MapBrush& brush);
 
-    // The line of an earlier brush of this owner, of which the one that was built last is an exact repetition; 0: it is
-    // none, and counts as an earlier one from now on. `owner`: brushes of another are never the same.
+    // Returns the line of an earlier brush of the same owner that the brush built last repeats exactly. Returns 0 if it
+    // repeats none; it then counts as an earlier brush from now on. Brushes of different owners are never the same.
     int repeats(const BuiltSolid& built, std::uint32_t owner, int line);
 
     void leave_out() { ++left_out_; }
@@ -46,9 +46,9 @@ private:
     ReadReport& report_;
     std::map<std::string_view, TextureFacts> textures_;
     std::vector<Plane> planes_;                 // of the brush built last
-    std::vector<std::uint32_t> face_of_plane_;  // likewise
+    std::vector<std::uint32_t> face_of_plane_;  // of the brush built last
     int left_out_ = 0, dropped_faces_ = 0;
-    std::unordered_map<std::string, int> lines_;  // of brushes, by owner and planes
+    std::unordered_map<std::string, int> lines_;  // lines of brushes, by owner and planes
 };
 
 }  // namespace handrail

@@ -7,7 +7,7 @@
 namespace handrail {
 namespace {
 
-// Nothing below a millionth of a millimetre is worth its zeros.
+// Values below a millionth of a millimetre count as 0 in messages.
 double in_millimetres(double m) { return m < 1e-9 ? 0.0 : 1e3 * m; }
 
 }  // namespace

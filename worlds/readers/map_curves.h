@@ -1,5 +1,5 @@
-// Curved patches of a map, gathered while it is read and cut into triangles at its end, when it is known how many there
-// are. One reading thread.
+// Collects the curved patches of a map while it is read. They are cut into triangles at the end, when their number is
+// known. One reading thread.
 #pragma once
 
 #include <stop_token>
@@ -10,7 +10,7 @@
 
 namespace handrail {
 
-// In world metres, before it is cut.
+// A patch in world metres, before it is cut.
 struct MapCurve {
     PatchGrid grid;
     FeatureId feature;
@@ -24,8 +24,8 @@ public:
     void leave_out() { ++left_out_; }
     int left_out() const { return left_out_; }
 
-    // All become triangles of the scene and its features, nowhere further from the curve than chord_m; coarser ones
-    // where they would be too many.
+    // Turns all patches into triangles of the scene and its features. No triangle is farther than chord_m from its
+    // curve, unless there would be too many; then they are coarser.
     void bend(Scene& scene, double chord_m, const std::stop_token& stop);
 
 private:

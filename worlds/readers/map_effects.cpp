@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kPulls{"point", "line", "surface", "object"};
 
-// One entity. Reading ends with the sentence that refuses it.
+// Reads one entity. If it is refused, the reason is reported and reading ends.
 class EffectReader {
 public:
     EffectReader(const MapEntity& entity, std::string name, double units, Diagnostics& diagnostics)
@@ -75,7 +75,7 @@ public:
         return true;
     }
 
-    // An effect without brushes: a ball at its origin, or a capsule to its end.
+    // An effect without brushes: a sphere at its origin, or a capsule from there to its `end`.
     bool read_round(Effect& effect) {
         const std::optional<Vec3> origin = keys_.vector_of(entity_, "origin");
         if (!origin) {
@@ -93,14 +93,14 @@ public:
         return true;
     }
 
-    // `why`: the key of a sentence about the effect {name}, which may be {named} or not.
+    // `why`: the key of a sentence about the effect {name}; {named} is "yes" if it has a name, else "no".
     bool refuse(TextPlace place, std::string_view why) {
         diagnostics_.warn(place, "map.then_left_out", why, {{"name", name_}, {"named", name_.empty() ? "no" : "yes"}});
         return false;
     }
 
 private:
-    // False, and said, for a length of zero or less.
+    // Returns false, with a warning, if the length is zero or less.
     bool has_size(std::string_view key, std::string_view lack) {
         double value = 1.0;
         const MapKey* found = entity_.find(key);

@@ -1,5 +1,5 @@
-// Entities of the class haptic_effect: brushes or an origin with a radius say where, keys which law. What has no size
-// or is not closed is refused by name, and the rest of the map loads.
+// Reads entities of the class haptic_effect. Brushes, or an origin with a radius, say where the effect acts; keys say
+// which law. An effect without size, or not closed, is refused by name, and the rest of the map loads.
 #pragma once
 
 #include <functional>
@@ -11,21 +11,21 @@
 
 namespace handrail {
 
-// An effect with the name of the thing it wants to belong to, which may stand later in the file.
+// An effect with the name of the thing that it belongs to, which may come later in the file.
 struct ReadEffect {
     Effect effect;
-    std::string target;  // empty: none
+    std::string target;  // empty: it belongs to nothing
     TextPlace target_place;
 };
 
-// `name`: what is said of it. `built`: turns a brush into a solid, without warnings. Nothing where the entity is
-// refused.
+// `name`: the effect's name in messages. `built`: turns a brush into a solid, without warnings. Returns nothing if the
+// entity is refused.
 std::vector<ReadEffect> read_effects(const MapEntity& entity, int index, const std::string& name,
                                      double metres_per_unit, const std::function<BuiltSolid(const MapBrush&)>& built,
                                      Diagnostics& diagnostics);
 
-// After the whole file: which things effects belong to. An unknown name is told with the nearest one; the effect then
-// stays where it is.
+// Call after the whole file: finds the things that effects belong to. An unknown name is reported with the nearest
+// known one; the effect then does not move.
 void attach_effects(std::vector<ReadEffect>& effects, Scene& scene, Diagnostics& diagnostics);
 
 }  // namespace handrail

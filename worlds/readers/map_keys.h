@@ -1,5 +1,5 @@
-// Values of map keys: what is no number or out of range is told with its place, and the nearest legal value or the
-// default taken.
+// Reads the values of map keys. A value that is not a number or is out of range is reported with its place; the nearest
+// legal value or the default is then used.
 #pragma once
 
 #include <optional>
@@ -13,15 +13,15 @@ namespace handrail {
 
 std::string_view trimmed(std::string_view text);
 
-// "both", "front" or "back", in any case.
+// Reads "both", "front" or "back"; ignores case.
 std::optional<TouchSide> touch_side_named(std::string_view word);
 
-// What the value says, as it is spoken.
+// The value of a key as text that can be spoken.
 std::string text_of(const MapEntity& entity, std::string_view key);
 // The key's texts in other languages: `name_de` and so on for `name`.
 OtherLanguages texts_in(const MapEntity& entity, std::string_view key);
 
-// A number that a key may have. `range`: the key of the text that says it, from {least} and {most}.
+// The legal range of a number key. `range`: the key of the text that states it, with {least} and {most}.
 struct NumberKey {
     std::string_view key;
     double least, most;
@@ -32,21 +32,21 @@ class MapKeys {
 public:
     MapKeys(Diagnostics& diagnostics, double metres_per_unit) : diagnostics_(diagnostics), units_(metres_per_unit) {}
 
-    // A number from `least` to `most`; what is no number is left out, what lies outside is moved to the nearest end,
-    // both with a warning. `range` is the key of the text that says the range, from {least} and {most}.
+    // Reads a number from `least` to `most`. A value that is not a number is ignored, and one outside moves to the
+    // nearest end; both give a warning. `range` is the key of the text that states the range, with {least} and {most}.
     std::optional<double> number_of(const MapEntity& entity, std::string_view key, double least, double most,
                                     std::string_view range) const;
     std::optional<double> number_of(const MapEntity& entity, const NumberKey& key) const {
         return number_of(entity, key.key, key.least, key.most, key.range);
     }
-    // "x y z", as it stands. Without a warning about what is missing. `otherwise` is the key of what is done about a
-    // bad one.
+    // Reads "x y z" unchanged. A missing key gives no warning. `otherwise` is the key of the text that says what
+    // happens if the value is bad.
     std::optional<Vec3> vector_of(const MapEntity& entity, std::string_view key,
                                   std::string_view otherwise = "map.then_no_place") const;
     bool yes_no_of(const MapEntity& entity, std::string_view key) const;
-    // "north" or "left" and so on; empty: not given.
+    // Returns "north", "left" and so on; empty if the key is missing.
     std::string side_of(const MapEntity& entity, std::string_view key) const;
-    // The key `axis`: x, y or z, or the other way with a minus sign. The turn that brings z there.
+    // The key `axis`: x, y or z, with a minus sign for the opposite direction. `turn` rotates z into that direction.
     struct AxisTurn {
         int axis = 2;
         Rotation turn;
@@ -55,7 +55,7 @@ public:
 
 private:
     Diagnostics& diagnostics_;
-    double units_;  // metres in one
+    double units_;  // metres per map unit
 };
 
 }  // namespace handrail

@@ -1,5 +1,5 @@
-// What a map says of the game in it: `labyrinth` on worldspawn, the brushes of trigger_hole and trigger_goal, and
-// `role` of what is free to move. One reading thread.
+// Reads the labyrinth game of a map: `labyrinth` on worldspawn, the brushes of trigger_hole and trigger_goal, and the
+// key `role` of free bodies. One reading thread.
 #pragma once
 
 #include <functional>
@@ -14,12 +14,13 @@ namespace handrail {
 class MapLabyrinth {
 public:
     void note_world(const MapEntity& entity, const MapKeys& keys);
-    // False: not of the game. A place of it is neither touched nor seen; each brush is one.
+    // Takes the entity if it is a hole or a goal, else returns false. Each of its brushes is a place of its own, which
+    // is neither touched nor seen.
     bool take_place(const MapEntity& entity, std::string_view class_name, int index,
                     const std::function<BuiltSolid(const MapBrush&)>& built);
-    // The entity's solids are in the scene under this name; free: they are a free body.
+    // `feature` is the feature of the entity's solids in the scene. free: they are a free body.
     void note_role(const MapEntity& entity, FeatureId feature, bool free, Diagnostics& diagnostics);
-    // After the last entity. What makes no game of it is told, and then there is none.
+    // Call after the last entity. If the parts do not make a game, that is reported, and the scene gets none.
     void attach(Scene& scene, Diagnostics& diagnostics);
 
 private:

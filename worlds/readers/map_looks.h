@@ -1,5 +1,5 @@
-// What the surfaces of a map are made of and which of them look alike, by the keys of their entity and, where these say
-// nothing, by guesses from textures. One reading thread.
+// Decides what the surfaces of a map are made of, and which look alike: by the keys of their entity, else by guesses
+// from textures. One reading thread.
 #pragma once
 
 #include <map>
@@ -17,12 +17,12 @@ namespace handrail {
 
 class MapLooks {
 public:
-    // Whether a texture's name may tell the material.
+    // `guess`: whether a texture's name may determine the material.
     explicit MapLooks(bool guess) : guess_(guess) {}
 
-    // Alike or not must not depend on whether guessing is on, or the same map would have other walls when replayed.
+    // Must not depend on whether guessing is on; otherwise the same map would have different walls when replayed.
     FaceLook look_of(const MapMeaning& meaning, const TextureFacts& facts);
-    // One of the scene's, added where it is not among them yet.
+    // Returns a material of the scene and adds it if it is new.
     MaterialId material_of(Scene& scene, const MapMeaning& meaning, const TextureFacts& facts,
                            std::string_view texture);
     void tell_guesses(ReadReport& report) const;

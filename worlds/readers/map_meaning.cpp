@@ -31,7 +31,8 @@ MapMeaning MapMeanings::read(const MapEntity& entity, const std::string& class_n
         feature.hinge = keys_.side_of(entity, "hinge");
         feature.handle = keys_.side_of(entity, "handle");
     }
-    if (class_name == "trigger_changelevel") {  // where the map ends: one may look for it, and is told
+    // The end of the map: the person may look for it, and hears a message there.
+    if (class_name == "trigger_changelevel") {
         feature.landmark = true;
         if (feature.message.empty()) {
             feature.message = "exit.reached";
@@ -109,7 +110,7 @@ MapMeaning MapMeanings::read(const MapEntity& entity, const std::string& class_n
     return meaning;
 }
 
-// The key `shape`.
+// Reads the key `shape`.
 std::optional<PrimitiveKind> MapMeanings::shape_of(const MapEntity& entity, bool world, const MapMeaning& meaning) {
     const MapKey* key = entity.find("shape");
     if (!key) return std::nullopt;

@@ -1,4 +1,4 @@
-// What an entity of a map makes of its brushes, by its class and its keys. One reading thread.
+// Decides what an entity of a map makes of its brushes, by its class and its keys. One reading thread.
 #pragma once
 
 #include <optional>
@@ -15,27 +15,27 @@ namespace handrail {
 
 struct MapMeaning {
     SolidRole role = SolidRole::Solid;
-    std::optional<PrimitiveKind> exact;  // one exact shape in the box around its brushes
-    bool structure = false;              // not one thing: walls are named by side
-    bool liquid = false;                 // cs_name liquid
-    Feature feature;                     // used unless `structure`
+    std::optional<PrimitiveKind> exact;  // replaces the brushes with one exact shape in the box around them
+    bool structure = false;              // true: part of the building, not one thing; its walls are named by side
+    bool liquid = false;                 // cs_name is "liquid"
+    Feature feature;                     // not used if `structure` is true
     std::optional<double> viscosity_ns_per_m;
     double buoyancy_n = 0.0, film_n = 0.0;
     Vec3 flow_hand_m_per_s{0.0};
     std::optional<SoftWish> soft;
-    std::optional<BodyWish> body;  // it is free to move
-    Material surface;              // what the keys say; its name one of the library, or empty
-    std::string look;              // the same for surfaces with the same keys
+    std::optional<BodyWish> body;  // set if it is free to move
+    Material surface;              // what the keys say; its name is one of the library, or empty
+    std::string look;              // equal for surfaces with the same keys
     SourcePlace source;
 };
 
 class MapMeanings {
 public:
-    // What is given by reference outlives this object.
+    // The referenced objects must outlive this object.
     MapMeanings(double metres_per_unit, Diagnostics& diagnostics, const MapKeys& keys, MapSurfaces& surfaces)
         : units_(metres_per_unit), diagnostics_(diagnostics), keys_(keys), surfaces_(surfaces) {}
 
-    // `index`: of the entity in its file. `class_name`: in lower case.
+    // `index`: the entity's index in the file. `class_name`: in lower case.
     MapMeaning read(const MapEntity& entity, const std::string& class_name, int index);
 
 private:

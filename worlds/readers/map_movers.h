@@ -1,7 +1,7 @@
-// What a map says of its doors, lifts, buttons, trains, turning parts, switches and teleporters: classes func_door,
-// func_plat, func_button, func_train with its path_corner, func_rotating, trigger_*, with the meaning that the game of
-// 1996 and its children gave their keys, and doors of buildings, which swing. Read entity by entity; who sets whom
-// going is known only after the last.
+// Reads the doors, lifts, buttons, trains, turning parts, switches and teleporters of a map. The classes are func_door,
+// func_plat, func_button, func_train with its path_corner, func_rotating and trigger_*. Their keys have the meaning
+// that the game of 1996 and its successors gave them. Doors of buildings are read, too; they swing. Entities are read
+// one by one; what starts what is known only after the last one.
 #pragma once
 
 #include <optional>
@@ -17,18 +17,18 @@ namespace handrail {
 struct ReadMover {
     Mover mover;
     Aabb bounds_m;
-    bool door = false, linked = true;  // doors that touch go together unless the map forbids it
+    bool door = false, linked = true;  // linked: doors that touch move together, unless the map forbids it
     std::string name, target;          // targetname and target, lower case
-    std::string wish;                  // the key `opens`: a side, "up", "down", "slide" or empty
+    std::string wish;                  // the key `opens`: a side, "up", "down", "slide", or empty
     TextPlace wish_place, target_place;
     double lip_units = 0.0, angle_deg = 0.0, speed_units = 100.0, height_units = 0.0;
     bool has_angle = false, lift = false, has_wait = false, has_speed = false;
     bool train = false, turns = false, starts_on = false;
     std::optional<Vec3> turns_about_units;  // middle of its brush textured "origin"
-    std::string of_lift;                    // the key `lift` of a door: a lift's targetname, lower case
+    std::string of_lift;                    // for a door with the key `lift`: the lift's targetname in lower case
     TextPlace of_lift_place;
 };
-// A place on the way of trains.
+// A stop on the track of trains.
 struct ReadCorner {
     std::string name, target;
     Vec3 at_units{0.0};
@@ -51,24 +51,24 @@ struct ReadMovers {
     std::vector<ReadSwitch> switches;
     std::vector<ReadDestination> destinations;
     std::vector<ReadCorner> corners;
-    std::set<std::string> names;  // every targetname of the map
+    std::set<std::string> names;  // all targetnames of the map
 };
 
-// Any entity: its targetname is known from now on.
+// Call for every entity: notes its targetname.
 void note_name(ReadMovers& found, const MapEntity& entity);
 
-// An entity whose brushes became `feature`. Nothing where the class does not move. `origin_units`: the middle of its
+// Notes an entity whose brushes became `feature`, unless its class does not move. `origin_units`: the middle of its
 // brush textured "origin".
 void note_mover(ReadMovers& found, const MapEntity& entity, std::string_view class_name, FeatureId feature,
                 const MapKeys& keys, const std::optional<Vec3>& origin_units = {});
-// A path_corner.
+// Notes a path_corner.
 void note_corner(ReadMovers& found, const MapEntity& entity, const MapKeys& keys);
-// A trigger's or teleporter's volume, or a place where teleporters lead.
+// note_switch: the volume of a trigger or teleporter. note_destination: a place that teleporters lead to.
 void note_switch(ReadMovers& found, const MapEntity& entity, std::string_view class_name, FeatureId feature);
 void note_destination(ReadMovers& found, const MapEntity& entity, const Vec3& feet_m, double heading_rad);
 
-// After the whole file, when it is known whether this is a building: fills Scene::movers and Scene::switches. A target
-// that nothing answers to is told.
+// Call after the whole file, when it is known whether this is a building. Fills Scene::movers and Scene::switches. A
+// target that no entity has as its name is reported.
 void attach_movers(ReadMovers& found, Scene& scene, Diagnostics& diagnostics);
 
 }  // namespace handrail

@@ -1,4 +1,5 @@
-// Furniture placed in a map by one key, as the brushes that somebody would have drawn for it. One reading thread.
+// Furniture that one key places in a map. It is turned into the brushes that an author would have drawn. One reading
+// thread.
 #pragma once
 
 #include <optional>
@@ -8,10 +9,11 @@
 
 namespace handrail {
 
-// The piece that the key `prefab` names; nothing, and a warning, where there is none of that name or the entity has a
-// shape or no place.
+// The piece of furniture that the key `prefab` names. Returns null with a warning if there is no such piece, or if the
+// entity also has a shape or no origin.
 const Prefab* prefab_of(const MapEntity& entity, Diagnostics& diagnostics);
-// The entity with its brushes: the middle of its floor at `origin`, its front to `heading_rad`, clockwise from north.
+// The entity with the brushes of the piece: the middle of its floor is at `origin`, its front faces `heading_rad`,
+// clockwise from north.
 MapEntity with_prefab(const MapEntity& entity, const Prefab& prefab, const Vec3& origin_units, double heading_rad,
                       double metres_per_unit);
 

@@ -1,4 +1,4 @@
-// Keys of things that give way: a cushion, clay.
+// Reads the keys of soft things, such as a cushion or clay.
 #pragma once
 
 #include <optional>
@@ -9,18 +9,19 @@
 
 namespace handrail {
 
-// What an entity wants of each of its brushes.
+// What an entity's keys request for each of its brushes.
 struct SoftWish {
-    SoftFace face;             // its depth 0: half of what there is
+    SoftFace face;             // a depth of 0 means half of the thickness
     Vec3 side{0.0, 0.0, 1.0};  // which face gives way
-    TextPlace place;           // of the key `soft`
-    TextPlace depth_place;     // of the key `soft_depth`
+    TextPlace place;           // where the key `soft` is
+    TextPlace depth_place;     // where the key `soft_depth` is
 };
 
-// Nothing where the key `soft` is not there, or is no kind, or has no depth: then the thing is hard, and that is said.
+// Returns nothing if the key `soft` is missing, unknown or without depth. In the last two cases the thing stays hard,
+// and that is reported.
 std::optional<SoftWish> soft_wish_of(const MapEntity& entity, double metres_per_unit, Diagnostics& diagnostics);
 
-// For one brush. A depth that leaves nothing underneath is made less.
+// The soft face of one brush. A depth that would leave nothing hard underneath is reduced.
 std::optional<SoftFace> soft_face_of(const SoftWish& wish, const ConvexSolid& shape, const std::string& name,
                                      Diagnostics& diagnostics);
 

@@ -11,10 +11,10 @@
 namespace handrail {
 namespace {
 
-constexpr double kMostFriction = 2.0;        // rubber on rubber; more sticks the hand to the wall
-constexpr double kMostDampingNsPerM = 10.0;  // more makes a device's own noise heard in the hand
+constexpr double kMostFriction = 2.0;        // that of rubber on rubber; with more, the hand sticks to the wall
+constexpr double kMostDampingNsPerM = 10.0;  // with more, the hand feels the noise of the device itself
 constexpr double kMillimetre = 1e-3;
-constexpr double kWaveDepth_mm = 0.4, kPictureDepth_mm = 2.0, kPeriod_mm = 10.0;  // where a map gives none
+constexpr double kWaveDepth_mm = 0.4, kPictureDepth_mm = 2.0, kPeriod_mm = 10.0;  // defaults, if the map gives none
 
 constexpr NumberKey kStiffness{"stiffness", 0.0, 1.0, "map.range"};
 constexpr NumberKey kFriction{"friction", 0.0, kMostFriction, "map.range"};

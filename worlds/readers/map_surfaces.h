@@ -1,4 +1,5 @@
-// How a surface of a map feels, by the keys of its entity: stiffness, friction, waves and pictures. One reading thread.
+// Reads how a surface of a map feels, from the keys of its entity: stiffness, friction, waves and pictures. One reading
+// thread.
 #pragma once
 
 #include <functional>
@@ -14,12 +15,12 @@
 
 namespace handrail {
 
-// Equal for surfaces that feel alike, whatever they are made of.
+// A text that is equal for surfaces that feel alike, whatever they are made of.
 std::string look_of_surface(const Material& surface);
 
 class MapSurfaces {
 public:
-    // `built`: turns a brush into a solid, without warnings. What is given by reference outlives this object.
+    // `built`: turns a brush into a solid, without warnings. The referenced objects must outlive this object.
     MapSurfaces(const ReadOptions& options, double metres_per_unit, Diagnostics& diagnostics, const MapKeys& keys,
                 std::function<BuiltSolid(const MapBrush&)> built)
         : options_(options),
@@ -28,7 +29,7 @@ public:
           keys_(keys),
           built_(std::move(built)) {}
 
-    // Without the name of a material.
+    // Everything except the material's name.
     Material read(const MapEntity& entity);
 
 private:
@@ -40,7 +41,8 @@ private:
     Diagnostics& diagnostics_;
     const MapKeys& keys_;
     std::function<BuiltSolid(const MapBrush&)> built_;
-    std::map<std::string, std::shared_ptr<const HeightPicture>> pictures_;  // null: told already that it cannot be used
+    // Null: unusable, which was already reported.
+    std::map<std::string, std::shared_ptr<const HeightPicture>> pictures_;
 };
 
 }  // namespace handrail

@@ -14,7 +14,7 @@ bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
 constexpr std::string_view kPunctuation = "{}()[]";
 
-// A table, since a line may be a hundred megabytes long.
+// A lookup table, because a line may be a hundred megabytes long.
 constexpr std::array<bool, 256> kEndsWord = [] {
     std::array<bool, 256> ends{};
     for (std::size_t c = 0; c <= ' '; ++c) ends[c] = true;
@@ -53,8 +53,7 @@ public:
         return token_;
     }
 
-    // A texture's name runs to the next white space, whatever is in it, unless it is quoted. Nothing may have been
-    // peeked.
+    // An unquoted texture name runs to the next white space, whatever it contains. No token may have been peeked at.
     Token take_texture() {
         while (at_ < bytes_.size() && is_blank(bytes_[at_])) step();
         Token token{TokenKind::Word, {}, here()};
@@ -66,7 +65,7 @@ public:
         return token;
     }
 
-    // Leaves a damaged face: on to the end of the line, or to a closing brace that stands alone.
+    // Skips the rest of a damaged face: to the end of the line, or to a closing brace that stands alone.
     void skip_damaged_line() {
         if (peeked_) rewind_to_token();
         while (at_ < bytes_.size() && !is_line_end(bytes_[at_])) {
@@ -75,7 +74,8 @@ public:
         }
     }
 
-    // Leaves a block after its opening brace; only braces that stand alone count, since textures may begin with one.
+    // Skips the rest of a block, after its opening brace. Only braces that stand alone count, because texture names may
+    // begin with a brace.
     void skip_block() {
         if (peeked_) rewind_to_token();
         for (int depth = 1; at_ < bytes_.size(); step()) {
@@ -95,7 +95,7 @@ public:
 private:
     TextPlace here() const { return {line_, static_cast<int>(at_ - line_start_) + 1}; }
 
-    // One byte on, counting lines: LF, CR LF and lone CR.
+    // Advances one byte and counts lines: LF, CR LF and lone CR.
     void step() {
         const char c = bytes_[at_++];
         if (c == '\n' || (c == '\r' && (at_ >= bytes_.size() || bytes_[at_] != '\n'))) {
@@ -111,7 +111,7 @@ private:
         return (at_ == 0 || separates(bytes_[at_ - 1])) && (at_ + 1 >= bytes_.size() || separates(bytes_[at_ + 1]));
     }
 
-    // Takes back a token that was only looked at; tokens hold no line end, so the place is the token's own.
+    // Takes back a token that was only peeked at. Tokens contain no line end, so the position is the token's own.
     void rewind_to_token() {
         peeked_ = false;
         if (token_.kind == TokenKind::End) return;
@@ -148,8 +148,8 @@ private:
         return token;
     }
 
-    // A quote after a backslash belongs to the string, unless white space and then a quote, a brace or the line's end
-    // follow it: "c:\a\".
+    // A quote after a backslash belongs to the string, unless it is followed by white space and then a quote, a brace
+    // or the end of the line, as in "c:\a\".
     bool closes_after_backslash(std::size_t quote) const {
         std::size_t i = quote + 1;
         while (i < bytes_.size() && is_blank(bytes_[i]) && !is_line_end(bytes_[i])) ++i;
@@ -184,7 +184,7 @@ private:
 class Parser {
 public:
     static constexpr double kMostPatchPoints = 1025;  // along one side; editors stop at 31
-    static constexpr std::size_t kMostKeys = 1000;    // per entity; real ones have under 20
+    static constexpr std::size_t kMostKeys = 1000;    // per entity; real entities have under 20
 
     Parser(std::string_view bytes, Diagnostics& diagnostics, const std::stop_token& stop)
         : lexer_(bytes, diagnostics), diagnostics_(diagnostics), stop_(stop) {}
@@ -197,7 +197,7 @@ public:
             if (token.is('{')) read_entity(token.place);
             else if (token.text == "Version" && is_number(lexer_.peek())) read_version();
             else if (!complained_outside_) {
-                complained_outside_ = true;  // once: a file of another kind would give thousands
+                complained_outside_ = true;  // reported once only: a file of another kind would give thousands
                 diagnostics_.error(token.place, "map.then_passed_over", "map.no_entity",
                                    {{"found", excerpt(token.text)}, {"end", is_end(token)}});
             }
@@ -205,7 +205,7 @@ public:
     }
 
 private:
-    // What a text about {found} asks besides: the end of the file is no word.
+    // The extra value {end} for texts about {found}, because the end of the file is not a word.
     static const char* is_end(const Token& token) { return token.kind == TokenKind::End ? "yes" : "no"; }
 
     void read_version() {
@@ -214,7 +214,7 @@ private:
         file_.version = static_cast<int>(std::clamp(version, 0.0, 1000.0));
     }
 
-    // From version 2 on what is written of an entity lies around its own origin.
+    // From version 2 on, the coordinates of an entity are relative to its own origin.
     void move_to_origin(MapEntity& entity) const {
         constexpr int kFirstRelative = 2;
         std::string_view words = entity.value("origin");
@@ -239,7 +239,7 @@ private:
         bool complained = false;
         while (!stop_.stop_requested()) {
             const Token token = lexer_.peek();
-            if (token.is('(')) {  // faces right here: the file, or this part of it, holds brushes without an entity
+            if (token.is('(')) {  // faces without a brush: the file, or this part of it, has brushes without an entity
                 if (!complained_bare_) diagnostics_.warn(token.place, "map.then_building", "map.bare_brushes");
                 complained_bare_ = true;
                 read_faces(entity, place);
@@ -285,7 +285,7 @@ private:
         entity.keys.push_back({key.text, value.text, value.place});
     }
 
-    // After a brush's opening brace.
+    // Reads a brush after its opening brace.
     void read_brush(MapEntity& entity, TextPlace place) {
         const Token first = lexer_.peek();
         if (first.kind == TokenKind::Word) {
@@ -306,8 +306,8 @@ private:
         read_faces(entity, place);
     }
 
-    // patchDef2 { texture ( width height ... ) ( width rows of ( height points of ( x y z u v ) ) ) } and the brush's
-    // own closing brace.
+    // Reads patchDef2 { texture ( width height ... ) ( width rows of ( height points of ( x y z u v ) ) ) } and the
+    // brush's own closing brace.
     void read_patch(MapEntity& entity, TextPlace place) {
         lexer_.take();
         MapPatch patch;
@@ -325,8 +325,8 @@ private:
         for (; open_braces > 0; --open_braces) lexer_.skip_block();
     }
 
-    // The text about what was expected where the patch is damaged, and what was found there; empty when all of it was
-    // read. Braces still open are counted.
+    // If the patch is damaged, returns the key of the text about what was expected; `found` receives the token there.
+    // Returns an empty text if everything was read. `open_braces` counts the braces that are still open.
     std::string_view patch_fault(MapPatch& patch, int& open_braces, Token& found) {
         const auto take = [&](char c) {
             found = lexer_.peek();
@@ -380,8 +380,8 @@ private:
 
     enum class FaceForm { Points, PointsAndMatrix, PlaneAndMatrix };
 
-    // Faces up to and with the closing brace, plain ones or those of brushDef. One damaged face costs the brush, not
-    // the map.
+    // Reads faces up to and including the closing brace, plain ones or those of brushDef. One damaged face costs the
+    // brush, not the map.
     void read_faces(MapEntity& entity, TextPlace place, FaceForm form = FaceForm::Points) {
         MapBrush brush;
         brush.place = place;
@@ -420,7 +420,7 @@ private:
                                     {"end", is_end(token)},
                                     {"before", brushes_before()}});
             damaged = true;
-            if (token.is('{')) {  // braces within braces: nothing here can be a brush
+            if (token.is('{')) {  // nested braces: this cannot be a brush
                 lexer_.take();
                 lexer_.skip_block();
                 lexer_.skip_block();
@@ -439,8 +439,8 @@ private:
 
     int brushes_before() const { return file_.brushes - file_.brushes_damaged - 1; }
 
-    // "( x y z ) ( x y z ) ( x y z ) TEXTURE" and then numbers, or two axes in square brackets and numbers. Games add
-    // numbers: none is required.
+    // Reads "( x y z ) ( x y z ) ( x y z ) TEXTURE" and then numbers, or two axes in square brackets and numbers. Games
+    // add further numbers; none is required.
     bool read_face(MapFace& face, bool silent, FaceForm form) {
         face.place = lexer_.peek().place;
         const auto refuse = [&](const Token& found, std::string_view what, int point = 0) {
@@ -477,7 +477,7 @@ private:
                 face.points_units[point] = {p[0], p[1], p[2]};
             }
         }
-        // Looked at only here: elsewhere a texture's name may begin with a bracket.
+        // The bracket is checked only here, because elsewhere a texture's name may begin with one.
         if (form != FaceForm::Points && !skip_texture_matrix()) return refuse(lexer_.peek(), "map.face_matrix");
         const Token texture = lexer_.take_texture();
         if (texture.kind == TokenKind::End) return refuse(texture, "map.face_texture");
@@ -486,7 +486,8 @@ private:
         return true;
     }
 
-    // "( a b c d )" of brushDef3: what lies on ax + by + cz + d = 0, seen from where that is more. False: no direction.
+    // "( a b c d )" of brushDef3: three points on the plane ax + by + cz + d = 0, in the order seen from the side where
+    // the sum is positive. Returns false if the normal has no direction.
     static bool points_of_plane(const std::array<double, 4>& plane, MapFace& face) {
         constexpr double kApart_units = 128.0;
         const Vec3 normal(plane[0], plane[1], plane[2]);
@@ -498,7 +499,7 @@ private:
         return true;
     }
 
-    // "( ( 1 0 0 ) ( 0 1 0 ) )" in brushDef.
+    // Skips "( ( 1 0 0 ) ( 0 1 0 ) )" in brushDef.
     bool skip_texture_matrix() {
         if (!lexer_.peek().is('(')) return false;
         lexer_.take();

@@ -1,6 +1,7 @@
-// The grammar of Quake-family .map files, without its meaning: entities with keys brushes of three-point faces,
-// Standard or Valve 220 per face or within brushDef, planes of brushDef3 (Doom 3), and curved patches. Takes any bytes:
-// damage is reported and what is complete is kept. No recursion. Time and memory are proportional to the file.
+// The grammar of .map files of the Quake family, without its meaning: entities with keys, brushes and curved patches.
+// Brush faces are three points, Standard or Valve 220 for each face, plain or within brushDef; or planes of brushDef3
+// (Doom 3). Accepts any bytes: reports damage and keeps what is complete. No recursion. Time and memory are
+// proportional to the file.
 #pragma once
 
 #include <array>
@@ -14,10 +15,10 @@
 
 namespace handrail {
 
-// Views point into the bytes that were parsed.
+// The string views point into the parsed bytes.
 struct MapKey {
-    std::string_view key, value;  // as between the quotes, backslashes included
-    TextPlace place;              // of the value
+    std::string_view key, value;  // the text between the quotes, including backslashes
+    TextPlace place;              // where the value is
 };
 
 struct MapFace {
@@ -31,8 +32,8 @@ struct MapBrush {
     TextPlace place;
 };
 
-// A curved surface, patchDef2 or patchDef3: control points in units. The splits that patchDef3 names are left to the
-// reader's own error bound.
+// A curved surface, patchDef2 or patchDef3: control points in map units. The split counts of patchDef3 are ignored; the
+// reader's own error bound decides.
 struct MapPatch {
     PatchGrid grid_units;
     std::string_view texture;
@@ -40,28 +41,28 @@ struct MapPatch {
 };
 
 struct MapEntity {
-    std::vector<MapKey> keys;  // a key given twice stands here once, with its last value
+    std::vector<MapKey> keys;  // a key given twice is here once, with its last value
     std::vector<MapBrush> brushes;
     std::vector<MapPatch> patches;
     TextPlace place;
 
     const MapKey* find(std::string_view key) const;
-    std::string_view value(std::string_view key) const;  // empty when absent
+    std::string_view value(std::string_view key) const;  // empty if the key is missing
 };
 
 struct MapFile {
     std::vector<MapEntity> entities;
-    int brushes = 0;          // complete ones and damaged ones
+    int brushes = 0;          // both complete and damaged ones
     int brushes_damaged = 0;  // left out
     int curves_damaged = 0;   // patchDef2, patchDef3: left out
     int primitives = 0;       // other forms: left out
-    int version = 0;          // as its first line says; 2 and later: forms lie around the origin of their entity
+    int version = 0;          // from its first line; from 2 on, coordinates are relative to the origin of their entity
 };
 
-// Stopped in the middle it gives what it has by then.
+// If stopped, it returns what it has read so far.
 MapFile parse_map(std::string_view bytes, Diagnostics& diagnostics, const std::stop_token& stop = {});
 
-// What a quoted string says: \" becomes ", everything else stays.
+// Decodes a quoted string: \" becomes ", everything else stays.
 std::string unquoted(std::string_view raw);
 
 }  // namespace handrail

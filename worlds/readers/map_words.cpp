@@ -26,7 +26,7 @@ constexpr std::array kClasses{
 };
 
 struct SoundRow {
-    std::string_view class_name, name;  // a text's key
+    std::string_view class_name, name;  // `name` is a text's key
 };
 constexpr std::array kSounds{
     SoundRow{"ambient_comp_hum", "map.sound_computer_hum"},

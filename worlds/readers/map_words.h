@@ -1,5 +1,5 @@
-// What the words of a map mean: the classes of its entities, the sounds they make, and the names of its textures.
-// Tables and pure functions; names are those that files know things by, spoken as phrase("kind." + name). Any thread.
+// The meaning of the words of a map: the classes of its entities, the sounds that they make, and the names of its
+// textures. Tables and pure functions. Names are those that files use; speech uses phrase("kind." + name). Any thread.
 #pragma once
 
 #include <string_view>
@@ -9,27 +9,27 @@
 
 namespace handrail {
 
-// What the class of an entity makes of its brushes. The first row that fits counts; a name ending in * fits as a
-// beginning.
+// What an entity of this class makes of its brushes. The first row that matches counts; a name that ends in * matches
+// as a prefix.
 struct ClassRow {
     std::string_view class_name;
     SolidRole role;
     FeatureKind kind;
-    std::string_view name;  // spoken where the map gives none; empty: by shape
+    std::string_view name;  // used if the map gives no name; empty: named by shape
 };
 const ClassRow* class_row(std::string_view class_name);  // null: an ordinary thing
 
-// One of our own names, where the map gives none.
+// Gives the feature one of our own names, for when the map gives none.
 void give_name(Feature& feature, std::string_view name);
 
-// Part of the building itself: its brushes are joined and named by side unless the entity has a name of its own.
+// True for parts of the building itself: their brushes are joined, and named by side unless the entity has a name.
 bool is_structure(std::string_view class_name);
-// Fire, fountains and the like: seen in other programs, felt in none, heard here.
+// Fire, fountains and the like: other programs show them; in Handrail they can only be heard.
 bool is_particles(std::string_view class_name);
-// The key of the text that names the sound of such an entity; empty: the class has none.
+// The key of the text that names the sound of such an entity; empty if the class has no sound.
 std::string_view sound_of_class(std::string_view class_name);
 
-// What one texture says about the brush it covers.
+// What a texture says about the brush that it covers.
 enum class TextureSense { Ordinary, Water, Slime, Lava, Teleport, Clip, Trigger, LeftOut };
 
 struct TextureFacts {

@@ -10,14 +10,14 @@ namespace {
 
 constexpr double kBarelyIn_m = 1e-4;
 constexpr std::size_t kMostBodySolids = 20'000;
-constexpr std::size_t kMostLooks = 50'000'000;       // triangles looked at to see what lies in what
-constexpr std::size_t kMostFilling = 1'000'000'000;  // faces looked at to fill bodies: some seconds
+constexpr std::size_t kMostLooks = 50'000'000;       // triangles tested to find what is inside what
+constexpr std::size_t kMostFilling = 1'000'000'000;  // faces tested to fill bodies: some seconds
 
 struct ShellPlace {
     std::size_t piece = 0;
     MeshShell shell;
     bool is_body = false;
-    std::size_t hollow_of = 0;  // of one that is seen from inside: its body's place; itself, if none
+    std::size_t hollow_of = 0;  // for an inward-facing shell: index of its body, or its own index if it has none
 };
 
 class BodySorter {
@@ -58,7 +58,7 @@ private:
                glm::all(glm::lessThanEqual(inner.max_m, reach.max_m));
     }
 
-    // Is a place within the skin of a shell? No more is asked once that was much.
+    // True if a place is inside a shell. Always false once kMostLooks triangles have been tested.
     bool around(std::size_t s, const Vec3& at_m) {
         const ShellPlace& place = shells_[s];
         looks_ += place.shell.triangles.size();
@@ -71,7 +71,7 @@ private:
         return mesh.points_m[mesh.triangles[shells_[s].shell.triangles.front()][0]];
     }
 
-    // Each closed piece that is seen from inside belongs to the smallest one of its mesh that goes round it.
+    // Each closed shell that faces inwards belongs to the smallest shell of its mesh that surrounds it.
     void find_hollows(const BoxIndex& index) {
         hollows_.resize(shells_.size());
         for (std::size_t s = 0; s < shells_.size() && !stop_.stop_requested(); ++s) {
@@ -89,7 +89,7 @@ private:
         }
     }
 
-    // By the middle of each other's box, as far as that lies in this one's.
+    // True if the shell contains the middle of the box of another shell whose box is within this one's.
     bool holds_others(std::size_t s, const BoxIndex& index) {
         index.find(boxes_[s], near_);
         const std::vector<std::uint32_t> near = near_;
@@ -106,7 +106,7 @@ private:
         return false;
     }
 
-    // False: it is none after all.
+    // Adds a body; returns false if the shell turns out not to be one.
     bool add_body(std::size_t s, std::size_t& solids, MeshBodies& made) {
         const ShellPlace& place = shells_[s];
         const MeshPiece& mesh = meshes_[place.piece];
@@ -119,17 +119,18 @@ private:
         limits.most_solids = std::min(limits.most_solids, kMostBodySolids - std::min(solids, kMostBodySolids));
         if (auto filled = solids_within(mesh.points_m, mesh.triangles, body.triangles, limits, stop_))
             body.solids = std::move(*filled);
-        // Alone, convex: one may stand in it.
+        // A single convex shell may be a room to stand in, so it is no body.
         const bool alone = shells_.size() == 1;
         if (alone && (body.solids.size() == 1 || (body.solids.empty() && goes_out_all_round(s)))) return false;
         const Vec3 size = boxes_[s].size_m();
-        if (std::min({size.x, size.y, size.z}) < kBarelyIn_m) return false;  // a sheet that was doubled
+        if (std::min({size.x, size.y, size.z}) < kBarelyIn_m) return false;  // a sheet given twice, once for each side
         solids += body.solids.size();
         made.bodies.push_back(std::move(body));
         return true;
     }
 
-    // All corners lie behind all faces. Of a shell that was too fine to be filled, so only some of the faces are asked.
+    // True if all corners are behind all faces, that is, the shell is convex. For shells too fine to be filled, so only
+    // up to 1000 faces are tested.
     bool goes_out_all_round(std::size_t s) const {
         const MeshPiece& mesh = meshes_[shells_[s].piece];
         const std::vector<std::uint32_t>& all = shells_[s].shell.triangles;
@@ -151,7 +152,7 @@ private:
     std::stop_token stop_;
     std::vector<ShellPlace> shells_;
     std::vector<Aabb> boxes_;
-    std::vector<std::vector<std::size_t>> hollows_;  // of each shell
+    std::vector<std::vector<std::size_t>> hollows_;  // indexed by shell
     std::vector<std::size_t> holders_;
     std::vector<std::uint32_t> near_;
     std::size_t looks_ = 0, filling_left_ = kMostFilling;

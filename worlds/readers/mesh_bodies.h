@@ -1,5 +1,5 @@
-// Which closed pieces of meshes are bodies: filled by convex solids, or, where they are too finely made for that, skins
-// that are touched from outside only. What is left of the meshes are sheets. One reading thread.
+// Finds the closed pieces of meshes that are solid bodies. A body is filled with convex solids; if it is too finely
+// made for that, only its outer surface can be touched. The remaining triangles are sheets. One reading thread.
 #pragma once
 
 #include <span>
@@ -16,20 +16,21 @@ struct MeshPiece {
 };
 
 struct MeshBody {
-    std::size_t piece = 0;                 // its place in the meshes
-    std::vector<std::uint32_t> triangles;  // of it, with those of its hollows
+    std::size_t piece = 0;                 // index of its mesh
+    std::vector<std::uint32_t> triangles;  // its triangles, including those of its hollows
     Aabb box;
-    std::vector<ConvexSolid> solids;  // none: its skin is touched from outside
+    std::vector<ConvexSolid> solids;  // empty: only its outer surface can be touched
 };
 
 struct MeshBodies {
     std::vector<MeshBody> bodies;
-    std::vector<std::vector<std::uint32_t>> rest;  // of each mesh, triangles that are no part of a body
+    std::vector<std::vector<std::uint32_t>> rest;  // for each mesh, the triangles that belong to no body
 };
 
-// A closed piece that is seen from outside is a body, together with the closed pieces in it that are seen from inside.
-// It is none where others lie in it, as in the shell of a room, or where it is convex and alone, since one may stand in
-// that. At most 20,000 solids in all, and some seconds of filling; what comes after is touched from outside.
+// A closed piece that faces outwards is a body, together with the closed pieces inside it that face inwards. It is no
+// body if it contains others, as the shell of a room does. It is no body either if it is convex and alone, because a
+// person may stand in it. Fills at most 20,000 solids in all, for some seconds; for further bodies only the outer
+// surface can be touched.
 MeshBodies mesh_bodies(std::span<const MeshPiece> meshes, const std::stop_token& stop = {});
 
 }  // namespace handrail

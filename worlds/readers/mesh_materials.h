@@ -1,4 +1,4 @@
-// What a mesh calls a material, as a material of the library: what the readers of meshes share. Pure; any thread.
+// Finds the material of the library for a material name of a mesh; shared by the readers of meshes. Pure; any thread.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace handrail {
 
-// By its name, or by what stands in the name where that may be guessed; none: neither tells anything.
+// Finds it by the exact name or, if `guess` is true, by words within the name. Empty if neither fits.
 std::optional<Material> mesh_material(const std::string& name, bool guess);
 
 }  // namespace handrail

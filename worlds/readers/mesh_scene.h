@@ -1,5 +1,5 @@
-// Named triangle meshes to a Scene: what glTF, PLY and STL have in common. A closed mesh is solid (mesh_bodies says
-// which and why not); all else are sheets that both sides can be touched of.
+// Turns named triangle meshes into a Scene; shared by glTF, PLY and STL. A closed mesh is solid (mesh_bodies decides
+// which); everything else is sheets that can be touched from both sides.
 #pragma once
 
 #include <array>
@@ -16,11 +16,11 @@ namespace handrail {
 inline constexpr std::size_t kMostMeshTriangles = 2'000'000;
 
 struct MeshPart {
-    std::uint32_t thing = 0;  // parts of one number are one thing, called by the first one's name
-    std::string name;         // as the file has it
-    std::string material;     // likewise
+    std::uint32_t thing = 0;  // parts with the same number are one thing, with the first part's name
+    std::string name;         // as the file states it
+    std::string material;     // as the file states it
     std::vector<Vec3> points_m;
-    std::vector<std::array<std::uint32_t, 3>> triangles;  // places in points_m
+    std::vector<std::array<std::uint32_t, 3>> triangles;  // indices into points_m
 };
 
 struct MeshFile {
@@ -30,7 +30,7 @@ struct MeshFile {
     int parts_left_out = 0, faces_left_out = 0;
 };
 
-// Triangles with a point out of range or that is not there are left out and counted. Fails where nothing is left.
+// Triangles with a missing point, or one out of range, are left out and counted. Fails if no triangle is left.
 Result<Scene> scene_of_meshes(MeshFile file, Diagnostics diagnostics, const std::string& file_name,
                               const ReadOptions& options);
 

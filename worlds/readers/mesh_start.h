@@ -1,5 +1,5 @@
-// Where somebody can stand in a mesh whose format knows no start: on a floor of sheets or solids with room for a body
-// and to go on from. Pure function; any thread.
+// Finds a place to stand in a mesh, for formats without a start: on a floor of sheets or solids, with room for a body
+// and space to walk on from there. Pure function; any thread.
 #pragma once
 
 #include <optional>
@@ -9,14 +9,14 @@
 
 namespace handrail {
 
-// They overlap by more than a micrometre; wrongly true only near an edge of the solid.
+// True if they overlap by more than a micrometre. May be wrongly true near an edge of the solid.
 bool meets(const Solid& solid, const Aabb& box);
 
-// The soles, at the free place nearest to the middle: under something before under the sky, lower before higher. From
-// it one must be able to go on to most sides, on level ground, so that nobody begins on a table or within a wall.
-// Nothing: there is no such place. Looks at some hundred columns; `stop` is asked at each.
+// Returns where the soles are, at the free place nearest to the middle. It prefers places under a roof, and then lower
+// ones. From there the person must be able to walk on to most sides on level ground, so that nobody starts on a table
+// or within a wall. Empty if there is no such place. Tests some hundred columns and checks `stop` at each.
 std::optional<Vec3> place_to_stand(const Scene& scene, const std::stop_token& stop = {});
-// Makes it the start of the scene, where there is one, and says so in its report.
+// Makes that place the scene's start, if there is one, and says so in the scene's report.
 void start_on_floor(Scene& scene, const std::stop_token& stop);
 
 }  // namespace handrail

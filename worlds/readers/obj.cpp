@@ -1,5 +1,6 @@
-// Wavefront .obj meshes: closed things are solid (mesh_bodies); else triangles as sheets, two-sided unless a comment
-// "#touch_side front" or "back" says otherwise for the faces below it. Damage is reported by line and the rest loads.
+// Reads Wavefront .obj meshes. Closed things are solid (mesh_bodies). Others are triangles as sheets: two-sided, unless
+// a comment "#touch_side front" or "back" says otherwise for the faces below it. Damage is reported by line and the
+// rest loads.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -20,21 +21,21 @@
 namespace handrail {
 namespace {
 
-constexpr double kObjSurfaceUnit_m = 1.0 / 32.0;  // as derive_surfaces has it for maps
+constexpr double kObjSurfaceUnit_m = 1.0 / 32.0;  // as in derive_surfaces for maps
 constexpr std::size_t kMostCorners = 4096;        // of one polygon; splitting a larger one would take minutes
 
 double twice_area(const Vec2& a, const Vec2& b, const Vec2& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// Cuts a polygon into triangles of corner numbers: an ear at a time, so that concave ones come out right. What has no
-// ears left (twisted or without area) is cut as a fan. Always corners - 2 triangles. O(corners squared) for convex
-// polygons.
+// Cuts a polygon into triangles of corner numbers, one ear at a time, so that concave polygons come out right. If no
+// ears are left (twisted or without area), the rest is cut as a fan. Always gives corners - 2 triangles. O(corners
+// squared) for convex polygons.
 std::vector<std::array<std::size_t, 3>> triangles_of(const std::vector<Vec3>& corners_m, const std::stop_token& stop) {
     Vec3 normal{0.0};
     for (std::size_t i = 1; i + 1 < corners_m.size(); ++i)
         normal += glm::cross(corners_m[i] - corners_m[0], corners_m[i + 1] - corners_m[0]);
-    // Seen along the axis nearest to the normal, from the side where the corners run counter-clockwise.
+    // Projects along the axis nearest to the normal, seen from the side where the corners run counter-clockwise.
     const Vec3 size = glm::abs(normal);
     const int axis = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
     std::vector<Vec2> flat;
@@ -55,7 +56,7 @@ std::vector<std::array<std::size_t, 3>> triangles_of(const std::vector<Vec3>& co
         });
     };
     while (ring.size() > 3 && !stop.stop_requested()) {
-        std::size_t ear = 1;  // without any ear: the next corner, which makes a fan
+        std::size_t ear = 1;  // if there is no ear: the next corner, which makes a fan
         for (std::size_t at = 0; at < ring.size() && !stop.stop_requested(); ++at) {
             if (!is_ear(at)) continue;
             ear = at;
@@ -79,7 +80,7 @@ public:
         scene_.metres_per_unit = options.obj_metres_per_unit;
     }
 
-    // With the y axis of the file upwards, and the sentence that says how that is known.
+    // Reads the file's y axis as up. `how`: a sentence that says how this is known.
     void stand_y_up(std::string how) {
         y_up_ = true;
         scene_.report.guessed.push_back(std::move(how));
@@ -97,7 +98,7 @@ public:
         if (options_.stop.stop_requested()) return fail(phrase("files.stopped"), scene_.source_file);
         ReadReport& report = scene_.report;
         report.polygons_kept = report.polygons;
-        report.polygons_hidden = 0;  // what is hidden are cuts through the inside, none of the file's
+        report.polygons_hidden = 0;  // the hidden faces are cuts through the inside, not faces of the file
         report.triangles = static_cast<int>(scene_.triangles.size());
         if (curves_ > 0) report.left_out.push_back(phrase("obj.curves_left_out", {{"n", curves_}}));
         if (faces_left_out_ > 0) report.left_out.push_back(phrase("obj.faces_left_out", {{"n", faces_left_out_}}));
@@ -110,7 +111,7 @@ public:
     }
 
 private:
-    // Moves to the next line, of which LF, CR LF or CR is the end; a backslash at a line's end joins the next to it.
+    // Moves to the next line. Lines end with LF, CR LF or CR; a backslash at the end joins the next line to it.
     bool next_line() {
         if (at_ >= bytes_.size()) return false;
         words_.clear();
@@ -134,7 +135,7 @@ private:
         return true;
     }
 
-    // A comment, so that other programs pass it over.
+    // Reads "#touch_side", which is a comment so that other programs ignore it.
     void read_side(std::string_view word) {
         if (const std::optional<TouchSide> side = touch_side_named(word)) side_ = *side;
         else
@@ -173,7 +174,7 @@ private:
         else if (what == "l" || what == "p" || what == "curv" || what == "surf") ++curves_;
         else if (what != "vt" && what != "vn" && what != "vp" && what != "s" && what != "mtllib" &&
                  !complained_unknown_) {
-            complained_unknown_ = true;  // once: a file of another kind would give thousands
+            complained_unknown_ = true;  // reported once only: a file of another kind would give thousands
             diagnostics_.warn(place(0), "map.then_passed_over", "obj.no_statement", {{"word", excerpt(what)}});
         }
     }
@@ -202,7 +203,7 @@ private:
         vertices_.push_back(vertex);
     }
 
-    // The point a corner "7", "7/1/3" or "-1" stands for; what is wrong is said.
+    // The point that a corner "7", "7/1/3" or "-1" refers to; faults are reported.
     const Vec3* corner(const Word& word) {
         long long number = 0;
         const std::string_view text = word.text.substr(0, word.text.find('/'));
@@ -284,12 +285,12 @@ private:
         }
     }
 
-    // Things whose faces all have two sides and close up become solid.
+    // Makes things solid whose faces are all two-sided and form a closed surface.
     void fill_closed() {
         struct Thing {
             std::vector<Vec3> points_m;
             std::vector<MeshCorners> corners;
-            std::vector<std::size_t> triangles;  // of the scene
+            std::vector<std::size_t> triangles;  // indices into the scene's triangles
             bool two_sided = true;
         };
         std::vector<Thing> things(scene_.features.size());
@@ -329,7 +330,8 @@ private:
         if (outsides > 0) scene_.report.simplified.push_back(phrase("mesh.outsides", {{"n", outsides}}));
     }
 
-    // Each side is made of what the skin is made of in its middle; a side that is only a cut takes the first face's.
+    // Each face takes the material of the mesh surface at the face's middle. A face that is only a cut takes the first
+    // triangle's material.
     void add_solid(ConvexSolid shape, const std::vector<std::size_t>& skin) {
         const MeshTriangle& first = scene_.triangles[skin.front()];
         const bool alike = std::all_of(skin.begin(), skin.end(),
@@ -390,13 +392,13 @@ private:
     std::map<std::string, MaterialId> materials_;
     std::map<std::string, std::string> guessed_from_;
     std::map<std::pair<std::uint32_t, MaterialId>, double> areas_m2_;
-    std::vector<std::vector<FaceLook>> looks_;  // of the scene's solids
+    std::vector<std::vector<FaceLook>> looks_;  // for each of the scene's solids
     int curves_ = 0, faces_left_out_ = 0;
     bool complained_unknown_ = false;
     bool y_up_ = false;
 };
 
-// Programs that say who wrote the file, and always write it in the same way.
+// Recognises Sweet Home 3D, which states its name in the file and always writes files in the same way.
 bool is_of_sweet_home(std::string_view bytes) {
     constexpr std::size_t kHead = 1024;
     const std::string_view head = bytes.substr(0, kHead);
@@ -406,7 +408,7 @@ bool is_of_sweet_home(std::string_view bytes) {
                std::string_view::npos;
 }
 
-// Things called floor or ceiling are thin from south to north, and none is thin upwards.
+// True if things called floor or ceiling are thin from south to north and none of them is thin upwards.
 bool lies_on_its_side(const Scene& scene) {
     constexpr std::array<std::string_view, 6> kFlatThings{"floor", "ceiling", "ground", "boden", "decke", "slab"};
     constexpr double kThin = 0.2;

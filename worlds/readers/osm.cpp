@@ -1,4 +1,4 @@
-// Buildings from OpenStreetMap (worlds/osm), as a row of the table of readers.
+// A row of the table of readers for buildings from OpenStreetMap (worlds/osm).
 #include "worlds/osm/read_osm.h"
 #include "worlds/readers/reader.h"
 #include "worlds/readers/spoken_text.h"

@@ -1,5 +1,5 @@
-// A file becomes a Scene. Readers take bytes and never crash, hang or half-load silently: each loss is a Diagnostic.
-// App or worker thread.
+// Turns a file into a Scene. Readers accept any bytes and never crash, hang or silently lose content: each loss is a
+// Diagnostic. App or worker thread.
 #pragma once
 
 #include <filesystem>
@@ -17,91 +17,119 @@ namespace handrail {
 struct ReadOptions {
     double map_metres_per_unit = 1.0 / 32.0;  // for .map files (Quake: 1/32)
     double obj_metres_per_unit = 1.0;         // for .obj, .ply and .stl files
-    // A person said it: read_world asks no more whether a very wide or narrow world is meant so.
+    // The person stated the unit, so read_world does not ask whether a very wide or narrow world is intended.
     bool unit_is_known = false;
-    bool guess_materials = true;  // from texture names; exploring yes, replay no
-    bool solid_meshes = true;     // closed things of an .obj are solid; exploring yes, replay no
-    std::string building;         // of a file with several, by its name or number; empty: the one with most rooms
-    // Another file of the world, by its name relative to the world's own, such as a height picture; empty: there is
-    // none to be had.
+    bool guess_materials = true;  // from texture names; true for exploring, false for replay
+    bool solid_meshes = true;     // closed things of an .obj are solid; true for exploring, false for replay
+    std::string building;  // which building of a file with several, by name or number; empty: the one with most rooms
+    // Reads another file of the world, such as a height picture, by its name relative to the world's own. Empty: no
+    // other files can be read.
     std::function<Result<std::string>(const std::string& name)> read_beside;
-    std::function<void(double fraction)> progress;      // 0 to 1, called from the reading thread; may be empty
-    std::function<void(std::string_view stage)> stage;  // what it is at, a text's key ("import.shapes"); may be empty
-    std::stop_token stop;  // looked at many times a second, whatever the file holds; the reading fails then, and nobody
-                           // needs its sentence
+    std::function<void(double fraction)> progress;  // 0 to 1, called on the reading thread; may be empty
+    // Receives the current stage as a text's key ("import.shapes"); may be empty.
+    std::function<void(std::string_view stage)> stage;
+    // Checked many times a second, whatever the file contains; reading then fails, and its sentence is not used.
+    std::stop_token stop;
 };
 
-// One map format: which files it takes and how it reads them. A table row, the MapReader seam.
+// One file format: which files it accepts and how it reads them. A row of the reader table; new formats are added here.
 struct MapReader {
-    std::string_view name;                                                       // as in `info --json`: "map"
-    bool (*accepts)(const std::filesystem::path& path, std::string_view bytes);  // by ending and first bytes
+    std::string_view name;  // as in `info --json`: "map"
+    // Decides by the ending and the first bytes.
+    bool (*accepts)(const std::filesystem::path& path, std::string_view bytes);
     Result<Scene> (*read)(std::string_view bytes, const std::string& file_name, const ReadOptions& options);
 };
 
-// Quake-family .map, Standard and Valve 220. Keys of our own, on any entity that has brushes unless said otherwise:
-//   name       spoken name; on worldspawn the world's. All brushes of an entity with a name are one thing.
-//   material   a name of material_library(); stiffness 0 to 1 of what the device can render; friction 0 to 2 (Coulomb's
-//   mu) friction_static 0 to 2; damping 0 to 10 Ns/m of hand speed texture_wave sine, square or none; texture_period 1
-//   to 100 mm, texture_depth 0 to 5 mm, friction_wave 0 to 0.3, texture_angle in degrees; texture_picture, a PNG beside
-//   the map, with texture_size in units landmark, clue   0 or 1;   hinge, handle   north, north-east, ... or left,
-//   right, top, bottom (doors) message    a longer description; of a trigger: spoken on entering it cs_name    liquid,
-//   dynamic_box, dynamic_sphere, dynamic_cylinder; else a name;   viscosity 0 to 100 Ns/m of hand speed (liquids) shape
-//   box, sphere, cylinder, cone or capsule: one exact shape in the box around the entity's brushes; axis   x, y, z, -x,
-//   -y or -z: its direction sound      makes the entity a sound source (with an origin, or at the middle of its
-//   brushes); ambient_* classes and particles (particle*, torches,
-//              flames, env_fire, env_spark*, env_steam, env_smoke*) are sources without it;   volume   0 to 1
-//   free       1: a thing of its own is free to move, which dynamic_* are without it; 0: it is not. Then mass 0.01 to
-//              10,000 kg, else density 20 to 20,000 kg/m3 (600), elasticity 0 to 0.95 (0.2), rolling 0 to 1 (0.1), and
-//              friction and friction_static of the surface (0.4, and 1.25 times as much)
-//   building   on worldspawn: 1 a building with the body of a person, 0 a game map. Without it a map with game things
-//   (wad or worldtype on
-//              worldspawn; lights, items, monsters, weapons, ambients, deathmatch starts) is a game map, unless it has
-//              a `thing` or a cs_name.
-// A start's origin lies 24 units above the soles; info_player_start is the base, else the first start.
+// Reads .map files of the Quake family, Standard and Valve 220. These keys are Handrail's own. They apply to any entity
+// with brushes unless the table says otherwise; defaults are in brackets.
+//
+//   key              value                     meaning
+//   name             text                      spoken name; on worldspawn that of the world; the brushes of a named
+//                                              entity are one thing
+//   material         a name                    from material_library()
+//   stiffness        0 to 1                    share of what the device can render
+//   friction         0 to 2                    Coulomb's mu while sliding
+//   friction_static  0 to 2                    the same at rest
+//   damping          0 to 10 Ns/m              per hand speed
+//   texture_wave     sine, square or none
+//   texture_period   1 to 100 mm
+//   texture_depth    0 to 5 mm
+//   friction_wave    0 to 0.3
+//   texture_angle    degrees
+//   texture_picture  file name                 a PNG next to the map
+//   texture_size     map units                 width of one copy of the picture
+//   landmark, clue   0 or 1
+//   hinge, handle    north, north-east, ...,   of a door
+//                    left, right, top, bottom
+//   message          text                      a longer description; for a trigger, announced on entering it
+//   cs_name          liquid, dynamic_box,      any other value is a name
+//                    dynamic_sphere,
+//                    dynamic_cylinder
+//   viscosity        0 to 100 Ns/m             of a liquid, per hand speed
+//   shape            box, sphere, cylinder,    one exact shape in the box around the entity's brushes
+//                    cone, capsule
+//   axis             x, y, z, -x, -y, -z       direction of that shape
+//   sound            text                      makes the entity a sound source, at its origin or at the middle of its
+//                                              brushes; ambient_* classes and particles (particle*, torches, flames,
+//                                              env_fire, env_spark*, env_steam, env_smoke*) are sources without it
+//   volume           0 to 1                    loudness of that sound
+//   free             0 or 1                    1: a separate thing is free to move; dynamic_* are free without this key
+//                                              unless it is 0; the next six rows apply to free bodies
+//   mass             0.01 to 10,000 kg         if missing, it follows from the density
+//   density          20 to 20,000 kg/m3 (600)
+//   elasticity       0 to 0.95 (0.2)
+//   rolling          0 to 1 (0.1)
+//   friction         as above (0.4)
+//   friction_static  as above                  (1.25 times the friction)
+//   building         0 or 1                    on worldspawn only; 1: a building with a person's body, 0: a game map
+//
+// Without the key `building`, a map with things of a game is a game map, unless it has a `thing` or a cs_name. Things
+// of a game are wad or worldtype on worldspawn, lights, items, monsters, weapons, ambients and deathmatch starts.
+// A start's origin is 24 units above the soles. The base is info_player_start, else the first start.
 Result<Scene> read_quake_map(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
-// Wavefront .obj: z up, in metres unless the options say otherwise. `o` and `g` name features, `usemtl` materials.
-// A thing that is closed is solid, as below; all else are Scene::triangles.
+// Reads Wavefront .obj: z up, in metres unless the options say otherwise. `o` and `g` name features, `usemtl`
+// materials. Closed things are solid, as below; everything else becomes Scene::triangles.
 Result<Scene> read_obj(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 
-// glTF 2.0 as .glb or .gltf (with its .bin beside it): in metres, y up, turned to z up; nodes are things with their
-// names. PLY and STL: one thing, or one for each solid of an STL in words, z up, in metres unless the options say
-// otherwise. A closed mesh is solid, whatever its form, unless others lie in it, or it is convex and alone; the rest
-// are sheets.
+// Reads glTF 2.0 as .glb or .gltf (with its .bin next to it): in metres, y up, turned to z up; nodes are things with
+// their names.
+// PLY and STL have one thing, or one for each solid of a text STL: z up, in metres unless the options say otherwise. A
+// closed mesh of any form is solid, unless it contains others, or is convex and alone. The rest are sheets.
 Result<Scene> read_gltf(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 Result<Scene> read_ply(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 Result<Scene> read_stl(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 
-// IFC, whatever unit the file states: a building with rooms and doors as the file has them (worlds/ifc).
+// IFC in any unit that the file states: a building with the file's rooms and doors (worlds/ifc).
 Result<Scene> read_ifc(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
-// The same in a ZIP archive (.ifczip, or one whose first file is an .ifc), which holds one model.
+// The same in a ZIP archive with one model (.ifczip, or an archive whose first file is an .ifc).
 Result<Scene> read_ifczip(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 bool is_ifczip(const std::filesystem::path& path, std::string_view bytes);
 
-// OpenStreetMap, .osm, .osm.bz2 or .osm.pbf: a building drawn with Simple Indoor Tagging, or the ways of a place
-// (worlds/osm).
+// OpenStreetMap, as .osm, .osm.bz2 or .osm.pbf: a building drawn with Simple Indoor Tagging, or the streets and paths
+// of an area (worlds/osm).
 Result<Scene> read_osm(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 
 // IMDF, a .zip of GeoJSON: levels, units as rooms, openings as doors (worlds/imdf).
 Result<Scene> read_imdf(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 
-// .rooms, a text that describes rooms in words, English or German (worlds/words).
+// .rooms, a text that describes rooms in English or German (worlds/words).
 Result<Scene> read_words(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 
-// Reads any file that one of the readers accepts. Fails with one sentence fit to be spoken when it is missing,
-// unreadable, of a kind we do not read (named where recognised, with what to do), or holds nothing usable. If neither
-// file nor options say what a unit is, and the world would be over 2 km or under 2 m wide, or a mesh over 100 m high,
-// its first warning says so and how wide it would be in millimetres, inches and feet.
+// Reads any file that one of the readers accepts. Fails with one sentence that can be spoken if the file is missing,
+// unreadable, of a format that we do not read, or without usable content. A known format is named, with what to do
+// instead. If neither file nor options state the unit, and the world would be over 2 km or under 2 m wide, or a mesh
+// over 100 m high, the first warning says so. It also says how wide the world would be in millimetres, inches and feet.
 Result<Scene> read_world(const std::filesystem::path& path, const ReadOptions& options = {});
 
-// The same of bytes that were read already. Only the name of `path` matters; without options.read_beside the files next
-// to it are read too.
+// The same for bytes that were read already; only the name of `path` is used. If options.read_beside is empty, the
+// files next to it are still read.
 Result<Scene> read_world_bytes(const std::filesystem::path& path, std::string_view bytes, const ReadOptions& options);
 
 inline constexpr std::size_t kLargestWorld_bytes = std::size_t{1} << 30;
 inline constexpr std::size_t kLargestBeside_bytes = std::size_t{1} << 27;
 
-// A file that a world brings, by its name relative to the world's own: from its folder and those below, and no others.
-// Links are refused: they could lead anywhere.
+// Opens a file that belongs to a world, by its name relative to the world's own. Only files in the world's folder or
+// below it are allowed. Links are refused, because they could lead anywhere.
 Result<OpenFile> open_file_beside(const std::filesystem::path& world, const std::string& name);
 Result<std::string> read_file_beside(const std::filesystem::path& world, const std::string& name,
                                      const std::stop_token& stop);

@@ -1,4 +1,4 @@
-// Turns words found in files into words fit to be spoken. Pure functions.
+// Turns text found in files into text that can be spoken. Pure functions.
 #pragma once
 
 #include <string>
@@ -6,11 +6,11 @@
 
 namespace handrail {
 
-// UTF-8 from bytes that are UTF-8 or else Latin-1; the two characters \n and control characters become pauses; blanks
-// are joined; at most 1,000 bytes.
+// Converts bytes that are UTF-8, or else Latin-1, to UTF-8. The two characters
+//  and control characters become pauses; blanks are joined; at most 1,000 bytes.
 std::string spoken_text(std::string_view raw);
 
-// "north_corridor.map" -> "north corridor": a file's or object's name as words, without ending and numbering.
+// Turns a file's or object's name into words, without ending and numbering: "north_corridor.map" -> "north corridor".
 std::string words_of_name(std::string_view name);
 
 }  // namespace handrail

@@ -1,4 +1,4 @@
-// What one unit of a file is long, where the file does not say. Any thread.
+// Units of length, for files that do not state theirs. Any thread.
 #pragma once
 
 #include <optional>
@@ -11,14 +11,15 @@ namespace handrail {
 inline constexpr double kWidestWorld_m = 2000.0, kNarrowestWorld_m = 2.0;
 inline constexpr double kHighestMesh_m = 100.0;
 
-// "mm", "cm", "m", "in" or "inch", "ft" or "feet", or a positive number of metres. Nothing: none of these.
+// Metres in "mm", "cm", "m", "in" or "inch", "ft" or "feet", or in a positive number of metres. Empty for any other
+// word.
 std::optional<double> unit_named(std::string_view word);
 
-// Adds a first warning to the report if the world is over 2 km or under 2 m wide, or a mesh over 100 m high: its width
-// as it was read, and in other units.
+// If the world is over 2 km or under 2 m wide, or a mesh over 100 m high, puts a warning first in the report. It states
+// the width as read, and in other units.
 void ask_about_unit(Scene& scene);
-// Adds a first warning to the report if a mesh seems to lie on its side: it is thin from south to north, and most of
-// its flat area faces there. Formats without a stated axis are often written with y upwards.
+// If a mesh seems to lie on its side, puts a warning first in the report. Such a mesh is thin from south to north, and
+// most of its flat area faces there. Formats without a stated axis are often written with y upwards.
 void ask_about_axes(Scene& scene);
 
 }  // namespace handrail

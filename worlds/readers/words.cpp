@@ -1,4 +1,4 @@
-// Rooms in words (worlds/words), as a row of the table of readers.
+// A row of the table of readers for room descriptions (worlds/words).
 #include "worlds/readers/reader.h"
 #include "worlds/readers/spoken_text.h"
 #include "worlds/words/read_words.h"

@@ -42,8 +42,8 @@ struct TextureRule {
 };
 
 // The first match wins, so that "wizwood" is wood, although a name that begins with "wiz" is stone, and "plaster" is
-// plaster, although "plat" means metal. In the game's own sets, tech, slip, comp, base, key and m5 are metal panels, cop
-// and ecop are copper, and uwall, city and church are cut stone.
+// plaster, although "plat" means metal. In the game's own sets, tech, slip, comp, base, key and m5 are metal panels,
+// cop and ecop are copper, and uwall, city and church are cut stone.
 constexpr std::array kTextureRules{
     TextureRule{"plaster", "plaster"},     TextureRule{"stucco", "plaster"},
     TextureRule{"plastic", "plastic"},     TextureRule{"wood", "wood"},
