@@ -16,7 +16,7 @@ PlanKind kind_of(const Scene& scene, const Solid& solid) {
     return kind == FeatureKind::Object ? PlanKind::Object : PlanKind::Wall;
 }
 
-// Where the polygon's border crosses a height.
+// Appends the points where the polygon's border crosses a height.
 void append_crossings(const std::vector<Vec3>& points, double height_m, std::vector<Vec2>& out) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Vec3& a = points[i];
@@ -27,7 +27,7 @@ void append_crossings(const std::vector<Vec3>& points, double height_m, std::vec
     }
 }
 
-// Its faces alone, where the thing stands: what a section asks for.
+// Only the faces, where the thing is placed; a section needs nothing else.
 Solid placed_solid(const Solid& own, const PlacedModel& thing) {
     const PlacedFrame frame(thing.at);
     Solid solid;
@@ -85,7 +85,7 @@ void add_solid(const Scene& scene, const Solid& solid, double feet_height_m, std
     else add(top_m > low_m ? PlanKind::Low : PlanKind::Floor, below_top_m);
 }
 
-// Doors, lifts and what is free to move, where they are.
+// Adds doors, lifts and free bodies where they are now.
 void add_things(const Scene& scene, double feet_height_m, const SeenAt& seen_at, std::vector<PlanShape>& shapes) {
     for (std::size_t i = 0; i < scene.placed.size(); ++i) {
         const std::optional<Placement> at = seen_at ? seen_at(i) : scene.placed[i].at;

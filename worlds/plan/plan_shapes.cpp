@@ -25,7 +25,7 @@ PlanBox box_around(const PlanOutline& hull) {
             high = glm::max(high, q);
         }
         const Vec2 size = high - low;
-        // A little better is no better: of equal ones the first, on every machine.
+        // The tolerance makes the first of equally small boxes win on every machine.
         if (size.x * size.y > least * (1.0 - 1e-6)) continue;
         least = size.x * size.y;
         const Vec2 middle = 0.5 * (low + high);

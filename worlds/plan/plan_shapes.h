@@ -1,5 +1,5 @@
-// Boxes and outlines of a plan: the smallest box, what lies within, how thin something is. Pure functions over plain
-// values; any thread. World metres.
+// Boxes and outlines of a plan: the smallest box around an outline, tests for points within, and thickness. Pure
+// functions over plain values; any thread. World metres.
 #pragma once
 
 #include <array>
@@ -9,22 +9,22 @@
 
 namespace handrail {
 
-// A box that may lie askew: `along` (length 1) is its longer side.
+// A box in any orientation: `along` (length 1) is the direction of its longer side.
 struct PlanBox {
     Vec2 middle_m{0.0};
     Vec2 along{1.0, 0.0};
-    Vec2 half_m{0.0};  // along, across
+    Vec2 half_m{0.0};  // half lengths along and across
 
     std::array<Vec2, 4> corners_m() const;  // counter-clockwise
 };
 
 // The smallest box around a convex outline.
 PlanBox box_around(const PlanOutline& hull);
-// Whether a place lies in a closed line, bent or not.
+// True if a place is inside a closed line, which need not be convex.
 bool within_loop(const std::vector<Vec2>& loop, const Vec2& at);
-// Whether a place lies in a convex outline, border included.
+// True if a place is inside a convex outline or on its border.
 bool within(const PlanOutline& outline, const Vec2& at);
-// How thin a convex outline is where it is thinnest.
+// The least thickness of a convex outline.
 double narrowest_m(const PlanOutline& outline);
 
 }  // namespace handrail

@@ -8,7 +8,7 @@
 namespace handrail {
 namespace {
 
-// Calls `each` for the squares next to one.
+// Calls `each` for the four squares next to a square.
 template <class Each>
 void for_sides(const RoomGrid& grid, std::size_t square, Each each) {
     const auto wide = static_cast<std::size_t>(grid.wide);
@@ -19,7 +19,8 @@ void for_sides(const RoomGrid& grid, std::size_t square, Each each) {
     if (square >= wide) each(square - wide);
 }
 
-// Whether a square has a neighbour whose room answers; most squares have none, and on a page there are millions.
+// True if `answers` is true for a neighbour of the square. Most squares have no such neighbour, and a page has millions
+// of squares, so this must be fast.
 template <class Answers>
 bool any_side(const RoomGrid& grid, std::size_t square, Answers answers) {
     const auto wide = static_cast<std::size_t>(grid.wide);
@@ -28,7 +29,7 @@ bool any_side(const RoomGrid& grid, std::size_t square, Answers answers) {
            (square + wide < grid.room.size() && answers(square + wide)) || (square >= wide && answers(square - wide));
 }
 
-// Squares of one border that touch, corners included, belong to one piece.
+// Touching squares of one border, including at corners, form one piece.
 void split_into_pieces(const RoomGrid& grid, const std::array<std::uint32_t, 2>& rooms,
                        const std::vector<std::size_t>& squares, std::vector<RoomBorder>& borders) {
     std::map<std::size_t, bool> taken;
@@ -63,7 +64,7 @@ void spread_rooms(RoomGrid& grid) {
     std::vector<std::size_t> reached;
     for (std::size_t i = 0; i < grid.room.size(); ++i)
         if (grid.blocked[i]) grid.room[i] = kNothing;
-    // Only squares at the edge of what has a room already reach further.
+    // Only free squares next to a square with a room can be reached next.
     const auto is_free = [&](std::size_t square) { return grid.room[square] == kNothing && !grid.blocked[square]; };
     for (std::size_t i = 0; i < grid.room.size(); ++i)
         if (grid.room[i] != kNothing && any_side(grid, i, is_free)) reached.push_back(i);

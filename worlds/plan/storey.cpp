@@ -13,33 +13,33 @@
 namespace handrail {
 namespace {
 
-constexpr double kAround_m = 0.6;       // of what stands round the rooms comes along
-constexpr double kSillFrom_m = 0.3;     // above the floor: what ends lower is stepped over
-constexpr double kWindowDeep_m = 0.45;  // at most, of what closes a window
-constexpr double kUnderHead_m = 0.05;   // what reaches so far below the top of a body stops it
+constexpr double kAround_m = 0.6;       // how far beyond the rooms the plan extends
+constexpr double kSillFrom_m = 0.3;     // above the floor: a person steps over parts that end lower
+constexpr double kWindowDeep_m = 0.45;  // greatest thickness of a part that closes a window
+constexpr double kUnderHead_m = 0.05;   // a part that reaches this far below the top of a body stops it
 constexpr double kThingFrom_m = 0.25, kLeastThing_m = 0.05;
-// A pane of glass that closes a front by itself, or a partition that a wall holds: as thin as that, as long and high.
+// A pane of glass that closes a front, or a partition between walls: greatest thickness, least length and height.
 constexpr double kPartitionThin_m = 0.2;
 constexpr double kPaneThin_m = 0.12, kPaneLong_m = 0.4, kPaneHigh_m = 1.2;
 constexpr double kStep_m = 0.6;
-constexpr double kLongestTread_m = 1.5;  // of wide solid steps; what is longer is a stage
-constexpr int kBesideSteps = 8;          // of 5 cm, that a gap may lie beside where rooms meet
-constexpr double kWidestGap_m = 4.0;     // between its jambs; what is wider is no gap in a wall
+constexpr double kLongestTread_m = 1.5;  // of a wide solid step; a longer one is a stage
+constexpr int kBesideSteps = 8;          // number of 5 cm steps that a gap may be away from the place where rooms meet
+constexpr double kWidestGap_m = 4.0;     // between the jambs; a wider opening is not a gap in a wall
 
-// Squares on which the openings between rooms are looked for, and at most how many of them side by side.
+// Size of the squares on which openings between rooms are searched, and the greatest number of them side by side.
 constexpr double kSquare_m = 0.05, kMostSquares = 2000.0;
-constexpr double kBesidePortal_m = 0.5;  // an opening reaches so far beyond the portal's width
-constexpr double kStandsIn_m = 0.15;     // of an opening that a thing closes
+constexpr double kBesidePortal_m = 0.5;  // how far an opening may extend beyond the portal's width
+constexpr double kStandsIn_m = 0.15;     // how much of an opening a thing must block to close it
 constexpr double kFloorNearPortal_m = 2.0;
-// Floors so far apart in height are above each other; what is so much of a room's floor belongs on the second plan, and
-// so much is shown around it there.
+// Floors this far apart in height count as above each other. A room with this much hidden floor goes on the second
+// plan, which shows this much around its rooms.
 constexpr double kFloorNearJoint_m = 0.8, kFloorsApart_m = 1.0, kLeastHidden_m2 = 1.0, kAroundUpper_m = 2.0;
 
 bool inside_any(const std::vector<PlanOutline>& outlines, const Vec2& at) {
     return std::any_of(outlines.begin(), outlines.end(), [&](const PlanOutline& o) { return within(o, at); });
 }
 
-// The middle by area of a closed line.
+// The centre of area of a closed line.
 Vec2 middle_of(const std::vector<Vec2>& loop, double& area_m2) {
     Vec2 sum(0.0);
     double twice = 0.0;
@@ -67,18 +67,18 @@ void clear_floor(Storey& storey) {
     floor.room.assign(static_cast<std::size_t>(floor.wide) * static_cast<std::size_t>(floor.high), kNothing);
 }
 
-// What is made of one storey, in the order in which it becomes known.
+// Makes a storey step by step; the members are in the order in which they become known.
 class StoreyMaker {
-    // A thing, or what only bodies meet, that stops a body; a wall where it is all that parts two rooms.
+    // A thing, or a part that stops only bodies. It becomes a wall if nothing else separates two rooms.
     struct Barrier {
         FeatureId feature = kNoFeature;
         std::vector<PlanOutline> outlines_m = {};
-        std::vector<PlanOutline> reach_m = {};  // where it stops a body, if that is more than its outlines
+        std::vector<PlanOutline> reach_m = {};  // where it stops a body, if that is larger than its outlines
         bool wall = false;
     };
 
 public:
-    // `upper`: rooms of the graph, for the second plan of a storey.
+    // `upper`: the rooms of the graph for the second plan of a storey; empty for the first plan.
     StoreyMaker(const Scene& scene, const RoomGraph& graph, const WalkSpace& space, int number,
                 std::set<std::uint32_t> upper = {})
         : scene_(scene), graph_(graph), space_(space), level_(number - 1), upper_(std::move(upper)) {
@@ -97,7 +97,7 @@ public:
         take_portals();
         take_walls();
         if (!made_.rooms.empty()) drop_spaces_under_steps();
-        take_things();  // some of them close windows
+        take_things();  // some of the things close windows
         take_low_roofs();
         if (!made_.rooms.empty()) close_rooms();
         if (!made_.rooms.empty()) drop_ledges();
@@ -110,7 +110,7 @@ public:
 private:
     double cut_m() const { return made_.floor_m + kPlanCutAboveFeet_m; }
 
-    // Most of the room lies on the ground that a reader laid around a building.
+    // True if most of the room is on the ground that a reader laid around a building.
     bool on_outer_ground(std::uint32_t room) const {
         std::size_t all = 0, outer = 0;
         for (std::uint32_t i = 0; i < space_.spans.size(); ++i) {
@@ -176,7 +176,7 @@ private:
             made_.rooms.push_back(std::move(mine));
         }
         if (made_.rooms.empty()) return;
-        if (!(low.x <= high.x))  // nothing but ground outside
+        if (!(low.x <= high.x))  // there is only ground outside
             for (const StoreyRoom& room : made_.rooms) {
                 low = glm::min(low, room.min_m);
                 high = glm::max(high, room.max_m);
@@ -210,7 +210,8 @@ private:
             }
     }
 
-    // The middle of a bent room, or of one around others, may lie in another: then the nearest floor of its own.
+    // The middle of a bent room, or of one around others, may be in another room. It then moves to the nearest place on
+    // its own floor.
     void put_middles_on_floor() {
         const StoreyFloor& floor = made_.floor;
         std::vector<double> nearest(made_.rooms.size(), std::numeric_limits<double>::infinity());
@@ -237,8 +238,8 @@ private:
         clear_floor(made_);
         std::vector<std::uint32_t> mine(graph_.rooms.size(), kNothing);
         for (std::uint32_t i = 0; i < made_.rooms.size(); ++i) mine[made_.rooms[i].room] = i;
-        // A roof that one can stand on may belong to the storey below it: the lower floor counts. But where a raised
-        // way or a deck has ways in, the ground that a reader laid under it does not hide it.
+        // A roof that one can stand on may belong to the storey below it, so the lower floor counts. But if a raised
+        // walkway or a deck has entrances, the ground that a reader laid under it does not hide it.
         const auto is_ground = [&](std::uint32_t room) { return made_.rooms[room].outside || made_.rooms[room].shut; };
         std::vector<double> height_m(floor.room.size(), std::numeric_limits<double>::infinity());
         for (std::uint32_t i = 0; i < space_.spans.size(); ++i) {
@@ -249,7 +250,7 @@ private:
             if (!place) continue;
             const std::size_t cell = *place;
             const std::uint32_t known = floor.room[cell], here = mine[room];
-            if (made_.upper) {  // the upper rooms first; of others what is level with them
+            if (made_.upper) {  // the upper rooms first; then other rooms, if they are level with them
                 if (made_.rooms[here].elsewhere &&
                     (known != kNothing || std::abs(at.z - made_.floor_m) > kFloorsApart_m))
                     continue;
@@ -264,7 +265,7 @@ private:
         floor_height_m_ = std::move(height_m);
     }
 
-    // The cell of the floor under a place; nothing beside the plan.
+    // The cell of the floor at this place; empty outside the plan.
     std::optional<std::size_t> cell_at(const Vec3& at) const {
         const StoreyFloor& floor = made_.floor;
         const int x = static_cast<int>(std::floor((at.x - made_.min_m.x) / floor.cell_m));
@@ -273,7 +274,8 @@ private:
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(floor.wide) + static_cast<std::size_t>(x);
     }
 
-    // Flights are seen by their lower ends, and nobody comes to where nothing leads.
+    // Finds rooms that others hide. Flights are left out, because their lower ends show them, and so are rooms that
+    // nothing leads to, because nobody gets there.
     void find_hidden() {
         if (made_.upper) return;
         std::map<std::uint32_t, std::uint32_t> mine;
@@ -300,7 +302,7 @@ private:
         }
     }
 
-    // The part of an outline that is shown.
+    // The part of an outline that is within the plan.
     PlanOutline shown(const PlanOutline& outline) const {
         PlanOutline kept = outline;
         for (const int axis : {0, 1})
@@ -319,7 +321,7 @@ private:
         return kept;
     }
 
-    // One can stand on top of it: a step, a stage, no sill.
+    // True if one can stand on top of it: it is a step or a stage, not a sill.
     bool stood_on(const PlanOutline& section, double top_m) const {
         Vec2 middle(0.0);
         for (const Vec2& p : section) middle += p;
@@ -333,7 +335,7 @@ private:
         return span == kNothing ? std::nullopt : std::optional<double>(space_.place_m(span).z);
     }
 
-    // Whoever walks up a ramp or a flight of solid steps walks through the cut without meeting it.
+    // True for a ramp or a flight of solid steps: a person walks up it through the height of the cut, so it is no wall.
     bool climbed(const ConvexSolid& solid, const PlanOutline& outline) const {
         constexpr double kSameFloor_m = 0.15;
         for (const Polygon& face : solid.faces) {
@@ -359,7 +361,7 @@ private:
                (narrowest_m(outline) <= kLongestTread_m && leads_below_cut(span));
     }
 
-    // Whether one walks straight down from there to below the cut, over one tread.
+    // True if a person can walk straight from there to below the cut, over a single tread.
     bool leads_below_cut(std::uint32_t from) const {
         const auto cells = static_cast<int>(std::ceil(kLongestTread_m / std::sqrt(space_.cell_area_m2())));
         for (const std::size_t way : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}}) {
@@ -372,7 +374,7 @@ private:
         return false;
     }
 
-    // What of a solid stops a body that walks on the storey's floor; empty where it does not.
+    // The outline of the part of a solid that stops a body on the storey's floor; empty if it stops nobody.
     PlanOutline stopping(const ConvexSolid& solid) const {
         const double bottom_m = solid.bounds_m.min_m.z, top_m = solid.bounds_m.max_m.z;
         if (bottom_m > cut_m() || top_m < made_.floor_m + kSillFrom_m) return {};
@@ -499,8 +501,8 @@ private:
         return false;
     }
 
-    // A roof may slope down to the eaves far outside of what is shown, and stops a head before a hand meets it: the
-    // line at which it does is the wall there.
+    // A roof may slope down to eaves far outside of the plan, and it stops the head before a hand touches it. The line
+    // at which it stops the head counts as the wall.
     void take_low_roofs() {
         const double head_m = made_.floor_m + space_.body.height_m - kUnderHead_m;
         for (const Solid& solid : scene_.solids) {
@@ -522,9 +524,9 @@ private:
         }
     }
 
-    // --- openings as the route graph has them
+    // --- openings according to the route graph
 
-    // Balconies belong to the ground outside, whose storey is another than theirs: they are no exits.
+    // Leaves out balconies: they belong to the ground outside, which is on another storey, so they are no exits.
     void take_exits(const std::map<std::uint32_t, std::uint32_t>& mine) {
         std::set<std::pair<std::uint32_t, std::uint32_t>> known;
         for (const Portal& portal : graph_.portals)
@@ -554,7 +556,8 @@ private:
         }
     }
 
-    // Whether this plan of the storey shows where rooms are joined: a portal of rooms that both plans show is on one.
+    // True if this plan of the storey shows where the rooms are joined. A portal between rooms that both plans show
+    // appears on one of them.
     bool is_seen(const Portal& portal) const {
         if (made_.upper && !upper_.contains(portal.rooms[0]) && !upper_.contains(portal.rooms[1])) return false;
         const Vec2 place(portal.place_m.x, portal.place_m.y);
@@ -578,7 +581,7 @@ private:
         return made_.upper || std::find(made_.hidden.begin(), made_.hidden.end(), place) != made_.hidden.end();
     }
 
-    // Where walls stand on a grid, and the rooms by the floor that they have.
+    // The walls on a grid, and for each square the room whose floor is there.
     RoomGrid grid_of_walls() const {
         const Vec2 size = made_.max_m - made_.min_m;
         RoomGrid grid(static_cast<int>(std::ceil(size.x / square_m_)), static_cast<int>(std::ceil(size.y / square_m_)));
@@ -592,7 +595,7 @@ private:
         for (const auto& sheet : made_.sheets_m) block_line(grid, sheet[0], sheet[1]);
         return grid;
     }
-    // What is beyond all rooms counts as one more.
+    // The area beyond all rooms counts as one more room.
     std::uint32_t outside() const { return static_cast<std::uint32_t>(made_.rooms.size()); }
     Vec2 middle_of_square(int x, int y) const { return made_.min_m + Vec2(x + 0.5, y + 0.5) * square_m_; }
     Vec2 middle_of_square(const RoomGrid& grid, std::size_t square) const {
@@ -630,12 +633,12 @@ private:
         });
     }
 
-    // Its own lines show a flight, which a banister drawn as a wall would leave no place.
+    // A flight is drawn with its own lines; a banister drawn as a wall would leave no space for them.
     bool is_flight(std::uint32_t room) const {
         return room < made_.rooms.size() && made_.rooms[room].kind == RoomKind::Stairs;
     }
 
-    // What stands between two rooms and lets no body pass is a wall, unless the route graph leads through there.
+    // Turns barriers between two rooms into walls, unless the route graph leads through there.
     void close_rooms() {
         RoomGrid walls = grid_of_walls();
         for (bool more = true; more;) {
@@ -663,7 +666,7 @@ private:
         }
     }
 
-    // A ledge outside a window, which nothing leads to, is no room of the plan, and its sign would stand outside.
+    // Drops ledges outside a window: nothing leads to them, and their labels would be outside the building.
     void drop_ledges() {
         RoomGrid grid = grid_of_walls();
         spread_rooms(grid);
@@ -676,7 +679,8 @@ private:
         drop_rooms(std::move(kept));
     }
 
-    // Nobody comes to the space under a ramp, whose floor meets that before the ramp since its steps are no walls.
+    // Drops the spaces under ramps, which nobody can enter. Because the steps of the ramp are no walls, the floor of
+    // such a space would meet the floor in front of the ramp.
     void drop_spaces_under_steps() {
         if (climbed_m_.empty()) return;
         std::vector<PlanOutline> steps;
@@ -700,7 +704,7 @@ private:
         drop_rooms(std::move(kept));
     }
 
-    // `kept`: of every room 0, or kNothing if it is dropped.
+    // `kept`: for each room 0, or kNothing to drop it.
     void drop_rooms(std::vector<std::uint32_t> kept) {
         std::uint32_t count = 0;
         for (std::uint32_t& place : kept) place = place == kNothing ? kNothing : count++;
@@ -724,10 +728,10 @@ private:
             for (const Vec2& at : open)
                 if (at.x >= low.x && at.y >= low.y && at.x <= high.x && at.y <= high.y && within(outline, at)) ++in;
         }
-        return static_cast<double>(in) * square_m_ >= 2.0 * kStandsIn_m;  // a border has squares on both its sides
+        return static_cast<double>(in) * square_m_ >= 2.0 * kStandsIn_m;  // a border has squares on both sides
     }
 
-    // Where the graph leads through and the cut shows a wall, as over the edge of a raised floor.
+    // Opens walls of the cut where the graph leads through, as at the edge of a raised floor.
     void open_portals() {
         RoomGrid grid = grid_of_walls();
         const RoomGrid floors = grid;
@@ -774,7 +778,7 @@ private:
         return at.x > made_.min_m.x && at.y > made_.min_m.y && at.x < made_.max_m.x && at.y < made_.max_m.y;
     }
 
-    // How far it is to the next wall; `most_m` where there is none so near.
+    // Distance to the next wall; `most_m` if none is nearer.
     double free_m(const Vec2& from, const Vec2& way, double most_m) const {
         double least = most_m;
         const auto meet = [&](const Vec2& a, const Vec2& b) {
@@ -789,9 +793,9 @@ private:
         return least;
     }
 
-    // Square to the walls near a place: the ways in which a gap in one of them can lie.
+    // The directions perpendicular to the walls near a place: a gap in one of them can only face these.
     std::vector<Vec2> square_ways(const Vec2& place) const {
-        // Shorter sides are where walls end, straight or mitred.
+        // Shorter sides are ends of walls, straight or mitred.
         constexpr double kNear_m = 2.5, kLeast_m = 0.7;
         std::vector<Vec2> ways;
         const auto take = [&](const Vec2& a, const Vec2& b) {
@@ -811,8 +815,8 @@ private:
         return ways;
     }
 
-    // Where rooms meet may lie a little before or behind the wall that parts them: then the narrowest place on the way
-    // through counts, of equal ones the nearest.
+    // Rooms may meet a little in front of or behind the wall between them. Then the narrowest place on the way through
+    // counts; of equal ones, the nearest.
     void measure(StoreyGap& gap, const Vec2& place, const Vec2& way, int first, int last, double& least) const {
         constexpr double kApart_m = 0.05;
         const Vec2 through(-way.y, way.x);
@@ -844,7 +848,7 @@ private:
             if (least >= kWidestGap_m)
                 for (const Vec2& way : ways) measure(gap, place, way, 1, 2 * kBesideSteps, least);
             const Vec2 through(-gap.along.y, gap.along.x);
-            // The niche of a window is as narrow, and a step on there is the pane.
+            // A window niche is as narrow as a gap, but one step farther is the pane.
             if (least >= kWidestGap_m || free_m(gap.place_m, through, kStep_m) < kStep_m ||
                 free_m(gap.place_m, -through, kStep_m) < kStep_m)
                 continue;
@@ -869,9 +873,9 @@ private:
     const WalkSpace& space_;
     int level_;
     std::set<std::uint32_t> upper_;
-    std::vector<double> floor_height_m_;        // of StoreyFloor::room
-    std::set<std::uint32_t> trodden_, moving_;  // features
-    std::vector<PlanOutline> climbed_m_;        // that would be walls, if nobody walked up them there
+    std::vector<double> floor_height_m_;        // height of the floor for each cell of StoreyFloor::room
+    std::set<std::uint32_t> trodden_, moving_;  // sets of features
+    std::vector<PlanOutline> climbed_m_;        // outlines that would be walls, if people did not walk up them
     std::vector<Barrier> barriers_;
     double square_m_ = kSquare_m;
     Storey made_;

@@ -1,6 +1,6 @@
-// One storey of a building as a plan to be drawn or printed: walls with windows closed and doors open, rooms, things,
-// where it goes through, the base. Windows are closed by their sills and panes, since under a finger every gap is a
-// door. Pure functions over plain values; any thread. World metres, x east, y north.
+// A plan of one storey of a building, for drawing or printing: walls with windows closed and doors open, rooms, things,
+// passages and the base. Windows are closed by their sills and panes, because every gap feels like a door under a
+// finger. Pure functions over plain values; any thread. World metres, x east, y north.
 #pragma once
 
 #include <array>
@@ -15,55 +15,56 @@
 namespace handrail {
 
 struct StoreyRoom {
-    std::uint32_t room = 0;  // of the RoomGraph
-    std::string name;        // in the language spoken
+    std::uint32_t room = 0;  // index in the RoomGraph
+    std::string name;        // in the spoken language
     RoomKind kind = RoomKind::Room;
-    std::vector<std::vector<Vec2>> loops_m;  // see RoomOutline: a body's radius inside the walls
+    std::vector<std::vector<Vec2>> loops_m;  // the outline, a body's radius inside the walls: see RoomOutline
     double area_m2 = 0.0;
-    Vec2 min_m{0.0}, max_m{0.0};  // of the loops
-    Vec2 middle_m{0.0};    // by area, of its largest piece; where that is in another room, its own floor nearest to it
-    bool outside = false;  // on the ground that a reader laid around the building
-    bool shut = false;     // nothing leads into it
-    bool elsewhere = false;  // the other plan of the storey shows it: see Storey::upper
+    Vec2 min_m{0.0}, max_m{0.0};  // bounds of the loops
+    // Centre of area of its largest piece. If that is in another room, the nearest place on its own floor.
+    Vec2 middle_m{0.0};
+    bool outside = false;    // on the ground that a reader laid around the building
+    bool shut = false;       // nothing leads into the room
+    bool elsewhere = false;  // the other plan of the storey shows it; see Storey::upper
 };
 
-// Something that stands on the floor and is no part of the building.
+// A thing on the floor that is no part of the building.
 struct StoreyThing {
     FeatureId feature = kNoFeature;
-    std::string name;  // in the language spoken
+    std::string name;  // in the spoken language
     PlanBox box;
     bool landmark = false;
 };
 
-// A door or an opening in a wall, between its jambs.
+// A door or an opening in a wall, from jamb to jamb.
 struct StoreyGap {
     PassageKind kind = PassageKind::Door;
     std::string name;  // empty for an opening
     Vec2 place_m{0.0};
-    Vec2 along{1.0, 0.0};  // from jamb to jamb
+    Vec2 along{1.0, 0.0};  // direction from jamb to jamb
     double width_m = 0.0;
-    double deep_m = 0.0;  // on either side of its place this much is free too; 0: as deep as the wall is
+    double deep_m = 0.0;  // this much is free on either side of `place_m`; 0: as deep as the wall
 };
 
-// What joins two rooms of the storey: RoomGraph::portals.
+// A portal between two rooms of the storey, from RoomGraph::portals.
 struct StoreyPortal {
     PassageKind kind = PassageKind::Door;
-    std::array<std::uint32_t, 2> rooms{};  // places in Storey::rooms
+    std::array<std::uint32_t, 2> rooms{};  // indices into Storey::rooms
     Vec2 place_m{0.0};
     double width_m = 0.0;
 };
 
 struct StoreyStairs {
-    std::uint32_t room = 0;  // that they begin or end in; a place in Storey::rooms
+    std::uint32_t room = 0;  // the room in which they begin or end; an index into Storey::rooms
     std::vector<std::vector<Vec2>> loops_m;
 };
 
-// How a room is joined to one on another storey, without a flight of stairs that the plan shows: a lift, a ramp, steps
-// that belong to the rooms at their ends. Falls are not among them.
+// A connection of a room to another storey without stairs that the plan shows: a lift, a ramp, or steps that belong to
+// the rooms at their ends. Drops do not count.
 struct StoreyExit {
     PassageKind kind = PassageKind::Opening;
-    std::uint32_t room = 0;  // a place in Storey::rooms
-    std::string to;          // the other room, in the language spoken
+    std::uint32_t room = 0;  // index into Storey::rooms
+    std::string to;          // the other room, in the spoken language
     Vec2 place_m{0.0};
 };
 
@@ -72,52 +73,56 @@ struct StoreyBase {
     double heading_rad = 0.0;
 };
 
-// Whose floor lies where, in squares.
+// Which room's floor is where, in square cells.
 struct StoreyFloor {
     double cell_m = 0.2;
-    int wide = 0, high = 0;           // from Storey::min_m on
-    std::vector<std::uint32_t> room;  // row by row; the place in Storey::rooms, kNothing where no body can stand
+    int wide = 0, high = 0;           // number of cells, from Storey::min_m on
+    std::vector<std::uint32_t> room;  // row by row: an index into Storey::rooms, or kNothing where no body can stand
 };
 
 struct Storey {
-    int number = 1, count = 1;  // from 1, the lowest
-    // A plan shows one floor at each place. Where a storey has two, as with a footway over a platform, the storey
-    // itself shows the lower floor, and a second plan shows the rooms of the upper one, with what joins them.
+    int number = 1, count = 1;  // number: from 1, the lowest storey
+    // A plan shows one floor at each place. If a storey has two, as with a walkway above a platform, the storey itself
+    // shows the lower floor. A second plan shows the rooms of the upper one and their connections.
     bool upper = false;
-    std::vector<std::uint32_t> hidden;  // places in `rooms`: parts of them are above others, on the second plan
+    // Indices into `rooms`: parts of these rooms are above others and on the second plan.
+    std::vector<std::uint32_t> hidden;
     std::string world;
-    std::string name;             // what the file calls the storey; may be empty
+    std::string name;             // the file's name for the storey; may be empty
     double floor_m = 0.0;         // mean height of its rooms
-    Vec2 min_m{0.0}, max_m{0.0};  // what is shown; the ground around a building does not widen it
+    Vec2 min_m{0.0}, max_m{0.0};  // the area shown; the ground around a building does not widen it
     std::vector<StoreyRoom> rooms;
     StoreyFloor floor;
-    // Cut 1 m above the floor, with sills, what closes windows, and whatever else stops a body between rooms.
+    // Walls, cut 1 m above the floor. They include sills, parts that close windows, and whatever else stops a body
+    // between rooms.
     std::vector<PlanOutline> walls_m;
-    std::vector<std::array<Vec2, 2>> sheets_m;  // walls without thickness, of meshes
-    std::vector<PlanOutline> windows_m;         // those of walls_m that close a window
+    std::vector<std::array<Vec2, 2>> sheets_m;  // walls of meshes, without thickness
+    std::vector<PlanOutline> windows_m;         // the parts of walls_m that close windows
     std::vector<StoreyThing> things;            // landmarks first, then by size
     std::vector<StoreyGap> gaps;
-    std::vector<StoreyStairs> stairs_of_others;  // flights that belong to another storey and begin or end here
+    std::vector<StoreyStairs> stairs_of_others;  // flights that belong to another storey but begin or end here
     std::vector<StoreyPortal> portals;
     std::vector<StoreyExit> exits;
     std::optional<StoreyBase> base;
-    int moving = 0;  // things free to move, which are not among `things`: they may stand elsewhere tomorrow
+    int moving = 0;  // number of free bodies, which are not in `things` because they may be elsewhere tomorrow
 };
 
-// How many storeys there are; 0 without rooms.
+// The number of storeys; 0 if there are no rooms.
 int storey_count(const RoomGraph& graph);
-// The one with the base, else with the first start; 1 where that is in no room.
+// The storey of the base, else of the first start; 1 if that is in no room.
 int storey_of_start(const Scene& scene, const RoomGraph& graph, const WalkSpace& space);
-// Fails with one sentence where there is no such storey or no room in it. Time goes with solids and spans.
+// Fails with one sentence if there is no such storey, or no room on it. The time grows with the numbers of solids and
+// spans.
 Result<Storey> storey_of(const Scene& scene, const RoomGraph& graph, const WalkSpace& space, int number);
 
-// The second plan of a storey that has floors above each other; nothing if `storey`, which storey_of() made, has none.
+// The second plan of a storey that has floors above each other. `storey` is the result of storey_of(); empty if it has
+// no second plan.
 std::optional<Storey> upper_part_of(const Scene& scene, const RoomGraph& graph, const WalkSpace& space,
                                     const Storey& storey);
 
-// The place in Storey::rooms of the one whose floor is at a place; kNothing under furniture, in walls, outside.
+// The index in Storey::rooms of the room whose floor is at this place; kNothing under furniture, in walls and outside.
 std::uint32_t floor_at(const Storey& storey, const Vec2& at);
-// Fills Storey::floor from the rooms' loops, for storeys that no reader made.
+// Fills Storey::floor from the rooms' loops, for storeys that were not made from a world.
 void lay_floor(Storey& storey);
 
 }  // namespace handrail

@@ -15,10 +15,10 @@ namespace {
 
 constexpr std::size_t kMostWords = 120, kMostNumbers = 4000, kMostOfName = 12;
 
-// A pattern: words with alternatives ("by|x"), a question mark behind what may be missing, and in braces a number {n},
-// a unit {u}, a side of the compass {c}, a wall {w} or a corner {k} with its noun, a material {m}, a name {name}. Kinds
-// of sentence that it is looked for in: r room, d door or opening, l lift or drop, w window, t thing, s start, h heads
-// of storeys and buildings.
+// A pattern of words. `words` has alternatives ("by|x"), a question mark after an optional word, and placeholders in
+// braces: a number {n}, a unit {u}, a compass direction {c}, a wall {w} or a corner {k} with its noun, a material {m},
+// a name {name}. `kinds` lists the kinds of sentence that it applies to: r room, d door or opening, l lift, drop or
+// stairs between rooms, w window, t thing, s start, h heads of storeys and buildings.
 struct Pattern {
     Says says;
     std::string_view kinds, words;
@@ -145,7 +145,7 @@ struct KindWord {
     std::string_view word;
     SentenceKind kind;
 };
-// The first words of a sentence, and of one with a colon behind.
+// Words that begin a sentence and determine its kind. kColons: words that do so with a colon after them.
 constexpr KindWord kEnglishHeads[] = {
     {"door", SentenceKind::Door},           {"sliding door", SentenceKind::SlidingDoor},
     {"automatic door", SentenceKind::Door}, {"opening", SentenceKind::Opening},
@@ -187,7 +187,7 @@ constexpr KindWord kColons[] = {
 constexpr std::string_view kEnglishArticles[] = {"the", "a", "an", "its", "his", "our", "my"};
 constexpr std::string_view kGermanArticles[] = {"der", "die",  "das",   "dem",    "den",   "des",
                                                 "ein", "eine", "einen", "seiner", "ihrer", "einem"};
-// Words that say nothing by themselves.
+// Words that have no meaning of their own and are ignored.
 constexpr std::string_view kNoise[] = {"and", "with", "is",   "are",   "lies",   "stands", "there", "und",
                                        "mit", "ist",  "sind", "liegt", "steht",  "hier",   "here",  "it",
                                        "es",  "room", "raum", "raums", "raumes", "also",   "auch",  "from",
@@ -210,7 +210,7 @@ bool has(const Range& range, const Value& value) {
     return std::find(std::begin(range), std::end(range), value) != std::end(range);
 }
 
-// "north", "northern", "nördlichen", "Nord" -> 0; -1: none.
+// Index of a compass direction: "north", "northern", "nördlichen", "Nord" -> 0; -1: none.
 int side_of(std::string_view word) {
     static const std::map<std::string, int, std::less<>> kSides = [] {
         std::map<std::string, int, std::less<>> sides;
@@ -260,7 +260,7 @@ int side_of(std::string_view word) {
     return found == kSides.end() ? -1 : found->second;
 }
 
-// "Nordwand", "Nordwestecke": a side and its noun in one word.
+// Index of the direction in a German compound of a direction and a noun: "Nordwand", "Nordwestecke".
 int compound_side(std::string_view word, bool corner) {
     static constexpr std::string_view kWalls[] = {"wand", "seite", "ende", "endes", "mauer"}, kCorners[] = {"ecke"};
     const auto nouns = corner ? std::span<const std::string_view>(kCorners) : std::span<const std::string_view>(kWalls);
@@ -273,7 +273,7 @@ int compound_side(std::string_view word, bool corner) {
     return -1;
 }
 
-// Metres in one of them; 0: it is no unit.
+// The length of a unit in metres; 0: the word is not a unit.
 double unit_m(std::string_view word, double step_m) {
     static constexpr std::string_view kMetres[] = {"metre", "metres", "meter", "meters", "metern", "m"},
                                       kCentimetres[] = {"cm",          "centimetre", "centimetres", "centimeter",
@@ -298,7 +298,7 @@ std::optional<double> number_word(std::string_view word) {
     return std::nullopt;
 }
 
-// What leads from one room to another one that it names.
+// True for kinds that lead from one room to another, which the sentence may name.
 bool is_from_room(SentenceKind kind) {
     return kind == SentenceKind::Lift || kind == SentenceKind::Drop || kind == SentenceKind::Flight;
 }
@@ -317,7 +317,7 @@ public:
                     : 'h';
     }
 
-    // The longest that matches at that place, and the place behind it.
+    // The longest pattern that matches at this position, and the position after it.
     std::optional<std::pair<SaidPart, std::size_t>> at(std::size_t place, bool within_name = false) {
         std::optional<std::pair<SaidPart, std::size_t>> best;
         for (const Pattern& pattern : patterns_of(speaker_.language)) {
@@ -337,7 +337,7 @@ private:
 
     bool match(std::string_view pattern, std::size_t& at, SaidPart& part, bool within_name) {
         bool steps = false;
-        std::vector<std::size_t> without_unit;  // numbers that the next unit is of too
+        std::vector<std::size_t> without_unit;  // numbers to which the next unit also applies
         while (!pattern.empty()) {
             std::string_view item = pattern.substr(0, pattern.find(' '));
             pattern.remove_prefix(std::min(item.size() + 1, pattern.size()));
@@ -388,7 +388,7 @@ private:
         return false;
     }
 
-    // "behind" and "links" are words of a pattern and sides at once.
+    // Words such as "behind" and "links" belong to a pattern and are a direction at the same time.
     static void side_word(std::string_view word, SaidPart& part) {
         if (part.says == Says::SideOf && part.sides.empty()) {
             if (word == "behind" || word == "beyond" || word == "hinter") part.sides.push_back(kBackSide);
@@ -452,14 +452,16 @@ private:
         return false;
     }
 
-    // One that is known, as long as there is one; else all up to a comma or to what a pattern begins with.
+    // Reads a name: the longest known one if there is one, else everything up to a comma or to the beginning of a
+    // pattern.
     bool name(std::size_t& at, SaidPart& part, bool within_name) {
         if (const WordToken* now = token(at); now && now->kind == WordToken::Kind::Name) {
             part.name = now->text;
             ++at;
             return !part.name.empty();
         }
-        const bool own = part.says == Says::Called;  // a name of its own, which may begin as a room's does
+        // A new name after "called", which may begin like the name of a room.
+        const bool own = part.says == Says::Called;
         if (!own && known_name(at, part)) return true;
         std::size_t here = at;
         if (article(here) && token(here + 1) && token(here + 1)->kind != WordToken::Kind::Comma) {
@@ -488,7 +490,8 @@ private:
         return true;
     }
 
-    // "des großen Saals" means "Großer Saal": a known name by its German endings; empty: there is none.
+    // Finds the known name that a German declined form stands for: "des großen Saals" means "Großer Saal". Empty if
+    // there is none.
     std::string nominative(const std::string& key) const {
         constexpr std::size_t kMostDeclined = 3;
         constexpr std::array<std::string_view, 8> kNounEnds{"", "s", "es", "ses", "n", "en", "ns", "ens"};
@@ -546,7 +549,7 @@ private:
         return true;
     }
 
-    // Pairs of numbers, whatever commas, units and words for east and north stand between them.
+    // Reads pairs of numbers, with any commas, units and words for east and north between them.
     bool corners(std::size_t& at, SaidPart& part) {
         double unit = 1.0;
         bool steps = false;
@@ -630,7 +633,7 @@ WordLanguage language_of(std::span<const WordSentence> sentences) {
 
 namespace {
 
-// The kind by the first words, and the place behind them.
+// Determines the kind of the sentence by its first words; returns the position after them.
 std::size_t kind_of(const WordSentence& sentence, WordLanguage language, SaidSentence& said) {
     const std::vector<WordToken>& tokens = sentence.tokens;
     if (tokens.size() > 1 && tokens[1].kind == WordToken::Kind::Colon)
@@ -657,14 +660,14 @@ std::size_t kind_of(const WordSentence& sentence, WordLanguage language, SaidSen
             if (plain && text == head.word) {
                 said.kind = head.kind;
                 if (text.starts_with("automat")) said.parts.push_back({Says::ByItself, {}, {}, {}});
-                // "from" and "of" begin what is said of it.
+                // Skips only the first word of such a head, because "from" or "of" already begins the description.
                 return is_from_room(said.kind) ? from + 1 : from + words;
             }
     }
     return from;
 }
 
-// What a sentence says of its subject, with its kind taken to be that.
+// The patterns that match in a sentence if it is of this kind.
 std::set<Says> said_as(const WordSentence& sentence, const SpeakersOf& speaker, SentenceKind kind, std::size_t from) {
     std::set<Says> says;
     Matcher matcher(sentence, speaker, kind);
@@ -676,8 +679,7 @@ std::set<Says> said_as(const WordSentence& sentence, const SpeakersOf& speaker, 
     return says;
 }
 
-// A room is told from a thing by what is said of it; what begins a paragraph and says nothing is a room, unless it is
-// called as things are.
+// Decides between a room and a thing by what the sentence says about it.
 bool is_room(const WordSentence& sentence, const SpeakersOf& speaker, std::size_t from) {
     const std::set<Says> as_room = said_as(sentence, speaker, SentenceKind::Room, from);
     const auto any = [](const std::set<Says>& says, std::initializer_list<Says> of) {
@@ -708,7 +710,7 @@ SaidSentence head_of(const WordSentence& sentence, const SpeakersOf& speaker) {
 
 namespace {
 
-// "Two chairs", "4 Stühle": several of what is known.
+// "Two chairs", "4 Stühle": several known things.
 void note_count(const WordToken& first, const std::string& names, SaidSentence& said) {
     constexpr double kMostOfThem = 50.0;
     const std::optional<double> word =
@@ -721,7 +723,7 @@ void note_count(const WordToken& first, const std::string& names, SaidSentence& 
     said.count = static_cast<int>(count);
 }
 
-// Walks through a sentence: its subject first, then what is said of it, and what was not understood.
+// Goes through a sentence: first its subject, then what it says about the subject. Collects what was not understood.
 class SentenceReader {
 public:
     SentenceReader(const WordSentence& sentence, const SpeakersOf& speaker)
@@ -734,7 +736,7 @@ public:
     }
 
     SaidSentence read() {
-        // The building's name is all of it.
+        // In such a sentence all the rest is the name.
         const bool all_name = kind_ == SentenceKind::Building || kind_ == SentenceKind::Language;
         for (int looked_at = 0; at_ < sentence_.tokens.size(); ++looked_at) {
             if (looked_at >= static_cast<int>(kMostWords)) {
@@ -784,14 +786,15 @@ private:
         return true;
     }
 
-    // In quotation marks.
+    // A name in quotation marks.
     bool take_name() {
         if (token().kind != WordToken::Kind::Name || !begins_subject()) return false;
         subject_end_ = ++at_;
         return true;
     }
 
-    // A number or a word at the very beginning is part of the name; "stairs to ..." is both.
+    // A matching number or word at the very beginning belongs to the name, not to a pattern. Only "stairs to ..." and
+    // the like are both.
     bool take_part() {
         auto part = matcher_.at(at_);
         if (!part) return false;
@@ -804,7 +807,7 @@ private:
         return true;
     }
 
-    // Of the subject, or noise, or not understood.
+    // The word belongs to the subject, is ignored, or is reported as not understood.
     void leave_word() {
         const bool noise = token().kind == WordToken::Kind::Word &&
                            (has(kNoise, token().folded) || has(articles_of(speaker_.language), token().folded));
@@ -892,7 +895,7 @@ struct MaterialWord {
     std::string_view word, name;
 };
 
-// Of each material the first word is the one that is written in German.
+// In the rows of one material, the first German word is the one that is written.
 std::span<const MaterialWord> material_words() {
     static constexpr MaterialWord kRows[] = {
         {"putz", "plaster"},
@@ -946,7 +949,8 @@ std::string word_of_material(std::string_view name, WordLanguage language) {
 namespace {
 
 struct UsualSize {
-    std::string_view english, german, several;  // German; of English ones an s, or these
+    // Several: the German plural; the English plural adds an s, except for the words in one_of_several.
+    std::string_view english, german, several;
     double x, y, z;
 };
 
@@ -998,7 +1002,7 @@ const UsualSize* usual_row(std::string_view name) {
 
 std::optional<std::string> one_of_several(std::string_view names) {
     const std::string key = folded(names);
-    // Letters may be folded, but their number stays.
+    // Folding may change letters, but not their number, so `names` can be cut by the length of the key.
     const auto cut = [&](std::string_view several, std::string_view one) -> std::optional<std::string> {
         if (!key.ends_with(several)) return std::nullopt;
         return capitalised(std::string(names.substr(0, names.size() - several.size())) + std::string(one));

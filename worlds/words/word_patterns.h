@@ -1,4 +1,4 @@
-// What the words of a sentence say, by patterns of English and German. Pure functions; any thread.
+// Finds out what the words of a sentence say, by patterns for English and German. Pure functions; any thread.
 #pragma once
 
 #include <optional>
@@ -12,74 +12,75 @@ namespace handrail {
 
 enum class WordLanguage { English, German };
 
-// What a part of a sentence says. Numbers are metres by then.
+// What a part of a sentence says. All numbers are in metres already.
 enum class Says {
-    Size2,       // west to east by south to north
-    Size3,       // and height
+    Size2,       // numbers: west to east, south to north
+    Size3,       // the same and height
     High,        // numbers[0]
     Wide,        // numbers[0]
     AboveFloor,  // numbers[0]
-    SideOf,      // on side `sides[0]` of `name`, numbers[0] away where there is one
-    Above,       // `name`
-    Further,     // numbers[0] further to sides[0]
-    Flush,       // with the end on sides[0]
-    CornerAt,    // its south-west corner, numbers[0] to sides[0] and numbers[1] to sides[1] of the zero
-    At,          // its middle, likewise
-    Offset,      // its middle, likewise, from the south-west corner of the room
-    CornerList,  // numbers: pairs, metres east and north of the zero; of each piece one
-    Hole,        // likewise; where pieces lie against each other they are one
-    Along,       // numbers[0] along wall sides[0], where it is said
-    FromWall,    // numbers[0] from wall or end sides[0]
-    InWall,      // sides[0]
-    MiddleOf,    // wall sides[0]
-    Middle,      // of the room
-    InCorner,    // sides[0]
+    SideOf,      // on side sides[0] of room `name`; numbers[0], if given, is the distance
+    Above,       // above or below room `name`
+    Further,     // numbers[0] farther towards sides[0]
+    Flush,       // aligned with the end at sides[0]
+    // Position of the south-west corner: numbers[0] towards sides[0] and numbers[1] towards sides[1], from the origin.
+    CornerAt,
+    At,          // position of the middle, in the same form
+    Offset,      // the same, but from the south-west corner of the room
+    CornerList,  // numbers: pairs of metres east and north of the origin; one such part for each piece of the outline
+    Hole,        // the same for a hole; pieces that touch are joined
+    Along,       // numbers[0] along the wall sides[0], if it is given
+    FromWall,    // numbers[0] away from the wall or end at sides[0]
+    InWall,      // in the wall at sides[0]
+    MiddleOf,    // of the wall at sides[0]
+    Middle,      // in the middle of the room
+    InCorner,    // in the corner at sides[0]
     ByWindow,
-    ByDoor,  // to `name`, where there is one
-    NextTo,  // `name`
-    To,      // `name`
+    ByDoor,  // the door to room `name`, if given
+    NextTo,  // next to `name`
+    To,      // to room `name`
     Outside,
-    In,      // `name`
-    Stairs,  // to `name`
-    Lift,    // to `name`
-    UpTo,    // `name`
+    In,      // in `name`
+    Stairs,  // to room `name`
+    Lift,    // to room `name`
+    UpTo,    // up to `name`
     Landmark,
     Clue,
-    Called,    // `name`
+    Called,    // called `name`
     MadeOf,    // `name` is a material of the library
-    Floor,     // likewise
-    Walls,     // likewise
+    Floor,     // `name` is a material of the library
+    Walls,     // `name` is a material of the library
     Thick,     // numbers[0]
-    Facing,    // sides[0]
-    ByItself,  // a door that opens as one comes near
-    Raised,    // the floor of a room by numbers[0] over that of its storey
-    Sunk,      // or under it
-    FromRoom,  // `name`, where a lift or drop begins
+    Facing,    // towards sides[0]
+    ByItself,  // a door that opens automatically when somebody comes near
+    Raised,    // the floor of the room is numbers[0] higher than that of its storey
+    Sunk,      // the same, but lower
+    FromRoom,  // room `name`, where a lift, stairs or a drop begins
     DropOf,    // numbers[0] down
-    Railing,   // numbers[0] high, round a room
-    UpSide,    // stairs climb to sides[0]
-    UpAndBack  // to sides[0], where they turn
+    Railing,   // numbers[0] high, around a room
+    UpSide,    // stairs rise towards sides[0]
+    UpAndBack  // stairs rise towards sides[0] and turn back there
 };
 
-// Sides: 0 north, 1 north-east, ... 7 north-west; and as one looks or goes.
+// Sides: 0 north, 1 north-east, ... 7 north-west. These four are relative to the direction of view or of walking.
 inline constexpr int kLeftSide = 8, kRightSide = 9, kFrontSide = 10, kBackSide = 11;
 
 struct SaidPart {
     Says says = Says::Size2;
     std::vector<double> numbers;
     std::vector<int> sides;
-    std::string name;  // as written
+    std::string name;  // as written in the text
 };
 
-// What kind of sentence it is.
+// The kinds of sentences.
 enum class SentenceKind {
     Room,
     Door,
     SlidingDoor,
     Opening,
-    Lift,    // a platform from one room to another
-    Flight,  // stairs without a room, from one room to another
-    Drop,    // an open place to step down from one room to another
+    Lift,    // a platform that moves from one room to another
+    Flight,  // stairs from one room to another that are not a room themselves
+    Drop,    // an open edge to step down from one room to another
     Window,
     Start,
     Thing,
@@ -92,45 +93,45 @@ enum class SentenceKind {
 
 struct SaidSentence {
     SentenceKind kind = SentenceKind::Thing;
-    bool explicit_kind = false;  // "Room: ..."
-    bool fixture = false;        // "Fixture: ...": a thing that is no furniture
-    std::string name;            // its subject, as written; one of them where there are several
-    int count = 1;               // "Two chairs"
+    bool explicit_kind = false;  // the sentence begins with its kind: "Room: ..."
+    bool fixture = false;        // the sentence begins with "Fixture:"; the thing is no furniture
+    std::string name;            // the subject as written; for several things the name of one
+    int count = 1;               // number of things, as in "Two chairs"
     std::vector<SaidPart> parts;
-    std::vector<std::string> not_understood;  // words, as written
+    std::vector<std::string> not_understood;  // words as written
     bool in_steps = false;
 
     const SaidPart* find(Says says) const;
 };
 
-// The language that most of the words are of.
+// The language that most of the words belong to.
 WordLanguage language_of(std::span<const WordSentence> sentences);
 
 struct SpeakersOf {
     WordLanguage language = WordLanguage::English;
     double step_m = 0.7;
-    std::set<std::string> names;  // folded; of rooms, storeys and things, which are found in sentences by them
+    std::set<std::string> names;  // folded names of rooms, storeys and things, so that sentences can refer to them
 };
 
-// The kind and the subject alone, quickly.
+// Reads only the beginning, for the kind and the subject; fast.
 SaidSentence head_of(const WordSentence& sentence, const SpeakersOf& speaker);
-// All of it. At most 120 words and 4,000 numbers are looked at.
+// Reads the whole sentence, up to 120 words and 4,000 numbers.
 SaidSentence understood(const WordSentence& sentence, const SpeakersOf& speaker);
 
-// Folded, without an article in front: what names are compared by.
+// The form in which names are compared: folded, without an article in front.
 std::string name_key(std::string_view name, WordLanguage language);
-// Whether a name has to stand in quotation marks to be read back as it is.
+// True if a name must be in quotation marks to be read back unchanged.
 bool needs_quotation_marks(std::string_view name, WordLanguage language);
-// A name of the material library; empty: the words are none of it.
+// The name in the material library; empty if the word is no material.
 std::string material_of_word(std::string_view word);
-// How it is written in that language.
+// The word for a material in that language.
 std::string word_of_material(std::string_view name, WordLanguage language);
 
-// How large a thing of that name usually is: west to east, south to north, height.
+// The usual size of a thing with that name: west to east, south to north, height.
 Vec3 usual_size_m(std::string_view name);
-// Of several things that are known ("chairs", "Stühle") what one of them is called; nothing: it is no such plural.
+// The singular of a known plural ("chairs", "Stühle"); empty if it is no known plural.
 std::optional<std::string> one_of_several(std::string_view names);
-// Whether things of that name are known.
+// True if the usual size of such things is known.
 bool usually_known(std::string_view name);
 
 }  // namespace handrail

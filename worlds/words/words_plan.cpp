@@ -30,7 +30,7 @@ Result<FloorPlan> WordsPlan::build(std::string_view bytes) {
     const std::vector<WordSentence> sentences = sentences_of(bytes);
     if (sentences.size() > kMostSentences) return fail(phrase("rooms_text.too_large"), file_);
     speaker_.language = language_of(sentences);
-    // What is named anywhere is known everywhere; and how long a step is.
+    // A first pass collects all names, because a name may be used before it is defined, and reads the length of a step.
     std::vector<std::string> names;
     for (const WordSentence& sentence : sentences) {
         SaidSentence head = head_of(sentence, speaker_);
@@ -50,7 +50,7 @@ Result<FloorPlan> WordsPlan::build(std::string_view bytes) {
         if (!name.empty()) speaker_.names.insert(std::move(name));
     for (std::size_t i = 0; i < sentences.size(); ++i) {
         SaidSentence said = understood(sentences[i], speaker_);
-        // "Hall. Door outside.": a room of which its size is forgotten.
+        // "Hall. Door outside.": a room whose size was forgotten.
         if (said.kind == SentenceKind::Thing && said.parts.empty() && sentences[i].paragraph &&
             i + 1 < sentences.size() && !sentences[i + 1].paragraph) {
             const SentenceKind next = understood(sentences[i + 1], speaker_).kind;
@@ -205,7 +205,7 @@ std::string WordsPlan::room_words(const WordRoom& room) const { return one_line(
 std::size_t WordsPlan::room_named(const std::string& name, std::size_t but) const {
     const auto found = by_name_.find(name_key(name, speaker_.language));
     if (found == by_name_.end()) return kNoRoom;
-    // Of the same storey before others.
+    // Rooms of the same storey are preferred.
     std::size_t best = kNoRoom;
     for (const std::size_t r : found->second) {
         if (r == but) continue;

@@ -1,5 +1,5 @@
-// Rooms in words as a plan: sentences become rooms, doors and things, and these are placed against each other. What
-// cannot be placed is assumed and told with its line. One thread.
+// Turns a room description into a plan: sentences become rooms, doors and things, which are then placed relative to
+// each other. If a place is missing, an assumption is made and reported with its line. One thread.
 #pragma once
 
 #include <map>
@@ -12,16 +12,16 @@
 
 namespace handrail {
 
-// East and north of a side of the compass; diagonal ones go one metre both ways. Of left, right, front and back as on a
-// page with north above.
+// A compass direction as a vector east and north; diagonal directions go one metre both ways. Left, right, front and
+// back are as on a page with north at the top.
 Vec2 side_direction(int side);
-// What "2 metres east and 3 metres north" says.
+// The vector of "2 metres east and 3 metres north".
 Vec2 offset_of(const SaidPart& part);
 
 class WordsPlan {
 public:
     explicit WordsPlan(std::string file_name) : file_(std::move(file_name)) {}
-    // Fails where there is no room in it, or too much.
+    // Fails if the text has no room, or too much content.
     Result<FloorPlan> build(std::string_view bytes);
 
     const std::vector<Diagnostic>& warnings() const { return warnings_; }  // at most 20
@@ -41,12 +41,12 @@ private:
         Said said;
         std::size_t storey = 0;
         std::vector<Said> doors, windows, things;
-        std::vector<Ring> rings;  // empty: not yet placed
+        std::vector<Ring> rings;  // empty: not placed yet
         Vec2 least{0.0}, most{0.0}, size_m{4.0};
-        std::optional<double> raised_m;   // its floor, over that of its storey
-        std::vector<std::size_t> levels;  // places in FloorPlan::levels
+        std::optional<double> raised_m;   // height of its floor above that of its storey
+        std::vector<std::size_t> levels;  // indices into FloorPlan::levels
     };
-    // A straight part of an outline: a wall, or what two rooms share.
+    // A straight part of an outline: a wall, or the border that two rooms share.
     struct Border {
         Vec2 from{0.0}, to{0.0};
         double length() const { return glm::length(to - from); }
@@ -60,11 +60,11 @@ private:
         int side = 0;
         double along_m = 0.0;
     };
-    struct Opening {  // that things stand by
+    struct Opening {  // a door or window that things may be placed by
         Vec2 at{0.0};
         double width_m = 1.0;
         int side = 0;
-        std::string to;  // folded
+        std::string to;  // the name of the other room, folded
     };
 
     void take(SaidSentence said, int line);
@@ -80,7 +80,7 @@ private:
     void add_door(std::size_t room, const Said& said);
     void add_lift(std::size_t room, const Said& said);
     void add_flight(std::size_t room, const Said& said);
-    // The room of that name on another storey that has the place in it, else the nearest; kNoRoom without any.
+    // The room of that name on another storey that contains the place, else the nearest one; kNoRoom if there is none.
     std::size_t room_over(std::size_t room, const std::string& name, const Vec2& place) const;
     void set_raises();
     std::size_t room_from(std::size_t room, const Said& said) const;
@@ -94,13 +94,14 @@ private:
     std::size_t beside(std::size_t room, const std::string& name, const SaidPart* at, Border& border);
     std::optional<Border> shared(const WordRoom& a, const WordRoom& b);
     static Border wall_of(const WordRoom& room, int side);
-    static int wall_side(const WordRoom& room, int side);  // of the compass: 0, 2, 4, 6
-    // Where along a wall: as the sentence says it, its middle without. `placed`: the sentence says it.
+    static int wall_side(const WordRoom& room, int side);  // a compass direction: 0, 2, 4 or 6
+    // The position along a wall: as the sentence states it, else the middle. `placed` is set if the sentence states it.
     double along_wall(const Said& said, const WordRoom& room, const Border& wall, bool& placed);
     Vec2 free_corner(const WordRoom& room, const Vec3& size_m) const;
-    // Within the room, off what was placed before, and not before a door; `doors_alone`: the last is enough.
+    // True if the thing would be inside the room, clear of the things placed before, and not in front of a door.
+    // `doors_alone`: only the doors count.
     bool stands_free(const WordRoom& room, const Vec2& at, const Vec2& half, bool doors_alone = false) const;
-    // The nearest place round that one that is free; the same where there is none.
+    // The free place nearest to `at`; `at` itself if there is none.
     Vec2 nearest_free(const WordRoom& room, const Vec2& at, const Vec2& half) const;
     Vec2 place_next_to(const Placed& other, const WordRoom& room, const Vec2& half) const;
     void add_thing(const WordRoom& room, const Said& said, bool first);
@@ -116,15 +117,15 @@ private:
     FloorPlan plan_;
     SpeakersOf speaker_;
     std::vector<Storey> storeys_;
-    std::vector<std::size_t> level_of_;  // of each storey
+    std::vector<std::size_t> level_of_;  // level of each storey
     std::vector<WordRoom> rooms_;
     std::map<std::string, std::vector<std::size_t>> by_name_;
     std::vector<Said> starts_;
     std::vector<std::size_t> start_rooms_;
-    std::map<std::string, Placed> placed_things_;  // of the room at hand, folded
-    std::vector<Placed> placed_here_;              // all of them
+    std::map<std::string, Placed> placed_things_;  // the things in the current room, by folded name
+    std::vector<Placed> placed_here_;              // all things in the current room
     std::vector<Opening> windows_here_, doors_here_;
-    std::vector<std::vector<Opening>> doors_of_;  // of each room
+    std::vector<std::vector<Opening>> doors_of_;  // indexed by room
     std::vector<Diagnostic> warnings_;
     int warnings_in_all_ = 0, usual_sizes_ = 0, without_place_ = 0, middle_doors_ = 0;
     bool steps_ = false, left_and_right_ = false;

@@ -1,4 +1,4 @@
-// Doors, windows, things and starts of a text.
+// Places the doors, windows, things and starts of a text.
 #include <algorithm>
 #include <cmath>
 
@@ -11,10 +11,10 @@ namespace {
 constexpr double kBesideDoor_m = 0.15, kWindow_m = 1.2, kWindowHigh_m = 1.2, kSill_m = 0.9, kProud_m = 0.02;
 constexpr double kLeastThing_m = 0.05, kMostThing_m = 200.0, kOut_m = 0.4;
 constexpr std::size_t kMostThings = 30'000;
-// A room with more things than that is not searched for a free place: the time goes with their square.
+// A room with more things than this is not searched for a free place, because the time grows with their square.
 constexpr std::size_t kMostLookedAt = 300;
 
-// Of an outline, where it passes nearest; and between which corners that is.
+// Distance from a place to the nearest edge of an outline; `side` receives the ends of that edge.
 double away_from(const std::vector<Ring>& rings, const Vec2& at, std::pair<Vec2, Vec2>* side = nullptr) {
     double least = 1e300;
     for (const Ring& ring : rings)
@@ -35,7 +35,7 @@ std::string wall_words(int side) {
     return phrase(kKeys[static_cast<std::size_t>(side / 2)]);
 }
 
-// Which wall of the room a border is: by the side of its middle that is farthest out.
+// The wall of the room that a border belongs to: the side of the room nearest to the border's middle.
 int side_of_border(const Vec2& from, const Vec2& to, const Vec2& least, const Vec2& most) {
     const Vec2 middle = 0.5 * (from + to);
     const std::array<double, 4> off{std::abs(most.y - middle.y), std::abs(most.x - middle.x),
@@ -46,7 +46,7 @@ int side_of_border(const Vec2& from, const Vec2& to, const Vec2& least, const Ve
 }  // namespace
 
 std::size_t WordsPlan::level_for(const WordRoom& a, const WordRoom* b) const {
-    // Stairs are on several: where the other room is, too.
+    // A room with stairs is on several levels; the level that the other room is on as well is taken.
     const std::size_t own = level_of_[a.storey];
     if (!b) return own;
     const auto on = [](const WordRoom& room, std::size_t level) {
@@ -58,8 +58,8 @@ std::size_t WordsPlan::level_for(const WordRoom& a, const WordRoom* b) const {
     return own;
 }
 
-// Of the rooms of that name the one with the longest border, on a storey of both; where a place is said, the one that
-// is nearest to it.
+// Of the rooms with that name on a common storey, finds the one with the longest shared border. If the sentence gives a
+// position, finds the one nearest to it.
 std::size_t WordsPlan::beside(std::size_t r, const std::string& name, const SaidPart* at, Border& border) {
     constexpr double kNear_m = 1.0;
     const auto found = by_name_.find(name_key(name, speaker_.language));
@@ -140,7 +140,8 @@ std::size_t WordsPlan::room_over(std::size_t r, const std::string& name, const V
     return found;
 }
 
-// They go up from the lower of the two rooms. What is not said: a metre wide, and as long as easy stairs are.
+// The stairs rise from the lower of the two rooms. If the text does not say, they are a metre wide and long enough to
+// be easy to climb.
 void WordsPlan::add_flight(std::size_t paragraph, const Said& said) {
     constexpr double kFlight_m = 1.0, kLeastFlight_m = 0.6, kMostFlight_m = 30.0, kEasySlope = 1.5;
     const std::size_t r = room_from(paragraph, said);
@@ -158,7 +159,7 @@ void WordsPlan::add_flight(std::size_t paragraph, const Said& said) {
     PlanFlight flight;
     flight.name = called ? one_line(called->name.substr(0, 200)) : std::string();
     flight.line = said.line;
-    // Of a room on several storeys from its highest, or to its lowest.
+    // From a room on several storeys stairs begin at its highest storey; to such a room they lead to its lowest.
     const bool rises = room.levels.back() < rooms_[other].levels.back();
     flight.from = rises ? r : other, flight.to = rises ? other : r;
     flight.high = rooms_[flight.to].levels.back();
@@ -179,7 +180,7 @@ void WordsPlan::add_flight(std::size_t paragraph, const Said& said) {
     plan_.flights.push_back(std::move(flight));
 }
 
-// To the room of that name on another storey that has the platform in it, else to the nearest.
+// A lift leads to the room of that name on another storey that contains the platform, else to the nearest one.
 void WordsPlan::add_lift(std::size_t paragraph, const Said& said) {
     constexpr double kPlatform_m = 1.4, kLeastPlatform_m = 0.8, kMostPlatform_m = 20.0;
     const std::size_t r = room_from(paragraph, said);
@@ -263,7 +264,7 @@ void WordsPlan::add_door(std::size_t r, const Said& said) {
                 wall_said = nullptr;
             }
         } else if (!to) {
-            // To the outside by the first wall behind which there is no room.
+            // A door to the outside is in the first wall that has no room behind it.
             bool found = false;
             for (const int side : {4, 0, 6, 2}) {
                 const Border here = wall_of(room, side);
@@ -282,7 +283,7 @@ void WordsPlan::add_door(std::size_t r, const Said& said) {
                 return;
             }
         } else if (said.words.find(Says::Along) || said.words.find(Says::FromWall)) {
-            // Along the whole wall that the other room is at.
+            // The position is measured along the whole wall that the other room touches.
             const Border whole = wall_of(room, side_of_border(border.from, border.to, room.least, room.most));
             const auto off = [&](const Vec2& p) {
                 const Vec2 way = whole.to - whole.from, rel = p - whole.from;
@@ -291,7 +292,8 @@ void WordsPlan::add_door(std::size_t r, const Said& said) {
             if (off(border.from) < kOut_m && off(border.to) < kOut_m) wall = whole;
         }
         double along = along_wall(said, room, wall, placed);
-        // Without a place on a wall that one room has only a part of: the middle of that part.
+        // If no position is given and the other room shares only a part of the wall, the door is in the middle of that
+        // part.
         if (!placed && to) {
             wall = border;
             along = 0.5 * wall.length();
@@ -314,14 +316,15 @@ void WordsPlan::add_door(std::size_t r, const Said& said) {
             {door.at, door.width_m.value_or(0.9), side_of_border(door.at, door.at, here.least, here.most),
              to_room == kNoRoom ? std::string() : name_key(rooms_[to_room].said.words.name, speaker_.language)});
     };
-    // One may write a door in both of its rooms.
+    // The author may describe a door in both of its rooms.
     if (told_before(door, placed)) return;
     note(r, other);
     if (there) note(other, r);
     plan_.doors.push_back(std::move(door));
 }
 
-// Which wall it is in and how far along: by its words, or by the side of the outline that a place is nearest to.
+// The wall of a window and the position along it: as the sentence states, or on the side of the outline nearest to a
+// given place.
 WordsPlan::InWall WordsPlan::place_of_window(const Said& said, const WordRoom& room) {
     if (const SaidPart* at = said.words.find(Says::At)) {
         const Vec2 place = offset_of(*at);
@@ -392,8 +395,8 @@ bool WordsPlan::stands_free(const WordRoom& room, const Vec2& at, const Vec2& ha
            });
 }
 
-// Where it is out of the way: a free corner, else a free place along the walls or further in, else one that keeps the
-// doors free, else the middle.
+// Finds a place where the thing is out of the way: a free corner, else a free place along the walls or farther in, else
+// a place that keeps the doors free, else the middle.
 Vec2 WordsPlan::free_corner(const WordRoom& room, const Vec3& size_m) const {
     constexpr int kMostPlaces = 40;
     constexpr double kStep_m = 0.25;
@@ -428,7 +431,8 @@ Vec2 WordsPlan::nearest_free(const WordRoom& room, const Vec2& at, const Vec2& h
     return at;
 }
 
-// On the first of its sides that is free, else as near to one as is free, else on the first that is in the room.
+// At the first free side of the other thing, else at the free place nearest to it, else at the first side that is
+// inside the room.
 Vec2 WordsPlan::place_next_to(const Placed& other, const WordRoom& room, const Vec2& half) const {
     const double inside_m = 0.5 * plan_.wall_m;
     const Vec2 least = room.least + inside_m, most = room.most - inside_m, there = 0.5 * (other.least + other.most);
@@ -454,7 +458,7 @@ Vec2 WordsPlan::place_next_to(const Placed& other, const WordRoom& room, const V
 Vec2 WordsPlan::place_of_thing(const Said& said, const WordRoom& room, Vec3& size_m, bool usual) {
     const double inside_m = 0.5 * plan_.wall_m;
     const Vec2 least = room.least + inside_m, most = room.most - inside_m, middle = 0.5 * (least + most);
-    // What is as it usually is stands with its longer side along the wall.
+    // Things of usual size are turned so that the longer side is along the wall.
     const auto turn_to = [&](int side) {
         const bool upright = side == 2 || side == 6;
         if (usual && (size_m.x > size_m.y) == upright && size_m.x != size_m.y) std::swap(size_m.x, size_m.y);
@@ -474,7 +478,7 @@ Vec2 WordsPlan::place_of_thing(const Said& said, const WordRoom& room, Vec3& siz
         }
     };
     const auto along_of = [&](int side, const Vec2& place) { return side == 0 || side == 4 ? place.x : place.y; };
-    // Where the place along the wall is not said: the nearest to it that is free.
+    // If the position along the wall is not given, the nearest free one is used.
     const auto against_free = [&](int side, double along) {
         constexpr double kSlide_m = 0.1;
         constexpr int kMostSlides = 300;
@@ -575,7 +579,7 @@ void WordsPlan::add_things(std::size_t r) {
     }
 }
 
-// `first`: the sentence speaks of several, and this is the first of them.
+// `first`: this is the first of the several things that the sentence mentions.
 void WordsPlan::add_thing(const WordRoom& room, const Said& said, bool first) {
     const SaidPart *size3 = said.words.find(Says::Size3), *size2 = said.words.find(Says::Size2),
                    *high = said.words.find(Says::High), *sill = said.words.find(Says::AboveFloor);
@@ -647,7 +651,7 @@ void WordsPlan::add_start(const Said& said) {
     start.at = place_of_thing(said, room, body, false);
     if (without_place_ > without) start.at = 0.5 * (room.least + room.most);
     without_place_ = without;
-    // On an outline of more corners its middle may lie outside.
+    // The middle of an outline with more corners may be outside of it.
     if (!inside(room.rings, start.at)) {
         double largest = 0.0;
         for (const Ring& part : convex_parts(room.rings))
