@@ -29,7 +29,7 @@ std::string digest_of(const std::string& name, std::string_view content) {
     return sum.hex();
 }
 
-// The folder, if it is the person's alone. One that others may only read is closed to them.
+// Opens the folder if it belongs to the person alone. If others may even read it, it is first closed to them.
 Descriptor own_folder(const fs::path& path) {
     Descriptor folder(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     struct stat of {};
@@ -39,7 +39,7 @@ Descriptor own_folder(const fs::path& path) {
     return folder;
 }
 
-// As the base directory specification wants it: what is missing is made for the person alone.
+// Makes missing folders for the person alone, as the base directory specification requires.
 void make_folder(const fs::path& path) {
     if (path.empty() || path == path.root_path()) return;
     if (::mkdir(path.c_str(), 0700) == 0 || errno != ENOENT) return;
@@ -69,7 +69,8 @@ std::vector<KeptFile> files_in(int folder) {
     return files;
 }
 
-// Until the rest fits. What another process removes meanwhile is gone as well.
+// Removes the files used least recently until the rest fits. Files that another process removes meanwhile count as
+// removed, too.
 void remove_oldest(int folder, std::uint64_t most_bytes) {
     std::vector<KeptFile> files = files_in(folder);
     std::sort(files.begin(), files.end(), [](const KeptFile& a, const KeptFile& b) {
@@ -95,7 +96,8 @@ Descriptor Cache::open(const std::string& name) const {
     if (file.get() < 0 || ::fstat(file.get(), &of) != 0 || !S_ISREG(of.st_mode) || of.st_uid != ::geteuid() ||
         (of.st_mode & kOthersWrite))
         return Descriptor(-1);
-    ::futimens(file.get(), nullptr);  // used now; refused on a read-only disk, where nothing is removed either
+    // Marks the file as used now; fails on a read-only disk, where nothing is removed either.
+    ::futimens(file.get(), nullptr);
     return file;
 }
 
@@ -106,7 +108,7 @@ void Cache::keep(const std::string& name, std::string_view content) const {
     std::string all = digest_of(name, content);
     all += content;
     if (!write_private_file_atomically(folder_ / name, all)) return;
-    // Once more, because somebody may have removed the folder meanwhile, and writing made it again.
+    // The folder is opened again, because somebody may have removed it meanwhile, and writing has made it again.
     if (const Descriptor folder = own_folder(folder_); folder.get() >= 0) remove_oldest(folder.get(), most_bytes_);
 }
 
@@ -129,7 +131,7 @@ std::optional<std::string> kept_content(int file, const std::string& name, const
 }
 
 fs::path user_cache_folder() {
-    // The base directory specification says: only an absolute XDG_CACHE_HOME counts.
+    // According to the base directory specification, only an absolute XDG_CACHE_HOME counts.
     const char* cache = std::getenv("XDG_CACHE_HOME");
     if (cache && cache[0] == '/') return fs::path(cache) / "handrail";
     const char* home = std::getenv("HOME");

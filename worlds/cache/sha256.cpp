@@ -11,7 +11,8 @@
 namespace handrail {
 namespace {
 
-// Another library of the program may have done it before. Only digests are made here, so no memory has to be locked.
+// Another library of the program may have initialised libgcrypt before. Only digests are made here, so no memory has to
+// be locked.
 void make_ready_once() {
     static const bool ready = [] {
         if (gcry_control(GCRYCTL_INITIALIZATION_FINISHED_P)) return true;
@@ -34,7 +35,7 @@ Sha256::Sha256() : state_(std::make_unique<State>()) {
     make_ready_once();
     const gcry_error_t error = gcry_md_open(&state_->handle, GCRY_MD_SHA256, 0);
     if (gcry_err_code(error) == GPG_ERR_ENOMEM) throw std::bad_alloc();
-    contract_pre(!error);  // every build of the library has it
+    contract_pre(!error);  // every build of the library supports SHA-256
 }
 
 Sha256::~Sha256() = default;

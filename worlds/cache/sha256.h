@@ -1,4 +1,4 @@
-// SHA-256 of bytes that come in pieces, by libgcrypt. One owner; any thread.
+// SHA-256 of bytes that arrive in pieces, computed by libgcrypt. One owner; any thread.
 #pragma once
 
 #include <memory>
@@ -15,9 +15,9 @@ public:
     Sha256& operator=(const Sha256&) = delete;
 
     void add(std::string_view bytes);
-    // Their number and then the bytes, so that "ab" and "c" differ from "a" and "bc".
+    // Adds the number of bytes and then the bytes, so that "ab" and "c" differ from "a" and "bc".
     void add_counted(std::string_view bytes);
-    // 64 hex digits. The last call.
+    // Returns 64 hex digits. Call nothing else afterwards.
     std::string hex();
 
 private:

@@ -10,17 +10,17 @@
 namespace handrail {
 namespace {
 
-constexpr double kJamb_m = 0.06;       // beside a leaf, where its wall or frame is
-constexpr double kBesideDoor_m = 1.0;  // floors looked at on both sides of it
-constexpr double kTallest_m = 4.0;     // where there is no floor to go by
-constexpr double kInFront_m = 0.5;     // what stands nearer than that may be in the way
+constexpr double kJamb_m = 0.06;       // how far beside a leaf its wall or frame must be
+constexpr double kBesideDoor_m = 1.0;  // distance on both sides of the door within which floors count
+constexpr double kTallest_m = 4.0;     // greatest height of a door, if no floors are known
+constexpr double kInFront_m = 0.5;     // things nearer than this may block the door
 
-// Leaves that stand side by side and open together.
+// Leaves next to each other that open together.
 struct Doorway {
     std::vector<std::uint32_t> movers;
     std::vector<FeatureId> features;
     Aabb box;
-    Vec3 normal{0.0};  // of its face, level; zero: a trapdoor, or no flat leaf
+    Vec3 normal{0.0};  // horizontal normal of its face; zero: a trapdoor, or no flat leaf
     bool opens = false;
     bool of_lift = false;
 };
@@ -69,7 +69,7 @@ WorldFault fault_of(const Examined& world, const Doorway& door, FaultKind kind) 
     return fault;
 }
 
-// From one side of it to the other along places to stand that lie within it.
+// True if a person can walk from one side to the other, over places inside the doorway.
 bool leads_through(const Examined& world, const Doorway& door, const std::vector<std::vector<std::uint32_t>>& within) {
     const WalkSpace& space = *world.space;
     std::map<std::uint32_t, bool> seen;
@@ -104,7 +104,7 @@ double width_of(const Doorway& door) {
     return std::abs(along.x) * size.x + std::abs(along.y) * size.y;
 }
 
-// A thing that stands in its way, by name.
+// The name of a thing that blocks the doorway.
 std::string in_the_way(const Examined& world, const Doorway& door) {
     Aabb way = door.box;
     const Vec3 out = glm::abs(door.normal) * kInFront_m;
@@ -117,7 +117,7 @@ std::string in_the_way(const Examined& world, const Doorway& door) {
     return {};
 }
 
-// At both ends of the leaves there must be something to hang and to close at.
+// True if there is something at both ends of the leaves, to hang and to close at.
 bool has_wall(const Examined& world, const Doorway& door) {
     const Vec3 along(-door.normal.y, door.normal.x, 0.0);
     double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -134,7 +134,7 @@ bool has_wall(const Examined& world, const Doorway& door) {
     return held(low - kJamb_m) && held(high + kJamb_m);
 }
 
-// How far apart the floors are that it reaches over.
+// The height difference between the floors that the door reaches over.
 double levels_apart(const Examined& world, const Doorway& door) {
     if (!world.space) return door.box.size_m().z > kTallest_m ? door.box.size_m().z : 0.0;
     const WalkSpace& space = *world.space;
@@ -162,7 +162,7 @@ void find_door_faults(const Examined& world, std::vector<WorldFault>& faults) {
     if (world.space)
         for (std::uint32_t s = 0; s < world.space->spans.size(); ++s)
             if (const std::uint32_t door = world.space->spans[s].door; door < within.size()) within[door].push_back(s);
-    std::vector<FeatureId> told;  // by what the file states
+    std::vector<FeatureId> told;  // doors that the file states
     if (world.scene.stated)
         for (const StatedPortal& portal : world.scene.stated->portals) told.push_back(portal.feature);
     for (const Doorway& door : doorways(world)) {

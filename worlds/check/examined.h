@@ -1,4 +1,4 @@
-// A world made ready to be looked at for faults: its solids by place. For the sources of worlds/check only.
+// A world prepared for the search for faults: its solids are indexed by place. Only for the sources of worlds/check.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace handrail {
 
-// How much of a room lies under a roof, in places to stand.
+// How many of a room's places to stand are under a roof, and how many are open.
 struct Cover {
     std::size_t under_roof = 0, open = 0;
     std::uint32_t first_open = kNothing;
@@ -31,32 +31,33 @@ public:
     const WalkSpace* space;
     const RoomGraph* graph;
 
-    // Places in Scene::solids of what stops a body and whose box meets this one, rising.
+    // Indices in Scene::solids, rising, of the solids that stop a body and whose box meets this one. The reference is
+    // valid until the next query.
     const std::vector<std::uint32_t>& solids_near(const Aabb& box) const;
-    // The first solid that stops a body and holds the point, grown by that much, and is not one of these features.
+    // The first solid that stops a body and, grown by grow_m, contains the point. Skips the features in `but`.
     const Solid* solid_at(const Vec3& at_m, double grow_m, const std::vector<FeatureId>& but = {}) const;
-    // A sheet lies that near, or something holds the point.
+    // True if a sheet is within near_m, or a solid contains the point.
     bool something_at(const Vec3& at_m, double near_m, const std::vector<FeatureId>& but = {}) const;
-    // Below a point: the height of the first solid or sheet; nothing: there is none.
+    // The height of the first solid or sheet below a point; empty if there is none.
     std::optional<double> top_below(const Vec3& at_m) const;
     bool sheet_near(const Aabb& box) const;
-    // Where the floor under a place stands in the file.
+    // The place in the file of the floor under a point.
     SourcePlace ground_source(const Vec3& at_m) const;
-    // The solids that are one thing.
+    // The solids of a thing.
     const std::vector<std::uint32_t>& solids_of(FeatureId feature) const { return solids_of_[feature.value]; }
-    // The room beside or under which a thing is; kNothing: in none.
+    // The room that a thing is next to or below; kNothing if there is none.
     std::uint32_t room_of(const Feature& feature) const;
     std::string room_name(std::uint32_t room) const;
-    // Where the room stands in the file, else its floor.
+    // The place in the file of the room, else of its floor.
     SourcePlace room_source(std::uint32_t room) const;
     const Cover& cover(std::uint32_t room) const { return covers_[room]; }
-    // Ground round a building whose file states its rooms: nobody's room.
+    // True for the ground round a building whose file states its rooms; it belongs to no room.
     bool is_ground(std::uint32_t room) const;
-    // What is called a thing here: objects with a body that are no part of the building.
+    // True for things: objects with a solid that are no part of the building.
     bool is_thing(FeatureId feature) const;
 
 private:
-    std::vector<std::uint32_t> bodies_;  // places in Scene::solids
+    std::vector<std::uint32_t> bodies_;  // indices into Scene::solids
     BoxIndex index_, sheets_;
     std::vector<std::vector<std::uint32_t>> solids_of_;
     std::vector<Cover> covers_;

@@ -50,7 +50,8 @@ std::string candidate_words(const Scene& scene, const WorldFault& fault) {
     return list;
 }
 
-constexpr double kWideDoorway_m = 0.8;  // as the advice says: a wider one is no reason that nobody gets through
+// As the advice says: a door at least this wide is not impassable because of its width.
+constexpr double kWideDoorway_m = 0.8;
 
 std::string say(const Scene& scene, const WorldFault& fault, std::string_view key) {
     const std::string name = capitalised(one_line(fault.name)), other = one_line(fault.other),
@@ -114,7 +115,7 @@ std::vector<WorldFault> find_faults(const Scene& scene, const WalkSpace* space, 
 }
 
 std::string fault_words(const Scene& scene, const WorldFault& fault) {
-    if (fault.kind == FaultKind::AlikeMaterials) return fault.name;  // a sentence already
+    if (fault.kind == FaultKind::AlikeMaterials) return fault.name;  // already a whole sentence
     if (fault.kind == FaultKind::DamagedInFile)
         return fault.other.empty() ? fault.name : fault.name + " " + fault.other;
     return say(scene, fault, "world_fault." + std::string(row_of(fault.kind).word));

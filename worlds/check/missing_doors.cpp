@@ -13,18 +13,18 @@ namespace handrail {
 namespace {
 
 constexpr double kThickest_m = 0.8, kThinnest_m = 0.03;
-constexpr double kWidth_m = 0.9;      // of a doorway, where the wall is long enough
-constexpr double kNarrowest_m = 0.7;  // which bodies pass still
+constexpr double kWidth_m = 0.9;      // width of a doorway, if the wall is long enough
+constexpr double kNarrowest_m = 0.7;  // least width that people can pass
 constexpr double kSameFloor_m = 0.15;
-constexpr double kNear_m = 1e6;       // before whatever is long
-constexpr double kChest_m = 1.0;      // above the floor, where walls are looked for
-constexpr double kUpright = 1e-3;     // of a normal's rise
-constexpr double kSameWall_m = 0.01;  // of two faces of one wall that lie side by side
-constexpr double kSameWay = 1e-4;     // 1 - cos: within 0.8 degrees
+constexpr double kNear_m = 1e6;       // a score above that of any wall length
+constexpr double kChest_m = 1.0;      // height above the floor at which walls are searched
+constexpr double kUpright = 1e-3;     // greatest vertical part of a wall's normal
+constexpr double kSameWall_m = 0.01;  // adjacent faces within this offset belong to one wall
+constexpr double kSameWay = 1e-4;     // 1 - cos: directions within 0.8 degrees are the same
 
-// A face of a wall with places before it from which one would come into another room, were there a door.
+// A face of a wall, with the places in front of it from which a door would lead into another room.
 struct Facing {
-    Vec3 in{0.0};  // level, into the wall
+    Vec3 in{0.0};  // horizontal, into the wall
     double at_m = 0.0;
     std::uint32_t other = kNothing;
     struct Place {
@@ -37,7 +37,7 @@ struct Facing {
 
 Vec3 right_of(const Vec3& way) { return {way.y, -way.x, 0.0}; }
 
-// Nothing but the building itself, and something of it, all the way.
+// True if the line crosses some part of the building, and nothing else.
 bool is_wall(const Examined& world, const Vec3& from_m, const Vec3& to_m) {
     bool wall = false;
     for (const double up : {0.4, 1.0, 1.6})
@@ -52,15 +52,15 @@ bool is_wall(const Examined& world, const Vec3& from_m, const Vec3& to_m) {
     return wall;
 }
 
-// Of the faces before which one stands in the room, those behind which another room is. Found from the edges of what is
-// free to walk on, whatever way the walls run.
+// The wall faces of a room that have another room behind them. They are found from the edges of the walkable area,
+// whatever direction the walls have.
 std::vector<Facing> walls_to_others(const Examined& world, std::uint32_t room) {
     const WalkSpace& space = *world.space;
     const RoomGraph& graph = *world.graph;
     const double reach_m = space.body.radius_m + 1.5 * space.cell_m;
     const double farthest_m = kThickest_m + 2.0 * (space.body.radius_m + space.cell_m);
     std::vector<Facing> walls;
-    // Whom one would come to through a face: the far side of the wall, and how thick it is.
+    // Finds the room behind a face, the far side of the wall, and its thickness.
     const auto look_behind = [&](const Vec3& from_m, const Vec3& in, double before_m, double at_m) {
         for (double far_m = before_m + space.cell_m; far_m <= farthest_m; far_m += 0.5 * space.cell_m) {
             const std::uint32_t there = space.at(from_m + in * far_m);
@@ -87,7 +87,7 @@ std::vector<Facing> walls_to_others(const Examined& world, std::uint32_t room) {
         const Vec3 from_m = space.place_m(s), chest_m = from_m + Vec3(0.0, 0.0, kChest_m);
         const Vec3 around(reach_m, reach_m, 0.0);
         const std::vector<std::uint32_t> near = world.solids_near({chest_m - around, chest_m + around});
-        std::vector<Vec3> looked;  // ways in which that was done
+        std::vector<Vec3> looked;  // directions already tested
         for (const std::uint32_t n : near) {
             const Solid& solid = world.scene.solids[n];
             if (solid.role != SolidRole::Solid) continue;
@@ -114,7 +114,8 @@ std::vector<MissingDoor> missing_doors(const Scene& scene, const WalkSpace& spac
                                        std::uint32_t room, const std::optional<Vec3>& near_m, std::size_t most) {
     contract_pre(room < graph.rooms.size());
     const Examined world(scene, &space, &graph);
-    std::map<std::uint32_t, std::pair<double, MissingDoor>> best;  // by the other room, with how long its wall is
+    // By the other room, each with its score: the wall's length or nearness.
+    std::map<std::uint32_t, std::pair<double, MissingDoor>> best;
     for (Facing& wall : walls_to_others(world, room)) {
         std::vector<Facing::Place>& places = wall.places;
         std::stable_sort(places.begin(), places.end(),
@@ -123,7 +124,7 @@ std::vector<MissingDoor> missing_doors(const Scene& scene, const WalkSpace& spac
             std::size_t end = begin + 1;
             while (end < places.size() && places[end].along_m - places[end - 1].along_m < 2.5 * space.cell_m) ++end;
             const double first_m = places[begin].along_m, last_m = places[end - 1].along_m;
-            // Whoever stands at an end of the stretch has the body's width beside the middle.
+            // A person at an end of the stretch also needs half a body's width beyond it.
             const double long_m = last_m - first_m + 2.0 * space.body.radius_m, width_m = std::min(kWidth_m, long_m);
             const double beside_m = std::max(0.0, 0.5 * width_m - space.body.radius_m);
             const Facing::Place* middle = &places[begin];
@@ -158,7 +159,7 @@ std::vector<MissingDoor> missing_doors(const Scene& scene, const WalkSpace& spac
     std::vector<std::pair<double, MissingDoor>> all;
     for (auto& [other, found] : best)
         if (found.second.to != kNothing) all.push_back(std::move(found));
-    // The ground outside comes last: rooms lead to rooms.
+    // The ground outside comes last, because doors to rooms are more likely.
     std::stable_sort(all.begin(), all.end(), [&](const auto& a, const auto& b) {
         const bool a_outside = world.is_ground(a.second.to), b_outside = world.is_ground(b.second.to);
         return a_outside != b_outside ? b_outside : a.first > b.first;
@@ -170,7 +171,7 @@ std::vector<MissingDoor> missing_doors(const Scene& scene, const WalkSpace& spac
 }
 
 std::optional<MadeDoor> doorway_cut_free(const Scene& scene, const WorldFault& fault) {
-    // Without a width it is a door that does not open, not one that is walled up.
+    // Without a width, the door cannot open for another reason; it is not walled up.
     if (fault.kind != FaultKind::ImpassableDoor || !fault.other.empty() || !(fault.amount > 0.0)) return std::nullopt;
     const Examined world(scene, nullptr, nullptr);
     const auto is_of_building = [&](const Solid& solid) {
@@ -193,7 +194,7 @@ std::optional<MadeDoor> doorway_cut_free(const Scene& scene, const WorldFault& f
              wall && is_of_building(*wall))
         look_at(*wall);
     if (way == Vec3(0.0)) return std::nullopt;
-    // As far to both sides as something of the building stands there, and nothing else may.
+    // The doorway extends to both sides as far as parts of the building are there. Nothing else may be in it.
     MadeDoor door{fault.at_m, std::atan2(way.x, way.y), std::clamp(fault.amount, kNarrowest_m, kWidth_m), 0.0,
                   fault.name};
     bool walled = false;

@@ -1,4 +1,4 @@
-// Where a door could be missing: a wall that stands between a room and its neighbours. Pure functions; any thread.
+// Finds where a door could be missing: in a wall between a room and its neighbours. Pure functions; any thread.
 #pragma once
 
 #include <cstdint>
@@ -13,20 +13,20 @@
 namespace handrail {
 
 struct MissingDoor {
-    std::uint32_t to = kNothing;  // the room on the other side
-    MadeDoor door;                // as it would be made; no name
+    std::uint32_t to = kNothing;  // index of the room on the other side
+    MadeDoor door;                // the door to make; without a name
 };
 
-// One for each neighbour on the same storey that nothing but one straight wall parts from the room over the width of a
-// door, at most `most`: the wall that is nearest to `near_m` first, where that is within arm's reach of it, and the
-// door there; else those that share the longest wall, and the door in its middle; the ground outside last. Walls may
-// run in any direction, but not bend. Time goes with the spans of the room.
+// Finds up to `most` doors, one for each neighbour on the same storey. Only one straight wall may separate it from the
+// room over the width of a door. A wall within arm's reach of `near_m` comes first, the nearest one before others, with
+// the door there. Then come the neighbours by length of the shared wall, with the door in its middle. The ground
+// outside comes last. Walls may have any direction, but no bends. The time grows with the spans of the room.
 std::vector<MissingDoor> missing_doors(const Scene& scene, const WalkSpace& space, const RoomGraph& graph,
                                        std::uint32_t room, const std::optional<Vec3>& near_m = std::nullopt,
                                        std::size_t most = 4);
 
-// The doorway that makes a door passable, where nothing but walls keeps a body from going through it: around its place,
-// square to its leaf or else to the wall. Nothing for other faults, and where a thing stands in it.
+// The doorway that would make an impassable door passable, if only walls block it. It is at the place of the door,
+// perpendicular to its leaf, else to the wall. Empty for other faults, and if a thing is in the doorway.
 std::optional<MadeDoor> doorway_cut_free(const Scene& scene, const WorldFault& fault);
 
 }  // namespace handrail

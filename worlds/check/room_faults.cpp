@@ -17,13 +17,13 @@
 namespace handrail {
 namespace {
 
-constexpr double kLeastNamed_m2 = 2.0;       // a smaller one is a niche, whatever its shape
-constexpr double kLeastLandmarked_m2 = 4.0;  // in a smaller one everything is at hand
-constexpr double kOneRoom_m = 1.5;           // names nearer than that stand in one place
+constexpr double kLeastNamed_m2 = 2.0;       // a smaller room is a niche, whatever its shape
+constexpr double kLeastLandmarked_m2 = 4.0;  // in a smaller room everything is within reach
+constexpr double kOneRoom_m = 1.5;           // two names nearer to each other than this belong to one room
 constexpr std::size_t kMostCandidates = 3;
 
-// Which rooms one walks into from the base, past all that stands about, doors open. More than a doorway of it: a
-// strip before a blocked door may count to the room behind.
+// Which rooms a person can walk into from the base, with doors open and things in place. More than a doorway's share of
+// a room must be reached, because a strip in front of a blocked door may count as part of the room behind it.
 std::vector<bool> walked_into(const Examined& world) {
     const WalkSpace& space = *world.space;
     const Start* const base = base_of(world.scene);
@@ -41,13 +41,13 @@ std::vector<bool> walked_into(const Examined& world) {
     return rooms;
 }
 
-// What is over a place and takes its headroom; null: a sheet.
+// The solid that limits the headroom at a place; null if it is a sheet.
 const Solid* above(const Examined& world, const Vec3& at_m, double headroom_m) {
     constexpr double kInto_m = 0.02;
     return world.solid_at(at_m + Vec3(0.0, 0.0, headroom_m + kInto_m), world.space->body.radius_m);
 }
 
-// Its name, or that of its under side.
+// The name of the solid, or of its underside.
 std::string name_from_below(const Scene& scene, const Solid& solid) {
     if (solid.feature != kNoFeature) return spoken_name(scene.features[solid.feature.value]);
     for (std::size_t i = 0; i < std::min(solid.shape.planes.size(), solid.face_features.size()); ++i)
@@ -56,7 +56,7 @@ std::string name_from_below(const Scene& scene, const Solid& solid) {
     return {};
 }
 
-// What the best way there lacks. Headroom that things take is not its lack.
+// Stores what the best route lacks. Headroom that things limit does not count.
 void tell_lack(const Examined& world, WorldFault& fault, const WayLacks& found) {
     if (found.lack == Lack::Nothing) return;
     if (found.lack == Lack::Headroom)
@@ -70,7 +70,7 @@ void tell_lack(const Examined& world, WorldFault& fault, const WayLacks& found) 
     fault.needed_m = found.needs_m;
 }
 
-// Puts into faults, each of a room out of reach, what the best ways to those lack that nothing is told of yet.
+// For faults about rooms out of reach that have no explanation yet, stores what the best routes lack.
 void tell_lacks(const Examined& world, std::span<WorldFault> faults, std::span<const Lack> kinds,
                 const std::stop_token& stop) {
     const Start* const base = base_of(world.scene);
@@ -86,8 +86,8 @@ void tell_lacks(const Examined& world, std::span<WorldFault> faults, std::span<c
     for (std::size_t i = 0; i < lacks.size(); ++i) tell_lack(world, *untold[i], lacks[i]);
 }
 
-// Of each of those stairs what keeps a body from walking on them, where anything was built of them: in place, since
-// another way round says nothing of the flight.
+// For stairs that can only be climbed in one go, stores what keeps people from walking on them, if steps were built.
+// Only routes on the stairs count, because a route elsewhere says nothing about them.
 void in_one_go(const Examined& world, std::vector<WorldFault>& faults) {
     constexpr std::array kKinds{Lack::Headroom, Lack::Step, Lack::Width};
     for (const WalkLink& link : world.space->links) {
@@ -111,7 +111,7 @@ void in_one_go(const Examined& world, std::vector<WorldFault>& faults) {
     }
 }
 
-// Those that `told` does not tell of.
+// The rooms that things block, unless `told` already has a fault about them.
 std::vector<WorldFault> blocked_by_things(const Examined& world, std::span<const WorldFault> told,
                                           const std::stop_token& stop = {}) {
     const std::vector<bool> reached = walked_into(world);
@@ -128,13 +128,13 @@ std::vector<WorldFault> blocked_by_things(const Examined& world, std::span<const
         fault.lack = Lack::Things;
         found.push_back(std::move(fault));
     }
-    // Stairs stand about too, and may lead under a floor.
+    // Stairs count as things, too, and may lead under a floor.
     constexpr std::array kKinds{Lack::Headroom};
     tell_lacks(world, found, kKinds, stop);
     return found;
 }
 
-// Of all rooms, or of one.
+// For all rooms, or only for one.
 std::vector<WorldFault> out_of_reach(const Examined& world, std::optional<std::uint32_t> only = std::nullopt,
                                      const std::stop_token& stop = {}) {
     std::vector<WorldFault> found;
@@ -148,7 +148,8 @@ std::vector<WorldFault> out_of_reach(const Examined& world, std::optional<std::u
     }
     constexpr std::array kKinds{Lack::Headroom, Lack::Step, Lack::Width};
     tell_lacks(world, found, kKinds, stop);
-    // Only where no gap or low opening is the reason: most of those are in a wall that a door could also go through.
+    // Suggests a missing door only if no gap or low opening is the reason, because most of those are in a wall that
+    // could also have a door.
     for (WorldFault& fault : found) {
         if (fault.lack != Lack::Nothing || fault.room == kNothing || stop.stop_requested()) continue;
         const std::vector<MissingDoor> doors =
@@ -158,7 +159,7 @@ std::vector<WorldFault> out_of_reach(const Examined& world, std::optional<std::u
     return found;
 }
 
-// No landing of stairs, which is a part of them, and no ground.
+// False for landings, which are part of stairs, and for ground.
 bool is_place_of_its_own(const Examined& world, std::uint32_t r) {
     bool other_ways = false, stairs = false;
     for (const Portal& portal : world.graph->portals)
@@ -182,7 +183,7 @@ void unnamed(const Examined& world, std::vector<WorldFault>& faults) {
     }
 }
 
-// Fixed, with a name that nothing else here has, and a size that a hand finds; the largest first.
+// Things that are fixed, have a name that occurs only once here, and are large enough to feel; the largest first.
 std::vector<FeatureId> landmark_candidates(const Examined& world, const std::vector<std::uint32_t>& things) {
     const Scene& scene = world.scene;
     const auto is_free = [&](FeatureId id) {
@@ -221,7 +222,7 @@ void without_landmark(const Examined& world, std::vector<WorldFault>& faults) {
         if (feature.landmark) mark(room);
         else if (room != kNothing) things[room].push_back(f);
         if (!feature.landmark) continue;
-        for (const Portal& portal : graph.portals)  // a door is one on both its sides
+        for (const Portal& portal : graph.portals)  // a door can be a landmark on both sides
             if (portal.feature == FeatureId{f}) mark(portal.rooms[0]), mark(portal.rooms[1]);
     }
     for (std::uint32_t r = 0; r < graph.rooms.size(); ++r) {
@@ -235,7 +236,7 @@ void without_landmark(const Examined& world, std::vector<WorldFault>& faults) {
     }
 }
 
-// Names of a map that fight for one place; stated rooms are looked at by their outlines.
+// Finds names of a map that are too near to each other. Stated rooms are compared by their outlines.
 void names_in_one_place(const Examined& world, std::vector<WorldFault>& faults) {
     const std::vector<RoomName>& names = world.scene.room_names;
     std::vector<std::uint32_t> spans, rooms;

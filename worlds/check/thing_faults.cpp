@@ -9,9 +9,9 @@
 namespace handrail {
 namespace {
 
-constexpr double kSame_m = 0.005;   // corners of two boxes that are one
-constexpr double kFar_m = 3.0;      // from where somebody can stand
-constexpr double kHighest_m = 4.0;  // above a floor, of what hangs on a wall
+constexpr double kSame_m = 0.005;   // corners of two boxes within this distance are the same
+constexpr double kFar_m = 3.0;      // distance from all places where a person can stand
+constexpr double kHighest_m = 4.0;  // above a floor, for things that hang on a wall
 constexpr double kTouching_m = 0.1;
 constexpr double kUpperDoor_m = 1.0;  // above the base
 
@@ -43,8 +43,8 @@ void twice(const Examined& world, const std::vector<FeatureId>& things, std::vec
     }
 }
 
-// All of it lies within what the building is made of, and nothing of it looks out: a gate that is flush with its wall
-// does.
+// True if the whole thing is inside parts of the building and none of it is visible. A gate that is flush with its wall
+// is visible.
 bool is_within_walls(const Examined& world, FeatureId id) {
     constexpr double kLooksOut_m2 = 1e-3;
     if (world.scene.features[id.value].area_m2 > kLooksOut_m2) return false;
@@ -58,7 +58,7 @@ bool is_within_walls(const Examined& world, FeatureId id) {
     return true;
 }
 
-// Below all floors that are near.
+// True if it is below all floors nearby.
 bool is_under_floors(const Examined& world, FeatureId id) {
     const Aabb& box = world.scene.features[id.value].bounds_m;
     const double around = 0.5 + 0.5 * std::max(box.size_m().x, box.size_m().y);
@@ -81,8 +81,8 @@ bool touches_nothing(const Examined& world, FeatureId id) {
     return std::none_of(near.begin(), near.end(), [&](std::uint32_t i) { return world.scene.solids[i].feature != id; });
 }
 
-// The reader puts a start before each door to the outside. One of an upper storey leads to a balcony or to nothing, and
-// nobody begins there.
+// The reader puts a start in front of each outside door. On an upper storey such a door leads to a balcony or to
+// nothing, and nobody starts there.
 bool before_upper_door(const Scene& scene, const Start& start) {
     if (!scene.stated || start.feet_m.z < scene.starts.front().feet_m.z + kUpperDoor_m) return false;
     const std::vector<StatedPortal>& portals = scene.stated->portals;
@@ -127,7 +127,7 @@ void find_thing_faults(const Examined& world, std::vector<WorldFault>& faults) {
     twice(world, things, faults);
     if (world.space) starts(world, faults);
     for (const FeatureId id : things) {
-        // In an architect's model beams and window frames lie within walls, as they should.
+        // In an architect's model, beams and window frames are inside walls, as they should be.
         if ((!world.scene.stated && is_within_walls(world, id)) || (world.space && is_under_floors(world, id)))
             faults.push_back(fault_of(world, id, FaultKind::ThingBuried));
         else if (world.space && is_far_from_floors(world, id))

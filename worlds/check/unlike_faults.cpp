@@ -7,9 +7,9 @@
 namespace handrail {
 namespace {
 
-constexpr double kSamePlace_m = 0.6;  // from where the file says that a room is to where one stands in it
+constexpr double kSamePlace_m = 0.6;  // from the file's position of a room to a place where one can stand in it
 
-// On foot from one to the other, directly or over a flight or a corner between them.
+// True if one can walk between the rooms, directly or through one flight or corner between them.
 bool joined_on_foot(const RoomGraph& graph, std::uint32_t a, std::uint32_t b) {
     const auto beside = [&](std::uint32_t room) {
         std::vector<std::uint32_t> others;
@@ -29,12 +29,13 @@ bool joined_on_foot(const RoomGraph& graph, std::uint32_t a, std::uint32_t b) {
 
 }  // namespace
 
-// Where the file joins two rooms by a door or an opening that a body was swept through, and yet nobody walks from one
-// to the other there. Stairs, and rooms that hold them, are found otherwise than they are stated.
+// Finds doors and openings between two rooms of the file that a body can pass, although no route leads from one room to
+// the other there. Stairs, and rooms with stairs, are left out, because the room search treats them differently from
+// the file.
 void find_unlike_faults(const Examined& world, std::vector<WorldFault>& faults) {
     if (!world.scene.stated || !world.space) return;
     const StatedBuilding& stated = *world.scene.stated;
-    std::vector<std::uint32_t> found;  // of each stated room
+    std::vector<std::uint32_t> found;  // the room of the graph for each stated room
     for (const StatedRoom& room : stated.rooms) {
         const std::uint32_t span = world.space->nearest(room.at_m, kSamePlace_m, kSamePlace_m, kSamePlace_m);
         found.push_back(span == kNothing ? kNothing : world.graph->room_of_span[span]);

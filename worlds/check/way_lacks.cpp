@@ -14,13 +14,13 @@ namespace {
 
 constexpr double kTallEnough = 0.5, kThinEnough = 0.2, kHigher_m = 0.6;
 
-// The best way from one place to each other: what its worst place is worth, and which that is.
+// The best route from one place to every other: the worth of its worst place, and where that place is.
 struct BestWays {
     std::vector<double> worth;
-    std::vector<std::uint32_t> worst;  // kNothing: no way
+    std::vector<std::uint32_t> worst;  // kNothing: no route
 };
 
-// `worth_of(from, to)`: what going from one span to the next is worth.
+// `worth_of(from, to)`: the worth of the step from one span to the next.
 template <class Worth>
 BestWays best_ways(const WalkSpace& space, std::uint32_t first, const Worth& worth_of) {
     BestWays best{std::vector<double>(space.spans.size(), -std::numeric_limits<double>::infinity()),
@@ -29,7 +29,7 @@ BestWays best_ways(const WalkSpace& space, std::uint32_t first, const Worth& wor
     struct Open {
         double worth;
         std::uint32_t span;
-        // The most worth first, of equals the first.
+        // The highest worth first; of equal ones the lower span.
         bool operator<(const Open& other) const {
             return worth < other.worth || (worth == other.worth && span > other.span);
         }
@@ -58,8 +58,8 @@ BestWays best_ways(const WalkSpace& space, std::uint32_t first, const Worth& wor
 
 std::uint32_t place_in(const WalkSpace& space, const Vec3& at_m) { return space.nearest(at_m, 1.0, 0.6, 1.0); }
 
-// What the best ways of a body that would come through lack for the body that walks, for the places still without an
-// answer.
+// Finds what the best routes lack for a walker. It uses bodies that are smaller or climb higher, which get through, and
+// handles the places that have no answer yet.
 class Search {
 public:
     Search(const Scene& scene, const WalkBody& body, const Vec3& from_m, std::span<const Vec3> places_m,
@@ -76,7 +76,8 @@ public:
         WalkBody any = low();
         any.radius_m = thin().radius_m;
         any.step_up_m = climbing().step_up_m;
-        // Whoever is kept away by walls is so in this space too, which then is the only one.
+        // If even a body that is low, thin and climbs high cannot get there, walls are the reason, and this is the only
+        // space needed.
         if (kinds.size() > 1 && !comes_to_any(any)) return std::move(found_);
         for (const Lack kind : kinds) look(kind);
         return std::move(found_);
@@ -99,7 +100,7 @@ private:
         return body;
     }
 
-    // Places that such a body comes to.
+    // True if such a body reaches any of the places.
     bool comes_to_any(const WalkBody& body) const {
         const Result<WalkSpace> space = make_trial_space(scene_, body, {false, within_}, stop_);
         const std::uint32_t first = space ? place_in(*space, from_m_) : kNothing;
@@ -114,7 +115,8 @@ private:
     void look(Lack kind) {
         switch (kind) {
             case Lack::Headroom:
-                // Over a step the ceiling of the lower place hangs over the floor of the higher.
+                // At a step, the ceiling of the lower place is above the floor of the higher place, so the clear height
+                // is taken between these.
                 return look(kind, low(), body_.height_m,
                             [](const WalkSpace& space, std::uint32_t from, std::uint32_t to) {
                                 const WalkSpan &a = space.spans[from], &b = space.spans[to];

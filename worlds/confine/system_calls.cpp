@@ -1,4 +1,4 @@
-// The filters of system calls, by libseccomp.
+// Filters system calls with libseccomp.
 #include <fcntl.h>
 #include <linux/netlink.h>
 #include <sched.h>
@@ -23,8 +23,8 @@ constexpr bool kSanitized = true;
 constexpr bool kSanitized = false;
 #endif
 
-constexpr std::uint64_t kLowHalf = 0xFFFF'FFFF;  // the kernel looks at no more of an int
-constexpr unsigned kMostFamilies = 64;           // of sockets; Linux knows fewer
+constexpr std::uint64_t kLowHalf = 0xFFFF'FFFF;  // the kernel reads only this half of an int argument
+constexpr unsigned kMostFamilies = 64;           // socket families to test; Linux has fewer
 
 struct FilterEnd {
     void operator()(void* filter) const { seccomp_release(filter); }
@@ -37,14 +37,14 @@ public:
     template <class... Conditions>
     void rule(std::uint32_t action, int call, Conditions... conditions) {
         if (!good_) return;
-        // A call that this processor does not have needs no rule.
+        // A system call that this processor does not have needs no rule.
         const int status = seccomp_rule_add(filter_.get(), action, call, sizeof...(conditions), conditions...);
         good_ = status == 0 || status == -EDOM;
     }
     void rules(std::uint32_t action, std::initializer_list<int> calls) {
         for (const int call : calls) rule(action, call);
     }
-    // For all threads of the process; a sanitizer or a library may have started some.
+    // Applies to all threads of the process, because a sanitizer or a library may have started some.
     bool load() {
         return good_ && seccomp_attr_set(filter_.get(), SCMP_FLTATR_CTL_TSYNC, 1) == 0 &&
                seccomp_load(filter_.get()) == 0;
@@ -55,7 +55,7 @@ private:
     bool good_ = false;
 };
 
-// Of an argument, by its place: how it compares; masked, what of it.
+// Conditions on the argument at this position: compared as a whole, or only the bits of the mask.
 scmp_arg_cmp argument(unsigned place, scmp_compare how, std::uint64_t value) { return {place, how, value, 0}; }
 scmp_arg_cmp masked(unsigned place, std::uint64_t mask, std::uint64_t value) {
     return {place, SCMP_CMP_MASKED_EQ, mask, value};
@@ -63,11 +63,12 @@ scmp_arg_cmp masked(unsigned place, std::uint64_t mask, std::uint64_t value) {
 
 const std::uint32_t kRefuse = SCMP_ACT_ERRNO(EPERM);
 
-// An honest reader never makes them, so whatever makes one is no reader any more: it ends. One that is refused could
-// try on, and its answer would be believed.
+// The file reader never starts programs, so a reader that tries has been taken over, and is ended. If the call were
+// only refused, the intruder could go on, and its answer would be believed.
 const std::initializer_list<int> kStartPrograms{SCMP_SYS(execve), SCMP_SYS(execveat)};
 
-// Other processes, and ways around Landlock: io_uring makes calls that no filter sees, file handles need no path.
+// Calls that reach other processes or bypass Landlock: io_uring makes calls that no filter sees, and file handles need
+// no path.
 const std::initializer_list<int> kReachOut{
     SCMP_SYS(process_vm_readv),
     SCMP_SYS(process_vm_writev),
@@ -107,8 +108,8 @@ const std::initializer_list<int> kReachOut{
 void refuse_what_reaches_out(Filter& filter) {
     filter.rules(kRefuse, kReachOut);
     for (const unsigned long what : {static_cast<unsigned long>(TIOCSTI), static_cast<unsigned long>(TIOCLINUX)})
-        filter.rule(kRefuse, SCMP_SYS(ioctl), masked(1, kLowHalf, what));  // typing into a terminal
-    if (kSanitized) return;  // the search for leaks stops its own process by these
+        filter.rule(kRefuse, SCMP_SYS(ioctl), masked(1, kLowHalf, what));  // these type text into a terminal
+    if (kSanitized) return;  // the leak search of a sanitizer stops its own process with these calls
     filter.rule(kRefuse, SCMP_SYS(ptrace));
     const auto self = static_cast<std::uint64_t>(::getpid());
     for (const int call : {SCMP_SYS(kill), SCMP_SYS(tgkill), SCMP_SYS(rt_sigqueueinfo), SCMP_SYS(rt_tgsigqueueinfo)})
@@ -122,8 +123,9 @@ bool is_permitted(const Permissions& permissions, unsigned family) {
            ((family == AF_INET || family == AF_INET6) && internet);
 }
 
-// Refused rather than ended: libraries look for services, a system log for one, and go on without them. A maker's
-// library that ended for that would leave the force of a hand to the second guard.
+// Sockets are refused without ending the process: libraries look for services, such as the system log, and go on
+// without them. If a manufacturer's library ended the process, the second guard would have to take over the force on
+// the hand.
 void refuse_sockets(Filter& filter, const Permissions& permissions) {
     for (unsigned family = 0; family < kMostFamilies; ++family)
         if (!is_permitted(permissions, family))
@@ -133,7 +135,7 @@ void refuse_sockets(Filter& filter, const Permissions& permissions) {
         filter.rule(kRefuse, SCMP_SYS(socket), argument(0, SCMP_CMP_EQ, std::uint64_t{AF_NETLINK}),
                     argument(2, SCMP_CMP_NE, std::uint64_t{NETLINK_KOBJECT_UEVENT}));
     if (permissions.any_internet || permissions.tcp_ports.empty()) return;
-    for (const int family : {AF_INET, AF_INET6})  // streams alone: Landlock knows their ports
+    for (const int family : {AF_INET, AF_INET6})  // stream sockets only, because Landlock controls only their ports
         for (const int type : {SOCK_DGRAM, SOCK_RAW, SOCK_SEQPACKET, SOCK_DCCP})
             filter.rule(kRefuse, SCMP_SYS(socket), argument(0, SCMP_CMP_EQ, static_cast<std::uint64_t>(family)),
                         masked(1, std::uint64_t{0xF}, static_cast<std::uint64_t>(type)));
@@ -182,16 +184,19 @@ void permit_computing(Filter& filter) {
                          SCMP_SYS(restart_syscall),
                          SCMP_SYS(exit),
                          SCMP_SYS(exit_group)});
-    // The size of a file that is open, by the C library of Debian 12.
+    // The C library of Debian 12 gets the size of an open file by this call.
     filter.rule(allow, SCMP_SYS(newfstatat), masked(3, std::uint64_t{AT_EMPTY_PATH}, std::uint64_t{AT_EMPTY_PATH}));
-    // Threads but no processes. What clone3 starts is in memory, where no filter looks: without it, clone is used.
+    // Allows new threads, but no processes. clone3 has its flags in memory, where no filter can look; if it is missing,
+    // the C library uses clone.
     filter.rule(SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3));
     filter.rule(allow, SCMP_SYS(clone), masked(0, std::uint64_t{CLONE_THREAD}, std::uint64_t{CLONE_THREAD}));
-    filter.rule(allow, SCMP_SYS(tgkill), argument(0, SCMP_CMP_EQ, static_cast<std::uint64_t>(::getpid())));  // abort
-    filter.rule(allow, SCMP_SYS(prlimit64), argument(2, SCMP_CMP_EQ, std::uint64_t{0}));  // how large the stack may be
+    // For abort().
+    filter.rule(allow, SCMP_SYS(tgkill), argument(0, SCMP_CMP_EQ, static_cast<std::uint64_t>(::getpid())));
+    filter.rule(allow, SCMP_SYS(prlimit64), argument(2, SCMP_CMP_EQ, std::uint64_t{0}));  // to query the stack limit
 }
 
-// A sanitizer needs calls of its own, so there what harms is named, and Landlock alone refuses files.
+// A sanitizer needs system calls of its own. In such a build only harmful calls are listed and refused, and only
+// Landlock restricts files.
 bool bound_to_computing() {
     Filter filter(kSanitized ? SCMP_ACT_ALLOW : kRefuse);
     if (kSanitized) refuse_what_reaches_out(filter);

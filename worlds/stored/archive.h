@@ -1,6 +1,6 @@
-// Values as bytes and back, bit for bit, as this machine holds numbers: for what never leaves it. One function template
-// serves both directions, so that they cannot differ. Whatever bytes come, reading ends, gives no enumerator that there
-// is not, and takes no more memory than some hundred times their size. Any thread.
+// Packs values into bytes and reads them back, bit for bit, in this machine's number formats: for bytes that never
+// leave it. One function template serves both directions, so that they cannot differ. Reading is safe for any bytes: it
+// ends, gives no invalid enumerator, and takes at most some hundred times their size in memory. Any thread.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace handrail {
 template <class T, class U>
 concept Is = std::is_same_v<std::remove_const_t<T>, U>;
 
-// The last enumerator: of each enumeration that is kept.
+// The last enumerator of an enumeration. Every stored enumeration must specialise it.
 template <class E>
 inline constexpr int kLastOf = -1;
 
@@ -33,7 +33,7 @@ public:
     static constexpr bool kReads = false;
 
     Packer() = default;
-    // Gives the bytes away in pieces, in order, instead of holding all of them; the last ones with take().
+    // Passes the bytes on in pieces, in order, instead of keeping all of them. take() returns the last piece.
     explicit Packer(std::function<void(std::string_view)> full) : full_(std::move(full)) {}
 
     template <class... T>
@@ -46,7 +46,7 @@ public:
     }
     std::string take() { return std::move(bytes_); }
 
-    // The number of a shared value, and whether it is new here.
+    // The number of a shared value, and whether this is its first use.
     template <class T>
     std::pair<std::uint32_t, bool> number_of(const std::shared_ptr<const T>& value) {
         const auto [at, is_new] = known_.emplace(value.get(), static_cast<std::uint32_t>(known_.size() + 1));
@@ -64,7 +64,7 @@ private:
 class Unpacker {
 public:
     static constexpr bool kReads = true;
-    static constexpr int kDeepest = 4;  // scenes within scenes, unless said otherwise
+    static constexpr int kDeepest = 4;  // scenes within scenes; default of descend()
 
     explicit Unpacker(std::string_view bytes) : bytes_(bytes) {}
     template <class... T>
@@ -83,14 +83,14 @@ public:
         return good_;
     }
     void ascend() { --depth_; }
-    // Shared values by their numbers.
+    // The shared values read so far, by their numbers.
     std::map<std::uint32_t, std::shared_ptr<const void>>& known(const void* kind) { return known_[kind]; }
 
 private:
     std::string_view bytes_;
     bool good_ = true;
     int depth_ = 0;
-    std::map<const void*, std::map<std::uint32_t, std::shared_ptr<const void>>> known_;  // by their type
+    std::map<const void*, std::map<std::uint32_t, std::shared_ptr<const void>>> known_;  // by type
 };
 
 namespace archive {
@@ -116,13 +116,13 @@ struct Kind<std::shared_ptr<const T>> : Kind<void> {
     static constexpr bool shared = true;
 };
 
-// Copied as they lie, without gaps between their parts.
+// Types that are copied as they are in memory, because there are no gaps between their parts.
 template <class T>
 inline constexpr bool kFlat = std::is_same_v<T, Vec2> || std::is_same_v<T, Vec3> ||
                               (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>);
 
-// As wide as the machine has it, so that another one would read something else: std::size_t, for which count() is, and
-// long where it is no std::int64_t.
+// Types whose width depends on the machine, so another machine would misread them: std::size_t, for which count()
+// exists, and long if it is not std::int64_t.
 template <class T>
 inline constexpr bool kWidthVaries = std::is_same_v<T, unsigned long> ||
                                      (std::is_same_v<T, long> && !std::is_same_v<T, std::int64_t>);
@@ -142,7 +142,7 @@ void list(A& a, T& values) {
     static_assert(!kWidthVaries<Element>);
     const std::uint64_t size = count(a, values.size());
     if constexpr (A::kReads) {
-        // Each takes at least a byte.
+        // Each element takes at least a byte.
         if (!a.good() || size > a.rest().size()) return a.spoil();
         values.clear();
         if constexpr (kFlat<Element>) {
@@ -257,7 +257,7 @@ void one(A& a, T& value) {
     } else if constexpr (Kind<V>::shared) {
         shared(a, value);
     } else {
-        fields(a, value);  // found where the type lives: names all of its members, so that none is forgotten
+        fields(a, value);  // found in the namespace of the type; it names all members, so that none is forgotten
     }
 }
 

@@ -1,4 +1,4 @@
-// How what several kinds of stored values hold is packed. Private to this folder.
+// How parts that occur in several kinds of stored values are packed. Private to this folder.
 #pragma once
 
 #include "worlds/scene/scene.h"

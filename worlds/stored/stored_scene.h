@@ -1,5 +1,6 @@
-// A Scene as bytes and back, bit for bit: how the process that reads a file hands it to the program, and how the cache
-// keeps it for the next start. The bytes are good for this machine and this build alone. Pure functions; any thread.
+// Packs a Scene into bytes and reads it back, bit for bit. The process that reads a file hands the Scene to the program
+// in this form, and the cache keeps it for the next start. The bytes are valid for this machine and this build only.
+// Pure functions; any thread.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +12,14 @@
 
 namespace handrail {
 
-// Changes with every source in worlds and every text that the program says. The keys of the cache contain it.
+// Changes with every source in worlds and every text of the program. The keys of the cache contain it.
 extern const std::uint64_t kWorldsVersion;
 
 std::string stored(const Scene& scene);
-// Fails in one sentence for bytes that are none of a Scene, or of one that does not hold together.
+// Fails with one sentence if the bytes are not a Scene, or a Scene that is inconsistent.
 Result<Scene> scene_from(std::string_view bytes);
 
-// SHA-256, in hex, of all that is in the Scene, but not of what its reader reported.
+// SHA-256, in hex, of everything in the Scene except the reader's report.
 std::string sum_of(const Scene& scene);
 
 }  // namespace handrail

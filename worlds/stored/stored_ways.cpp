@@ -51,13 +51,14 @@ void fields(A& a, T& v) {
 
 namespace {
 
-constexpr std::size_t kMostKept_bytes = std::size_t{512} << 20;  // unpacked; two million spans are 90 MB
-constexpr std::size_t kPacked_bytes = 1 << 18;                   // at once
+constexpr std::size_t kMostKept_bytes = std::size_t{512} << 20;  // uncompressed; two million spans are 90 MB
+constexpr std::size_t kPacked_bytes = 1 << 18;                   // compressed in pieces of this size
 constexpr std::uint8_t kEdge = 1, kLiquid = 2, kStairs = 4;
 
-// Spans lie value by value, which packs well; who is next to whom as the how manyth of the column there, from 1.
+// The spans' values, one kind after another, because that compresses well. A neighbour is stored as its position in its
+// column, counted from 1; 0: none.
 struct SpanColumns {
-    std::vector<std::uint8_t> counts;  // of each cell
+    std::vector<std::uint8_t> counts;  // spans in each cell
     std::vector<float> floors, ceilings, clearances;
     std::vector<std::uint32_t> ground, doors, beside;
     std::array<std::vector<std::uint8_t>, 4> next;
@@ -69,7 +70,7 @@ void fields(A& a, T& v) {
     a(counts, floors, ceilings, clearances, ground, doors, beside, next[0], next[1], next[2], next[3], flags);
 }
 
-// Of a cell the one beside it, east, north, west or south; kNothing: outside.
+// The neighbour of a cell to the east (0), north (1), west (2) or south (3); kNothing: outside.
 std::uint32_t cell_beside(const WalkSpace& space, std::uint32_t cell, std::size_t way) {
     const std::uint32_t x = cell % space.width, y = cell / space.width;
     if (way == 0) return x + 1 < space.width ? cell + 1 : kNothing;
@@ -115,7 +116,7 @@ std::optional<SpanColumns> columns_of(const WalkSpace& space) {
     return columns;
 }
 
-// False: they are none of a space of that width and depth.
+// Returns false if the columns do not fit a space of that width and depth.
 bool put(const SpanColumns& columns, WalkSpace& space) {
     const std::size_t cells = static_cast<std::size_t>(space.width) * space.depth, count = columns.floors.size();
     if (columns.counts.size() != cells) return false;
@@ -158,7 +159,7 @@ bool put(const SpanColumns& columns, WalkSpace& space) {
     return true;
 }
 
-// Empty: stopped.
+// Empty if stopped.
 std::string deflated(std::string_view bytes, const std::stop_token& stop) {
     z_stream stream{};
     if (::deflateInit(&stream, 1) != Z_OK) return {};
@@ -194,7 +195,7 @@ void all_but_spans(A& a, T& space) {
       space.outdoors_m, space.part);
 }
 
-// Empty: not to be kept.
+// Empty if the space must not be kept.
 std::string plain_ways(const WalkSpace& space, const RoomGraph& graph) {
     const std::optional<SpanColumns> columns = columns_of(space);
     if (!columns || graph.room_of_span.size() != space.spans.size()) return {};
@@ -204,7 +205,7 @@ std::string plain_ways(const WalkSpace& space, const RoomGraph& graph) {
     return all.take();
 }
 
-// What holds together by itself.
+// Reads and checks all that can be checked without the scene.
 std::optional<FoundWays> whole_ways(std::string_view plain) {
     Unpacker all(plain);
     FoundWays found;
@@ -216,7 +217,7 @@ std::optional<FoundWays> whole_ways(std::string_view plain) {
     return found;
 }
 
-// What is not seen without the scene, and what no space of that body can be.
+// Checks what needs the scene, and that the space can belong to a body of this size.
 bool belong_to(const Scene& scene, const WalkBody& asked, const WalkSpace& space, const RoomGraph& graph) {
     const auto known = [&](FeatureId id) { return !id || id.value < scene.features.size(); };
     WalkBody body = space.body;
@@ -269,7 +270,7 @@ std::optional<FoundWays> ways_from(std::string_view plain, const WalkBody& body,
     std::optional<FoundWays> found = whole_ways(plain);
     if (!found || !belong_to(scene, body, found->space, found->graph)) return std::nullopt;
     found->space.said = said_of(found->space, body);
-    number_room_names(found->graph);  // in what is spoken now, which may be a person's own words
+    number_room_names(found->graph);  // in the language spoken now, which may be the person's own texts
     return found;
 }
 
