@@ -15,10 +15,10 @@ namespace handrail {
 namespace {
 
 constexpr double kSteps = 20.0;
-// Said with every value, the others with the meaning alone.
+// Units that are spoken with every value; the others are spoken only with the meaning.
 constexpr std::array<std::string_view, 5> kShortUnits{"deg", "hand_m", "m", "n", "world_m"};
 
-// 1, 2 or 5 times a power of ten, next below.
+// The next step at or below this that is 1, 2 or 5 times a power of ten.
 double round_step(double step) {
     const double power = std::pow(10.0, std::floor(std::log10(step) + 1e-9));
     for (const double nice : {5.0, 2.0})
@@ -80,12 +80,12 @@ SettingLine setting_line(std::string_view key, const Settings& settings) { retur
 std::string stepped(std::string_view key, const Settings& settings, int by) {
     contract_pre(by != 0);
     const SettingInfo& info = row(key);
-    Settings& s = const_cast<Settings&>(settings);  // as in current_value: only read here
+    Settings& s = const_cast<Settings&>(settings);  // as in current_value: only read, never written
     return std::visit(
         Overloaded{[&](const NumberField& f) {
                        const double step = round_step((f.most - f.least) / kSteps);
                        const double here = f.at(s) / step;
-                       // To the next round number that way, from wherever it is.
+                       // Goes to the next round number in this direction, wherever the value is now.
                        const double next = by > 0 ? std::floor(here + 1e-6) + 1.0 : std::ceil(here - 1e-6) - 1.0;
                        const double value = std::clamp(next * step, f.least, f.most);
                        return fmt::format("{}", std::round(value * 1e9) / 1e9);

@@ -1,5 +1,5 @@
-// Settings as a person changes them in a list, one step or one value at a time. Plain functions over Settings and the
-// one table; app thread.
+// Lets a person change settings in a list, one step or one value at a time. Plain functions over Settings and its
+// table; app thread.
 #pragma once
 
 #include <string>
@@ -10,24 +10,25 @@
 
 namespace handrail {
 
-// The first words of keys, in table order: "workspace", "haptic", ...
+// The first parts of the keys, in table order: "workspace", "haptic", ...
 std::vector<std::string_view> setting_topics();
-// What such a topic is called: "Workspace".
+// The spoken name of a topic: "Workspace".
 std::string topic_name(std::string_view topic);
 
 struct SettingLine {
     std::string_view key;
     std::string name;   // "stiffness"
-    std::string value;  // "0.8", "on", "light", with its unit where it is short
+    std::string value;  // "0.8", "on", "light"; with the unit if that is short
     std::string meaning;
     std::string range;
-    bool steps = true;  // false: a text, which is typed
+    bool steps = true;  // false: the setting is a text, which must be typed
 };
 std::vector<SettingLine> setting_lines(std::string_view topic, const Settings& settings);
 SettingLine setting_line(std::string_view key, const Settings& settings);
 
-// The value one step up or down as SettingsStore::set takes it: a switch turns, a choice goes on (round), a number goes
-// by a twentieth of its range in round numbers and stops at the ends. `key` must be one of the table that steps.
+// Returns the value one step up or down, as text for SettingsStore::set. A switch toggles, and a choice moves on and
+// wraps round. A number moves by a twentieth of its range, in round numbers, and stops at the ends. `key` must be in
+// the table and have steps.
 std::string stepped(std::string_view key, const Settings& settings, int by);
 
 }  // namespace handrail

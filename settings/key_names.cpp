@@ -111,7 +111,8 @@ constexpr auto kKeyNames = std::to_array<std::string_view>({
     "Shift",
     "Alt",
 });
-constexpr std::array<std::string_view, 3> kModifiers{"Control", "Alt", "Shift"};  // in the order they are written
+// In the order in which they are written.
+constexpr std::array<std::string_view, 3> kModifiers{"Control", "Alt", "Shift"};
 
 bool same(std::string_view a, std::string_view b) { return lower_ascii(a) == lower_ascii(b); }
 
@@ -148,7 +149,7 @@ bool can_be_pressed(std::string_view word) {
     const Parts parts = parts_of(word);
     const bool known =
         std::any_of(kKeyNames.begin(), kKeyNames.end(), [&](std::string_view name) { return same(name, parts.key); });
-    // A modifier says something only when it was pressed alone.
+    // A modifier is a key name only if it stands alone.
     return known && parts.in_order && (parts.key.size() == word.size() || !is_modifier_name(parts.key));
 }
 

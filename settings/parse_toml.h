@@ -1,6 +1,7 @@
-// toml::parse for text whose file may not be lost: where memory is short toml++ 3.3 takes a number it could not read
-// for damage, so damage counts only when it is found twice. The name as a string of its own picks the library's parser:
-// the one that is made of the headers ends the program on some damage. Throws toml::parse_error, or std::bad_alloc.
+// A toml::parse for files that must not be lost. If memory is short, toml++ 3.3 may report a number as damaged that it
+// only failed to read, so damage counts only if it is found twice.
+// Passing the name as a std::string selects the parser that is compiled into the library; the header-only one ends the
+// program on some damage. Throws toml::parse_error or std::bad_alloc.
 #pragma once
 
 #include <toml++/toml.h>
@@ -12,7 +13,7 @@ namespace handrail {
 inline toml::table parse_toml(const std::string& text) {
     try {
         return toml::parse(
-            text, std::string());  // without the file's name, which toml++ keeps by an allocation that may not fail
+            text, std::string());  // without the file's name: toml++ stores it with an allocation that must not fail
     } catch (const toml::parse_error&) {
         return toml::parse(text, std::string());
     }

@@ -29,9 +29,9 @@ struct Entry {
     SettingValue value;
     std::string origin;
 };
-using Layer = std::map<std::string, Entry>;  // by full key; device and command names as they were written
+using Layer = std::map<std::string, Entry>;  // by full key; device and command names are spelt as in the file
 
-// A full key seen as an entry of one of the open families: a device by name, or a profile.
+// A full key as an entry of one of the open families: a device by name, or a profile.
 template <class Field>
 struct MemberKey {
     std::string device;
@@ -61,7 +61,7 @@ std::optional<MemberKey<ProfileInfo>> split_profile_key(std::string_view key) {
     return split_member_key(key, kProfilePrefix, profile_table());
 }
 
-// One spelling for each key: device names in lower case.
+// Gives each key one spelling: device names in lower case.
 std::string canonical_key(std::string_view key) {
     if (const auto device = split_device_key(key))
         return fmt::format("{}{}.{}", kDevicePrefix, device->device, device->field->field);
@@ -75,7 +75,7 @@ bool is_command_word(std::string_view word) {
     return !word.empty() && word.size() <= 64 && std::all_of(word.begin(), word.end(), fits);
 }
 
-// Nothing for what no setting takes: lists, dates and times.
+// Empty for values that no setting accepts: lists, dates and times.
 std::optional<SettingValue> from_toml(const TomlValue& value) {
     if (const auto* v = value.flag()) return *v;
     if (const auto* v = value.whole()) return *v;
@@ -84,7 +84,7 @@ std::optional<SettingValue> from_toml(const TomlValue& value) {
     return std::nullopt;
 }
 
-// As TOML writes it; numbers in the fewest digits that read back the same.
+// The error for a key that does not exist, with the nearest one that does.
 Error unknown_setting(std::string_view key) {
     std::vector<std::string> names;
     for (const SettingInfo& info : settings_table()) names.emplace_back(info.key);
@@ -93,6 +93,7 @@ Error unknown_setting(std::string_view key) {
     return error;
 }
 
+// The value as TOML text; numbers have the fewest digits that read back the same.
 std::string toml_text(const SettingValue& value) {
     return std::visit(Overloaded{[](bool v) { return std::string(v ? "true" : "false"); },
                                  [](std::int64_t v) { return fmt::format("{}", v); },
@@ -111,7 +112,7 @@ std::string toml_text(const SettingValue& value) {
                       value);
 }
 
-// What a TomlReader said of a file.
+// Completes an error of a TomlReader with the file's name.
 Error damage_in(const fs::path& path, const Error& error) {
     Error told = error;
     told.file = path.filename().string();
@@ -129,7 +130,7 @@ Result<toml::table> parse(const std::string& content, const fs::path& path) {
     }
 }
 
-// A guard against losing what a person wrote: true if `text` reads back as exactly this table.
+// Prevents losing what a person wrote: true if `text` reads back as exactly this table.
 bool says_the_same(const std::string& text, const toml::table& table) {
     try {
         return parse_toml(text) == table;
@@ -138,7 +139,8 @@ bool says_the_same(const std::string& text, const toml::table& table) {
     }
 }
 
-// Puts one value into a table, making the tables on its way. A value that stands where a table is needed gives way.
+// Puts one value into a table and makes the tables on the path to it. A value in the place of a needed table is
+// replaced.
 void put(toml::table& root, std::span<const std::string> path, const SettingValue& value) {
     toml::table* table = &root;
     for (const std::string& name : path.first(path.size() - 1)) {
@@ -152,7 +154,7 @@ void put(toml::table& root, std::span<const std::string> path, const SettingValu
     std::visit([&](const auto& v) { table->insert_or_assign(path.back(), v); }, value);
 }
 
-// Where the `column`th character (from 1) of the `line`th line (from 1) starts in `text`.
+// The offset in `text` of the character at `place`; lines and columns count from 1.
 std::size_t offset_of(const std::string& text, const toml::source_position& place) {
     std::size_t at = 0;
     for (toml::source_index line = 1; line < place.line && at < text.size(); ++line)
@@ -164,8 +166,8 @@ std::size_t offset_of(const std::string& text, const toml::source_position& plac
     return at;
 }
 
-// The file's text with one value changed or added and everything else, comments too, as it was. Right for files written
-// in the usual way, with [tables]; the caller checks the outcome by reading it back.
+// Changes or adds one value in the file's text, and keeps everything else, including comments. It works for files
+// written in the usual way, with [tables]; the caller checks the result by reading it back.
 std::string with_value(std::string text, std::span<const std::string> path, const SettingValue& value) {
     try {
         const toml::table table = parse_toml(text);
@@ -204,7 +206,7 @@ std::vector<std::string> path_of(std::string_view key) {
     return {std::string(key.substr(0, dot)), std::string(key.substr(dot + 1))};
 }
 
-// The names a person may have meant, for the sentence about an unknown one.
+// Names the nearest key to an unknown one, among those that the person may have meant.
 std::string nearest_of_all(std::string_view key, std::span<const std::string> command_words) {
     std::vector<std::string> names;
     if (key.starts_with(kDevicePrefix) && key.rfind('.') >= kDevicePrefix.size()) {
@@ -220,7 +222,7 @@ std::string nearest_of_all(std::string_view key, std::span<const std::string> co
     return nearest_key(key, names);
 }
 
-// Tries one entry on `target`; fails in one sentence.
+// Applies one entry to `target`; fails with one sentence.
 Result<void> apply_to(Settings& target, const std::string& key, const SettingValue& value,
                       std::span<const std::string> command_words) {
     if (const SettingInfo* info = find_setting(key)) return apply(*info, value, target);
@@ -241,7 +243,7 @@ Result<void> apply_to(Settings& target, const std::string& key, const SettingVal
     return fail(phrase("settings_file.unknown", {{"key", key}, {"nearest", nearest_of_all(key, command_words)}}));
 }
 
-// What was typed as a value of that key, or stands on the command line.
+// A value for this key as typed by the person or given on the command line.
 SettingValue value_typed(const std::string& key, std::string_view value) {
     if (const SettingInfo* info = find_setting(key)) return value_from_word(*info, value);
     if (const auto device = split_device_key(key)) return value_from_word(*device->field->plain, value);
@@ -254,9 +256,9 @@ SettingValue value_typed(const std::string& key, std::string_view value) {
 
 struct SettingsStore::Impl {
     std::vector<std::string> command_words;
-    std::map<SettingSource, Layer> layers;  // weakest first
+    std::map<SettingSource, Layer> layers;  // the weakest source first
     fs::path user_file;
-    std::set<std::string> damaged_profiles;  // in the person's file
+    std::set<std::string> damaged_profiles;  // those in the person's file
     Settings values;
 
     Result<void> check(const std::string& key, const SettingValue& value, SettingSource source) const {
@@ -267,7 +269,7 @@ struct SettingsStore::Impl {
         return {};
     }
 
-    // What a stronger source says of every device counts more than what a weaker one says of one device.
+    // If a stronger source sets a value for all devices, it overrides what a weaker source sets for one device.
     void forget_weaker(const Layer& layer) {
         for (const OverrideInfo& info : override_table()) {
             if (!layer.contains(std::string(info.plain->key))) continue;
@@ -284,10 +286,10 @@ struct SettingsStore::Impl {
             forget_weaker(layer);
             for (const auto& [key, entry] : layer) {
                 const Result<void> applied = apply_to(values, key, entry.value, command_words);
-                contract_pre(applied.has_value());  // entries were checked on their way into the layer
+                contract_pre(applied.has_value());  // entries were checked before they came into the layer
             }
         }
-        // Measured anew, it is whole again.
+        // A profile that was measured again is no longer damaged.
         for (const std::string& damaged : damaged_profiles)
             if (const auto profile = values.profiles.find(damaged);
                 profile == values.profiles.end() || !profile->second.ceiling_n)
@@ -297,7 +299,7 @@ struct SettingsStore::Impl {
     void collect(const TomlValue::Table& table, const std::string& prefix, const fs::path& path, SettingSource source,
                  Layer& layer, std::set<std::string>& damaged, std::vector<Diagnostic>& problems) const {
         for (const auto& [name, node] : table) {
-            // A dot inside a quoted name does not make a path; only devices may have one in their name.
+            // A dot inside a quoted name does not separate parts of a path. Only device names may contain dots.
             const std::string_view plain = name;
             const bool quoted =
                 plain.find('.') != std::string_view::npos && prefix != kDevicePrefix && prefix != kProfilePrefix;
@@ -323,7 +325,7 @@ struct SettingsStore::Impl {
         }
     }
 
-    // A profile with a value that cannot be is of no use as a whole: a force that was right with that value may be
+    // A profile with an impossible value is not used at all, because a force that was right with the lost value may be
     // wrong without it.
     static void set_aside(const std::set<std::string>& damaged, Layer& layer) {
         std::erase_if(layer, [&](const auto& entry) {
@@ -332,7 +334,7 @@ struct SettingsStore::Impl {
         });
     }
 
-    // The strongest source that says something about this key.
+    // The strongest source that sets this key.
     std::pair<SettingSource, std::string> provenance(const std::string& key) const {
         for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer)
             if (const auto entry = layer->second.find(key); entry != layer->second.end())
@@ -374,7 +376,7 @@ std::vector<Diagnostic> SettingsStore::load_file(const fs::path& path, SettingSo
     impl_->collect(*table->table(), "", path, source, layer, damaged, problems);
     Impl::set_aside(damaged, layer);
     if (source == SettingSource::UserFile) impl_->damaged_profiles = std::move(damaged);
-    // A TOML table is sorted by name; people read their file from the top.
+    // A TOML table is sorted by name, but people read their file from the top.
     std::stable_sort(problems.begin(), problems.end(),
                      [](const Diagnostic& a, const Diagnostic& b) { return a.line < b.line; });
     impl_->layers[source] = std::move(layer);
@@ -433,7 +435,7 @@ std::vector<SettingRow> SettingsStore::explain() const {
     };
     for (const SettingInfo& info : settings_table())
         add(std::string(info.key), current_value(info, impl_->values), info.unit, range_of(info), meaning_of(info));
-    std::map<std::string, SettingValue> family;  // effective entries of the open families, strongest layer last
+    std::map<std::string, SettingValue> family;  // the active entries of the open families; later layers are stronger
     for (const auto& [source, layer] : impl_->layers)
         for (const auto& [key, entry] : layer)
             if (!find_setting(key)) family[key] = entry.value;
@@ -459,7 +461,7 @@ Result<std::optional<SettingsStore::ToSave>> SettingsStore::to_save() const {
     if (live == impl_->layers.end() || live->second.empty()) return std::nullopt;
     const fs::path& path = impl_->user_file;
     if (path.empty()) return fail(phrase("settings_file.no_folder"));
-    // What the file holds now, not at the start: another editor may have changed it since.
+    // Reads the file again, because another editor may have changed it since the start.
     std::string held;
     std::error_code ec;
     const auto not_saved = [](Error error) {
@@ -478,9 +480,9 @@ Result<std::optional<SettingsStore::ToSave>> SettingsStore::to_save() const {
         put(*table, path_of(key), entry.value);
         text = with_value(text, path_of(key), entry.value);
     }
-    if (!says_the_same(text, *table)) {  // a file written in an unusual way: its comments go, its meaning stays
+    if (!says_the_same(text, *table)) {  // an unusually written file loses its comments, but keeps its meaning
         std::ostringstream out;
-        out.exceptions(std::ios::badbit);  // or a want of memory would cut the text short
+        out.exceptions(std::ios::badbit);  // otherwise a lack of memory would cut the text short
         out << toml::toml_formatter{*table, toml::format_flags::none} << "\n";
         text = out.str();
         if (!says_the_same(text, *table))
@@ -515,7 +517,7 @@ std::string source_name(SettingSource source) {
 }
 
 fs::path user_settings_path() {
-    // The base directory specification says: only an absolute XDG_CONFIG_HOME counts.
+    // According to the base directory specification, only an absolute XDG_CONFIG_HOME counts.
     const char* config = std::getenv("XDG_CONFIG_HOME");
     if (config && config[0] == '/') return fs::path(config) / "handrail" / "settings.toml";
     const char* home = std::getenv("HOME");

@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 5> kThroughWords{"auto", "screen-reader",
                                                         "text"};
 constexpr std::size_t kLongestText = 64;
 
-// The accessor of a field that lies in Settings, as a plain function pointer.
+// The accessor of a field of Settings, as a plain function pointer.
 // NOLINTBEGIN(bugprone-macro-parentheses): a member takes none
 #define HANDRAIL_AT(member) \
     [](Settings & s) -> auto& { return s.member; }
@@ -28,7 +28,8 @@ constexpr std::size_t kLongestText = 64;
 constexpr bool kWorldToo = true;
 constexpr bool kPersonOnly = false;
 
-// A world may shape scale, ball, body and frame. Forces, speech, sound volumes and keys belong to the person alone.
+// A world may set the scale, the proxy, the body and the frame. Forces, speech, sound volumes and keys belong to the
+// person alone.
 const std::array kTable{
     SettingInfo{"workspace.scale", "scale", kWorldToo, NumberField{HANDRAIL_AT(workspace.scale), 1.0, 500.0}},
     SettingInfo{"workspace.offset_ahead_m", "hand_m", kWorldToo,
@@ -180,7 +181,7 @@ tl::unexpected<Error> refuse(std::string_view key, const Info& info, const Setti
         {{"key", key}, {"value", what_it_is(value)}, {"range", range_of(info)}, {"unit", spoken_unit(info.unit)}}));
 }
 
-// As they are typed, with a point in every language.
+// As numbers are typed: with a decimal point in every language.
 std::string number_range(double least, double most) {
     return phrase("setting_range.number", {{"least", fmt::format("{}", least)}, {"most", fmt::format("{}", most)}});
 }
@@ -191,7 +192,7 @@ std::string any_of_words(std::span<const std::string_view> words) {
                                           {"last", words.back()}});
 }
 
-// Which of the words a value is, whatever its case; none: nothing.
+// The index of the word that the value is, ignoring case; empty if it is none of them.
 std::optional<std::size_t> index_of_word(std::span<const std::string_view> words, const SettingValue& value) {
     const auto* text = std::get_if<std::string>(&value);
     const auto word = text ? std::find(words.begin(), words.end(), lower_ascii(*text)) : words.end();
@@ -323,7 +324,7 @@ Result<void> apply(const SettingInfo& info, const SettingValue& value, Settings&
 }
 
 SettingValue current_value(const SettingInfo& info, const Settings& settings) {
-    // The accessors give references; nothing is written through them here.
+    // The accessors return references, but nothing is written through them here.
     Settings& s = const_cast<Settings&>(settings);
     return std::visit(Overloaded{[&](const NumberField& f) -> SettingValue { return f.at(s); },
                                  [&](const WholeField& f) -> SettingValue { return std::int64_t{f.at(s)}; },

@@ -34,7 +34,7 @@ TomlMoment moment_of(const toml::date* date, const toml::time* time, const toml:
     return moment;
 }
 
-// Thrown for what is nested deeper than kDeepestToml. toml++ bounds brackets, but not the keys of a name with dots.
+// Thrown for values nested deeper than kDeepestToml. toml++ limits nested brackets, but not the parts of a dotted key.
 struct TooDeep {
     int line;
 };
@@ -78,7 +78,7 @@ TomlValue value_of(const toml::node& node, int depth) {
 toml::array array_of(const TomlValue::Array& items);
 toml::table table_of(const TomlValue& value);
 
-// Calls `add` with the value as toml++ has it.
+// Calls `add` with the value in toml++'s own type.
 template <class Add>
 void add_node(const TomlValue& value, const Add& add) {
     std::visit(
@@ -184,7 +184,7 @@ Result<TomlValue> toml_of(const std::string& text) {
 std::string written_toml(const TomlValue& table) {
     contract_pre(table.table() != nullptr);
     std::ostringstream out;
-    out.exceptions(std::ios::badbit);  // or a want of memory would cut the text short
+    out.exceptions(std::ios::badbit);  // otherwise a lack of memory would cut the text short
     out << toml::toml_formatter{table_of(table), toml::format_flags::none};
     return out.str();
 }

@@ -1,5 +1,6 @@
-// A TOML file as plain values, each with the line where it is in the file. What reads TOML works on these and includes
-// nothing of toml++, so that the file itself can be parsed in another process (app/import/toml_apart.h). Any thread.
+// The content of a TOML file as plain values, each with its line in the file. Code that reads TOML uses these and
+// includes nothing of toml++, so that the file itself can be parsed in another process (app/import/toml_apart.h). Any
+// thread.
 #pragma once
 
 #include <cstdint>
@@ -28,27 +29,27 @@ struct TomlMember;
 
 struct TomlValue {
     using Array = std::vector<TomlValue>;
-    using Table = std::vector<TomlMember>;  // each key once, in their order
+    using Table = std::vector<TomlMember>;  // each key once, in the order of the file
 
     CopyableVariant<bool, std::int64_t, double, std::string, TomlMoment, Array, Table> value;
-    std::int32_t line = 0, column = 0;  // 0: from no file
-    bool in_line = false;               // a table that is written in braces
+    std::int32_t line = 0, column = 0;  // 0: not from a file
+    bool in_line = false;               // a table written in braces
 
     static TomlValue empty_table();
 
-    // Null if it is of another kind.
+    // These return null if the value has another type.
     const bool* flag() const { return std::get_if<bool>(&value); }
     const std::int64_t* whole() const { return std::get_if<std::int64_t>(&value); }
     const double* fraction() const { return std::get_if<double>(&value); }
     const std::string* text() const { return std::get_if<std::string>(&value); }
     const Array* array() const { return std::get_if<Array>(&value); }
     const Table* table() const { return std::get_if<Table>(&value); }
-    std::optional<double> number() const;  // whole or not
-    bool is_tables() const;                // an array of one table or more, and of nothing else
+    std::optional<double> number() const;  // of a whole or a decimal number
+    bool is_tables() const;                // true for an array that contains only tables, and at least one
 
-    // Of a table; null if there is none of that name, or this is no table.
+    // Finds a member of a table; null if there is no such member, or if this is no table.
     const TomlValue* find(std::string_view key) const;
-    // This must be a table.
+    // Requires that this is a table.
     void set(std::string_view key, TomlValue to);
     void erase(std::string_view key);
 };
@@ -58,20 +59,21 @@ struct TomlMember {
     TomlValue value;
 };
 
-// As files have them: wherever they are in the file, and a number that is none equals another one.
+// Compares the content: positions in the file do not count, and nan equals nan.
 bool operator==(const TomlValue& a, const TomlValue& b);
 bool operator==(const TomlMember& a, const TomlMember& b);
 
-inline constexpr int kDeepestToml = 300;  // tables and arrays within each other
+inline constexpr int kDeepestToml = 300;  // greatest nesting of tables and arrays
 
-// From a file's text to its values, a table. If it is no TOML, the error has its line and column, and toml++'s own
-// description as message. If nobody could find out, the line is 0 and the message a sentence to be spoken.
+// Parses the text of a file into a table. If it is not valid TOML, the error has the line and column, and toml++'s
+// description as its message. If parsing was not possible at all, the line is 0 and the message is a sentence that can
+// be spoken.
 using TomlReader = std::function<Result<TomlValue>(const std::string& text)>;
 
-// Parses in this process.
+// A TomlReader that parses in this process.
 Result<TomlValue> toml_of(const std::string& text);
 
-// A table as the text of a file.
+// Writes a table as the text of a file.
 std::string written_toml(const TomlValue& table);
 
 }  // namespace handrail

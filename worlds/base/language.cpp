@@ -127,8 +127,8 @@ bool is_plain(std::string_view pattern) { return pattern.find_first_of("{}'") ==
 // their parts at first use, even if they are const, so only one thread at a time may fill them.
 struct Compiled {
     std::mutex guard;
-    std::unordered_map<const std::string*, std::unique_ptr<const icu::MessageFormat>>
-        formats;  // keyed by the text of a kept language, which never moves
+    // Keyed by the text of a kept language, which never moves.
+    std::unordered_map<const std::string*, std::unique_ptr<const icu::MessageFormat>> formats;
 };
 Compiled& compiled() {
     static auto& all = *new Compiled;  // never destroyed, like the languages

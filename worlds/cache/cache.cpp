@@ -29,7 +29,8 @@ std::string digest_of(const std::string& name, std::string_view content) {
     return sum.hex();
 }
 
-// Opens the folder if it belongs to the person alone. If others may even read it, it is first closed to them.
+// Opens the folder if it belongs to the person and nobody else may write in it. If others may read it, it is first
+// closed to them.
 Descriptor own_folder(const fs::path& path) {
     Descriptor folder(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     struct stat of {};

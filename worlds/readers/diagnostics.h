@@ -15,8 +15,8 @@
 
 namespace handrail {
 
-inline constexpr double kFarthestM =
-    1e6;  // greatest coordinate allowed in a file: replay and rendering accept positions up to here
+// Greatest coordinate allowed in a file: replay and rendering accept positions up to here.
+inline constexpr double kFarthestM = 1e6;
 
 struct TextPlace {
     int line = 0;

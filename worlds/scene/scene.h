@@ -174,9 +174,8 @@ struct Scene {
     LabyrinthPlan labyrinth;       // the game in this world, if there is one
     std::vector<FreeBody> bodies;  // which of them are free to move; at most FreeBody::kMost
     std::vector<Switch> switches;
-    std::shared_ptr<const StatedBuilding>
-        // Rooms and doors as the file itself states them (worlds/scene/stated_building.h); null: it states none.
-        stated;
+    // Rooms and doors as the file itself states them (worlds/scene/stated_building.h); null: it states none.
+    std::shared_ptr<const StatedBuilding> stated;
     ReadReport report;
 
     const Feature* find(FeatureId id) const { return id.value < features.size() ? &features[id.value] : nullptr; }

@@ -43,9 +43,8 @@ struct StatedPortal {
     std::string name;  // as the file states it
     std::string guid;
     FeatureId feature = kNoFeature;  // the first leaf of a door; for stairs and lifts the feature that is touched
-    std::vector<std::uint32_t>
-        // Indices into StatedBuilding::rooms, rising; if there is only one, the other side is outside or has no name.
-        rooms;
+    // Indices into StatedBuilding::rooms, rising; if there is only one, the other side is outside or has no name.
+    std::vector<std::uint32_t> rooms;
     Vec3 place_m{0.0};  // middle, at floor height
     double width_m = 0.0, height_m = 0.0;
     bool by_boundaries = false;  // the file states the rooms; false: they were found on its two sides
