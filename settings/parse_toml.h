@@ -12,8 +12,8 @@ namespace handrail {
 
 inline toml::table parse_toml(const std::string& text) {
     try {
-        return toml::parse(
-            text, std::string());  // without the file's name: toml++ stores it with an allocation that must not fail
+        // Without the file's name: toml++ stores it with an allocation that must not fail.
+        return toml::parse(text, std::string());
     } catch (const toml::parse_error&) {
         return toml::parse(text, std::string());
     }

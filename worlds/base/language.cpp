@@ -277,9 +277,8 @@ Result<std::vector<Diagnostic>> speak_language(std::string_view code, const std:
             Language own{std::string(code), icu::Locale(std::string(code).c_str()), {}, folder};
             if (language) {
                 own.texts = language->texts;
-                spoken.store(language,
-                             // So that faults in the person's own texts are reported in that language.
-                             std::memory_order_release);
+                // So that faults in the person's own texts are reported in that language.
+                spoken.store(language, std::memory_order_release);
             }
             gather(table, "", path.filename().string(), misfit, own, faults);
             language = &kept(std::move(own));

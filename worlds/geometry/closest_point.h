@@ -20,10 +20,8 @@ inline constexpr double kSideless_m = 1e-12;
 
 struct ClosestPoint {
     Vec3 point_m{0.0};  // on the shape's surface
-    Vec3 normal{
-        0.0, 0.0,
-        // Unit length, away from the shape: dot(normal, o) <= dot(normal, point_m) for every point o of the shape.
-        1.0};
+    // Unit length, away from the shape: dot(normal, o) <= dot(normal, point_m) for every point o of the shape.
+    Vec3 normal{0.0, 0.0, 1.0};
     double distance_m = 0.0;  // negative inside solids
 };
 

@@ -54,10 +54,9 @@ MassProperties mass_properties(const RoundShape& shape) noexcept {
                                  [](const CapsuleShape& s) {
                                      const double r2 = s.radius_m * s.radius_m, rod = kPi * r2 * s.length_m,
                                                   cap = 2.0 / 3.0 * kPi * r2 * s.radius_m;
-                                     const double out = 0.375 * s.radius_m,
-                                                  // Distance of a round end's centre of mass: `out` from its flat
-                                                  // side, `far` from the middle of the capsule.
-                                         far = 0.5 * s.length_m + out;
+                                     // Distances of a round end's centre of mass: `out` from its flat side, `far` from
+                                     // the middle of the capsule.
+                                     const double out = 0.375 * s.radius_m, far = 0.5 * s.length_m + out;
                                      const double along = rod * s.length_m * s.length_m / 12.0 +
                                                           2.0 * cap * (r2 / 5.0 - out * out + far * far);
                                      return of_axis(rod + 2.0 * cap, s.start_m + s.axis * (0.5 * s.length_m), s.axis,

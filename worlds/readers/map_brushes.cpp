@@ -95,8 +95,9 @@ TextureSense MapBrushes::sense_of(const MapBrush& brush) {
 int MapBrushes::repeats(const BuiltSolid& built, std::uint32_t owner, int line) {
     std::vector<std::string> planes;
     for (const Plane& plane : built.solid.planes) {
+        // + 0.0 prevents minus zero.
         const std::array<double, 4> numbers{plane.normal.x + 0.0, plane.normal.y + 0.0, plane.normal.z + 0.0,
-                                            plane.offset_m + 0.0};  // + 0.0 prevents minus zero
+                                            plane.offset_m + 0.0};
         planes.emplace_back(reinterpret_cast<const char*>(numbers.data()), sizeof numbers);
     }
     std::sort(planes.begin(), planes.end());  // so that the order in which they were drawn does not matter

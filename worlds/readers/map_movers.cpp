@@ -22,10 +22,8 @@ constexpr double kLeafTravel_s = 1.2;
 constexpr double kQuarterTurn_rad = kPi / 2.0;
 constexpr int kStartsOpen = 1, kDoNotLink = 4, kStays = 32;           // bits of a door's `spawnflags`
 constexpr int kStartsOn = 1, kReverse = 2, kAboutX = 4, kAboutY = 8;  // bits of a turning part's `spawnflags`
-constexpr double kLiftSpeedInBuilding_units_per_s = 24.0,
-                 // 24 units per second are three quarters of a metre per second; a button is kHandAbove_m above its
-                 // floor.
-    kHandAbove_m = 1.1;
+// 24 units per second are three quarters of a metre per second; a button is kHandAbove_m above its floor.
+constexpr double kLiftSpeedInBuilding_units_per_s = 24.0, kHandAbove_m = 1.1;
 constexpr std::size_t kMostStops = 1000;
 
 std::string name_of_key(const MapEntity& entity, std::string_view key) {

@@ -253,8 +253,8 @@ Result<Scene> without_placed(const Scene& world, const std::string& name) {
     if (index < 0) return fail(phrase("worlds.none_to_take", {{"name", name}}));
     Scene scene = world;
     undraw(scene, scene.placed[static_cast<std::size_t>(index)].feature);
-    scene.placed.erase(scene.placed.begin() +
-                       index);  // the name stays, so that earlier references to the thing can still be resolved
+    // The thing's name stays, so that earlier references to it can still be resolved.
+    scene.placed.erase(scene.placed.begin() + index);
     return scene;
 }
 

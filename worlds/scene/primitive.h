@@ -13,8 +13,8 @@
 namespace handrail {
 
 enum class PrimitiveKind : std::uint8_t { Box, Sphere, Cylinder, Cone, Capsule };
-inline constexpr std::array<std::string_view, 5> kPrimitiveNames{"box", "sphere", "cylinder", "cone",
-                                                                 "capsule"};  // indexed by PrimitiveKind
+// Indexed by PrimitiveKind.
+inline constexpr std::array<std::string_view, 5> kPrimitiveNames{"box", "sphere", "cylinder", "cone", "capsule"};
 
 struct Primitive {
     PrimitiveKind kind = PrimitiveKind::Box;

@@ -80,9 +80,8 @@ struct Solid {
     std::vector<MaterialId> face_materials;    // size == shape.planes.size()
     std::vector<bool> face_hidden;             // size == shape.planes.size(); true: wholly covered by other solids
     std::optional<double> viscosity_ns_per_m;  // liquids only, per hand speed; empty: no drag
-    double buoyancy_n = 0.0,
-           // Liquids only: buoyancy of the hand, and the greatest force with which the surface film resists it.
-        film_n = 0.0;
+    // Liquids only: buoyancy of the hand, and the greatest force with which the surface film resists it.
+    double buoyancy_n = 0.0, film_n = 0.0;
     Vec3 flow_hand_m_per_s{0.0};  // liquids only: a current, in hand speed
     std::optional<SoftFace> soft;
     SourcePlace source;
