@@ -37,8 +37,8 @@ struct Language {
     std::filesystem::path folder;  // folder of the person's own file
 };
 
-// Collects the texts of a table under the keys "section.key"; a value that is not a text gives a diagnostic. `fits`
-// returns what is wrong with a text, or an empty string.
+// Collects the texts of a table under the keys "section.key". A value that is not a text, or does not fit, gives a
+// diagnostic. `fits` returns what is wrong with a text, or an empty string.
 template <class Fits>
 void gather(const toml::table& table, const std::string& prefix, const std::string& file, const Fits& fits,
             Language& into, std::vector<Diagnostic>& faults) {

@@ -1,5 +1,5 @@
-// A bounded queue from one producer thread to one consumer thread. push() returns false when it is full and never
-// allocates.
+// A bounded queue from one producer thread to one consumer thread. push() never allocates and returns false if the
+// queue is full.
 #pragma once
 
 #include <boost/lockfree/spsc_queue.hpp>

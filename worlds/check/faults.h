@@ -34,7 +34,7 @@ enum class FaultKind : std::uint8_t {
     DoorToNoRoom,      // no room of the file is on either side
     UnlikeFile,        // the file joins two rooms there, but nobody can walk from one to the other
     StairsInOneGo,     // stairs that nobody can walk on, so they are climbed in one go
-    OddName,           // the room holds stairs and its name does not say so
+    OddName,           // the room contains stairs, but its name does not say so
     DoorCutFree,       // something in the doorway was cut away
     AlikeMaterials,    // a hand cannot tell them apart
     ThingOutside,      // far from everything that can be reached

@@ -21,7 +21,7 @@ struct Ruleset {
 struct PortRule {
     std::uint64_t allowed = 0, port = 0;
 };
-constexpr int kPortRule = 2;  // LANDLOCK_RULE_NET_PORT
+constexpr int kPortRule = 2;  // the value of LANDLOCK_RULE_NET_PORT
 constexpr std::uint64_t kTruncate = 1ULL << 14, kIoctlOfDevices = 1ULL << 15;
 constexpr std::uint64_t kBind = 1ULL << 0, kConnect = 1ULL << 1;
 constexpr std::uint64_t kAbstractSockets = 1ULL << 0, kSignals = 1ULL << 1;

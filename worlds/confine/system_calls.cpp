@@ -218,7 +218,7 @@ bool bound_to_driving(const Permissions& permissions) {
 }  // namespace
 
 bool seccomp_is_offered() {
-    constexpr unsigned kIsActionOffered = 2;  // SECCOMP_GET_ACTION_AVAIL
+    constexpr unsigned kIsActionOffered = 2;  // the value of SECCOMP_GET_ACTION_AVAIL
     const std::uint32_t action = SCMP_ACT_KILL_PROCESS;
     return ::syscall(SYS_seccomp, kIsActionOffered, 0, &action) == 0;
 }

@@ -16,7 +16,7 @@ namespace {
 constexpr double kMeshFlat = 1e-5;  // fraction of the mesh's size; less than this off a plane counts as in the plane
 // Dot product of two normals from which on faces share a plane, if their corners are in it too.
 constexpr double kMeshSameTurn = 1.0 - 1e-4;
-constexpr double kThinnest_m = 1e-4;  // a mesh flatter than this has no inside
+constexpr double kThinnest_m = 1e-4;  // a mesh thinner than this counts as flat and has no inside
 constexpr std::size_t kMostFragments = 200'000;
 constexpr std::size_t kPlanesTried = 16;  // planes compared for each cut
 constexpr std::size_t kFewFaces = 8;      // a convex part with no more faces than this is not halved further

@@ -35,7 +35,7 @@ int times_around(std::span<const Vec3> points_m, std::span<const MeshCorners> tr
 
 struct FillLimits {
     std::size_t most_triangles = 100'000, most_planes = 1'000, most_solids = 2'000;
-    std::size_t most_faces = 64;  // of one solid; a solid with more faces is cut in two
+    std::size_t most_faces = 64;  // most faces of one solid; a solid with more is cut in two
     // Budget of tests of faces against planes, about 5 ns each; several meshes may share it.
     std::size_t* looks_left = nullptr;
 };

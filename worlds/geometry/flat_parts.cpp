@@ -267,7 +267,7 @@ private:
 
     std::vector<Vec2> corners_;
     std::vector<Ring> rings_;
-    std::map<std::size_t, std::vector<std::size_t>> ways_;  // from each corner to the next ones
+    std::map<std::size_t, std::vector<std::size_t>> ways_;  // the borders: from each corner to the next corners
 };
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace handrail {
 
 using Ring = std::vector<Vec2>;
 
-// The most corners an outline may have to be cut or joined.
+// An outline with more corners is neither cut nor joined.
 inline constexpr std::size_t kMostCorners = 4000;
 
 double signed_area(const Ring& ring);

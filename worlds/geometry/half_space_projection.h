@@ -183,7 +183,7 @@ inline int most_violated_of(std::span<const HalfSpace> all, double grown_m, cons
 template <class Real, class HalfSpaceAt, class MostViolated>
 bool exchange(const glm::vec<3, Real>& goal_m, int count, const HalfSpaceAt& at, const MostViolated& most_violated,
               BasicProjectionBasis<Real>& basis) noexcept {
-    constexpr int kMaxExchanges = 40;  // |point - goal| rises with every exchange
+    constexpr int kMaxExchanges = 40;  // |point - goal| rises with every exchange, so no basis repeats
     const int warm_count = basis.count;
     const std::array<int, 3> warm = basis.index;
     basis.count = 0;

@@ -32,7 +32,8 @@ MassProperties mass_properties(const ConvexSolid& solid) noexcept {
     for (const Polygon& face : solid.faces)
         for (std::size_t i = 2; i < face.points_m.size(); ++i) {
             const Vec3 a = face.points_m[0] - zero, b = face.points_m[i - 1] - zero, c = face.points_m[i] - zero;
-            const double six = glm::dot(a, glm::cross(b, c));  // the tetrahedron with zero as its fourth corner
+            // Six times the volume of the tetrahedron whose fourth corner is zero.
+            const double six = glm::dot(a, glm::cross(b, c));
             const Vec3 sum = a + b + c;
             six_volume += six;
             first += sum * (six / 24.0);

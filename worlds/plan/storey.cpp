@@ -22,7 +22,7 @@ constexpr double kThingFrom_m = 0.25, kLeastThing_m = 0.05;
 constexpr double kPartitionThin_m = 0.2;
 constexpr double kPaneThin_m = 0.12, kPaneLong_m = 0.4, kPaneHigh_m = 1.2;
 constexpr double kStep_m = 0.6;
-constexpr double kLongestTread_m = 1.5;  // of a wide solid step; a longer one is a stage
+constexpr double kLongestTread_m = 1.5;  // longest tread of a wide solid step; a longer part is a stage
 constexpr int kBesideSteps = 8;          // number of 5 cm steps that a gap may be away from the place where rooms meet
 constexpr double kWidestGap_m = 4.0;     // between the jambs; a wider opening is not a gap in a wall
 
@@ -31,8 +31,8 @@ constexpr double kSquare_m = 0.05, kMostSquares = 2000.0;
 constexpr double kBesidePortal_m = 0.5;  // how far an opening may extend beyond the portal's width
 constexpr double kStandsIn_m = 0.15;     // how much of an opening a thing must block to close it
 constexpr double kFloorNearPortal_m = 2.0;
-// Floors this far apart in height count as above each other. A room with this much hidden floor goes on the second
-// plan, which shows this much around its rooms.
+// Floors kFloorsApart_m apart in height count as above each other. A room with kLeastHidden_m2 of hidden floor goes on
+// the second plan, which shows kAroundUpper_m around its rooms.
 constexpr double kFloorNearJoint_m = 0.8, kFloorsApart_m = 1.0, kLeastHidden_m2 = 1.0, kAroundUpper_m = 2.0;
 
 bool inside_any(const std::vector<PlanOutline>& outlines, const Vec2& at) {

@@ -12,7 +12,7 @@ namespace handrail {
 // What an entity's keys request for each of its brushes.
 struct SoftWish {
     SoftFace face;             // a depth of 0 means half of the thickness
-    Vec3 side{0.0, 0.0, 1.0};  // which face gives way
+    Vec3 side{0.0, 0.0, 1.0};  // direction of the face that gives way
     TextPlace place;           // where the key `soft` is
     TextPlace depth_place;     // where the key `soft_depth` is
 };

@@ -183,7 +183,7 @@ private:
 
 class Parser {
 public:
-    static constexpr double kMostPatchPoints = 1025;  // along one side; editors stop at 31
+    static constexpr double kMostPatchPoints = 1025;  // points along one side of a patch; editors stop at 31
     static constexpr std::size_t kMostKeys = 1000;    // per entity; real entities have under 20
 
     Parser(std::string_view bytes, Diagnostics& diagnostics, const std::stop_token& stop)

@@ -53,9 +53,9 @@ struct MapEntity {
 struct MapFile {
     std::vector<MapEntity> entities;
     int brushes = 0;          // both complete and damaged ones
-    int brushes_damaged = 0;  // left out
-    int curves_damaged = 0;   // patchDef2, patchDef3: left out
-    int primitives = 0;       // other forms: left out
+    int brushes_damaged = 0;  // damaged ones, which are left out
+    int curves_damaged = 0;   // damaged patchDef2 and patchDef3, which are left out
+    int primitives = 0;       // other forms, which are left out
     int version = 0;          // from its first line; from 2 on, coordinates are relative to the origin of their entity
 };
 

@@ -24,7 +24,7 @@ constexpr std::size_t kMostShells = 1000;      // examined, in the file's order
 struct Piece {
     Aabb box;
     std::size_t part = 0;
-    std::size_t first_solid = 0, solids = 0;  // range of the scene's solids
+    std::size_t first_solid = 0, solids = 0;  // this piece's solids among the scene's
 };
 
 class MeshSceneBuilder {

@@ -22,7 +22,7 @@ namespace handrail {
 namespace {
 
 constexpr double kObjSurfaceUnit_m = 1.0 / 32.0;  // as in derive_surfaces for maps
-constexpr std::size_t kMostCorners = 4096;        // of one polygon; splitting a larger one would take minutes
+constexpr std::size_t kMostCorners = 4096;  // most corners of a polygon; splitting a larger one would take minutes
 
 double twice_area(const Vec2& a, const Vec2& b, const Vec2& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -383,11 +383,11 @@ private:
     Scene scene_;
     std::size_t at_ = 0;
     int line_ = 0, next_line_ = 1;
-    std::vector<Word> words_;  // of the current line
+    std::vector<Word> words_;  // words of the current line
     std::vector<Vertex> vertices_;
-    std::string name_;                        // of the current object or group
-    MaterialId material_ = kDefaultMaterial;  // current
-    TouchSide side_ = TouchSide::Both;        // current
+    std::string name_;                        // name of the current object or group
+    MaterialId material_ = kDefaultMaterial;  // of the faces that follow
+    TouchSide side_ = TouchSide::Both;        // of the faces that follow
     std::map<std::string, FeatureId> features_;
     std::map<std::string, MaterialId> materials_;
     std::map<std::string, std::string> guessed_from_;

@@ -18,7 +18,7 @@ enum class ToCheck : std::uint8_t {
     MissingPart,      // has a form in the file, but is missing here in whole or in part
     ImpassableDoor,   // nobody could walk through, even after it was cut free
     DoorToNoRoom,     // no room of the file is on either side
-    OddName,          // the room holds stairs and its name does not say so
+    OddName,          // the room contains stairs, but its name does not say so
     RoomWithoutName,  // neither name nor number
     DoorCutFree,      // something in the doorway was cut away
     RoomWithoutWay,   // no door or stairs of the file lead to it; it may be open to the room next to it

@@ -11,9 +11,9 @@
 
 namespace handrail {
 
-inline constexpr double kStiffnessApart = 1.3;  // ratio
-inline constexpr double kFrictionApart = 1.5;   // ratio
-inline constexpr double kPeriodApart = 1.3;     // ratio of the periods of two textures
+inline constexpr double kStiffnessApart = 1.3;  // least ratio
+inline constexpr double kFrictionApart = 1.5;   // least ratio
+inline constexpr double kPeriodApart = 1.3;     // least ratio of the periods of two textures
 inline constexpr std::size_t kMostMaterialsInView = 5;
 // Width of a view: what a device with 15 cm of workspace covers at the room scale.
 inline constexpr double kView_m = 9.0;
@@ -41,7 +41,7 @@ std::vector<AlikeMaterials> alike_materials(const Scene& scene);
 
 struct LintReport {
     std::vector<std::string> problems;  // pairs that cannot be told apart, and what to change
-    std::vector<std::string> warnings;  // places with too many materials, stick-slip
+    std::vector<std::string> warnings;  // places with too many materials, and stick-slip friction
 };
 // A sentence about the fullest view if it contains more than kMostMaterialsInView named materials; else empty.
 std::string crowded_view(const Scene& scene);

@@ -12,7 +12,7 @@ struct MadeDoor {
     Vec3 place_m{0.0};         // the middle of the wall, at floor height
     double heading_rad = 0.0;  // direction straight through the wall
     double width_m = 0.9;
-    double through_m = 0.3;  // how thick the wall is there
+    double through_m = 0.3;  // thickness of the wall there
     std::string name;        // what it joins: "Hall, kitchen"
 };
 

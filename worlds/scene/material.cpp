@@ -86,8 +86,9 @@ const MaterialSpec* find_material(std::string_view name) {
 const MaterialSpec* guess_material(std::string_view texture_name) {
     std::string name = lower_ascii(texture_name.substr(0, 64));
     if (const std::size_t slash = name.find_last_of("/\\"); slash != std::string::npos) name.erase(0, slash + 1);
-    if (name.size() > 2 && (name[0] == '+' || name[0] == '-')) name.erase(0, 2);  // animated or alternating: "+0slip"
-    if (name.starts_with('{')) name.erase(0, 1);                                  // see-through
+    // The prefix of animated or alternating textures: "+0slip".
+    if (name.size() > 2 && (name[0] == '+' || name[0] == '-')) name.erase(0, 2);
+    if (name.starts_with('{')) name.erase(0, 1);  // the prefix of see-through textures
     for (const TextureRule& rule : kTextureRules) {
         const std::size_t found = name.find(rule.part);
         if (found == 0 || (found != std::string::npos && !rule.at_start)) return find_material(rule.material);

@@ -221,7 +221,7 @@ int side_of(std::string_view word) {
             for (const char* end : {"", "en"}) add(stem + end, side);
             for (const char* end : {"lich", "liche", "lichen", "licher", "liches", "lichem"}) add(soft + end, side);
         };
-        const auto softened = [](std::string stem) {  // nördlich, östlich
+        const auto softened = [](std::string stem) {  // umlauts: nördlich, östlich
             if (const std::size_t o = stem.rfind('o'); o != std::string::npos) stem.replace(o, 1, "ö");
             return stem;
         };

@@ -16,9 +16,9 @@ enum class WordLanguage { English, German };
 enum class Says {
     Size2,       // numbers: west to east, south to north
     Size3,       // the same and height
-    High,        // numbers[0]
-    Wide,        // numbers[0]
-    AboveFloor,  // numbers[0]
+    High,        // numbers[0] is the height
+    Wide,        // numbers[0] is the width
+    AboveFloor,  // numbers[0] above the floor
     SideOf,      // on side sides[0] of room `name`; numbers[0], if given, is the distance
     Above,       // above or below room `name`
     Further,     // numbers[0] farther towards sides[0]
@@ -47,16 +47,16 @@ enum class Says {
     Landmark,
     Clue,
     Called,    // called `name`
-    MadeOf,    // `name` is a material of the library
-    Floor,     // `name` is a material of the library
-    Walls,     // `name` is a material of the library
-    Thick,     // numbers[0]
+    MadeOf,    // made of the library's material `name`
+    Floor,     // its floor is made of the library's material `name`
+    Walls,     // its walls are made of the library's material `name`
+    Thick,     // numbers[0] is the thickness of the walls
     Facing,    // towards sides[0]
     ByItself,  // a door that opens automatically when somebody comes near
     Raised,    // the floor of the room is numbers[0] higher than that of its storey
     Sunk,      // the same, but lower
     FromRoom,  // room `name`, where a lift, stairs or a drop begins
-    DropOf,    // numbers[0] down
+    DropOf,    // numbers[0] is the height of the drop
     Railing,   // numbers[0] high, around a room
     UpSide,    // stairs rise towards sides[0]
     UpAndBack  // stairs rise towards sides[0] and turn back there
