@@ -24,7 +24,7 @@ Vec3 snapped(Vec3 normal) {
     return normal;
 }
 
-// Through the polygon's middle, with its own normal; false where it has no area.
+// Sets the plane through the middle of the polygon, with the polygon's normal. Returns false if the area is zero.
 bool plane_of(std::span<const Vec3> points_m, Plane& plane) {
     const Vec3 area = area_vector_m2(points_m);
     const double length = glm::length(area);
@@ -40,7 +40,7 @@ bool plane_of(std::span<const Vec3> points_m, Plane& plane) {
 
 Plane turned_round(const Plane& plane) { return {-plane.normal, -plane.offset_m}; }
 
-// The part behind the plane; nothing where there is none thicker than kFlush_m.
+// Returns the part behind the plane, or nothing if no part is thicker than kFlush_m.
 std::optional<ConvexSolid> behind(const ConvexSolid& solid, const Plane& plane) {
     const Reach reach = reach_along(solid, plane.normal);
     if (reach.least >= plane.offset_m - kFlush_m) return {};
@@ -50,14 +50,14 @@ std::optional<ConvexSolid> behind(const ConvexSolid& solid, const Plane& plane) 
     return solid_within(std::move(planes), solid.bounds_m.centre_m(), glm::length(solid.bounds_m.size_m()));
 }
 
-// Sheets that lie in the cutter's own side are not behind it.
+// A sheet that lies in the cutting plane itself, facing the same way, does not count as behind it.
 void split_sheet(const Polygon& sheet, const Plane& plane, Polygon& back, Polygon& front) {
     split(sheet.points_m, plane, kTolerance.cut_m, back.points_m, front.points_m);
     tidy(back.points_m, kTolerance.merge_m);
     tidy(front.points_m, kTolerance.merge_m);
 }
 
-// The box that planes along the axes bound, for a quick look; else everything.
+// The box bounded by the axis-aligned planes, for a quick rejection test; unbounded directions reach very far.
 Aabb box_of(std::span<const Plane> planes) {
     Aabb box{Vec3{-1e9}, Vec3{1e9}};
     for (const Plane& p : planes)
@@ -103,7 +103,8 @@ std::optional<ConvexSolid> prism(const Ring& outline, const Vec3& way_m, const F
             if (!is_finite(p)) return {};
             box.include(p);
         }
-    // The middle of a box may lie outside a slanted form, so faces are turned outwards by the outline's direction.
+    // The centre of the bounding box may be outside a slanted prism, so the outline's orientation decides which way
+    // each face looks.
     const bool turned = ((signed_area(outline) < 0.0) != (way_m.z < 0.0)) != frame.mirrored();
     std::vector<Plane> planes;
     std::vector<std::vector<Vec3>> sides;
@@ -121,7 +122,7 @@ std::optional<ConvexSolid> prism(const Ring& outline, const Vec3& way_m, const F
     std::optional<ConvexSolid> built = solid_within(planes, box.centre_m(), glm::length(box.size_m()));
     const double holds_m3 = std::abs(glm::dot(area_vector_m2(low), frame.turned(way_m)));
     if (built || planes.size() != sides.size() || !(holds_m3 > kLeast_m3)) return built;
-    // A sliver too narrow to be found from its planes: the given corners.
+    // The prism is too thin to be found from its planes, so the given corners are kept.
     ConvexSolid exact{std::move(planes), {}, box};
     for (std::vector<Vec3>& side : sides) {
         if (turned) std::reverse(side.begin(), side.end());
@@ -151,7 +152,7 @@ bool same_body(const Body& a, const Body& b) {
 std::uint64_t number_of(const Body& body) {
     std::uint64_t number = 0xCBF29CE484222325U;
     const auto put = [&number](double value) {
-        number = (number ^ std::bit_cast<std::uint64_t>(value + 0.0)) * 0x100000001B3U;  // -0 as 0
+        number = (number ^ std::bit_cast<std::uint64_t>(value + 0.0)) * 0x100000001B3U;  // turns -0 into 0
         number ^= number >> 29;
     };
     for (const ConvexSolid& solid : body.solids)
@@ -178,7 +179,7 @@ std::optional<double> enclosed_m3(const std::vector<FlatFace>& faces) {
         const Vec3 scaled = glm::clamp(p * 1e5, Vec3(-9e17), Vec3(9e17));
         return Corner{std::llround(scaled.x), std::llround(scaled.y), std::llround(scaled.z)};
     };
-    std::map<std::pair<Corner, Corner>, int> edges;  // how often more one way than the other
+    std::map<std::pair<Corner, Corner>, int> edges;  // how many more times an edge runs one way than the other
     double six_volumes = 0.0;
     const Vec3* origin = nullptr;
     for (const FlatFace& face : faces) {
@@ -273,7 +274,7 @@ bool cut_away(Body& body, std::span<const Plane> planes) {
         if (overlap(box, solid.bounds_m) && left.size() < kMostPieces) rest = solid;
         for (const Plane& plane : planes)
             if (rest) rest = behind(*rest, plane);
-        if (!rest) {  // they do not meet
+        if (!rest) {  // the solid and the cutter do not meet
             left.push_back(std::move(solid));
             continue;
         }

@@ -1,4 +1,4 @@
-// Shells of flat faces: convex where they are, prisms where they are, else sheets.
+// Turns shells of flat faces into convex solids or prisms if they are such, else into sheets.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -12,17 +12,17 @@ namespace handrail {
 namespace {
 
 constexpr double kFlat_m = 1e-4;
-constexpr double kAlikeShare = 0.01;  // of an area
+constexpr double kAlikeShare = 0.01;  // share of an area within which two areas count as equal
 
 struct Face {
     std::vector<std::vector<Vec3>> rings;
-    Vec3 area{0.0};  // vector, without its holes
+    Vec3 area{0.0};  // area vector of the outline; holes are not subtracted
     double size_m2 = 0.0;
 };
 
 Vec3 unit(const Vec3& v) { return v / std::max(glm::length(v), 1e-300); }
 
-// Axes of a plane with that normal.
+// Axes of a plane with the given normal.
 Frame frame_on(const Vec3& normal, const Vec3& origin_m) {
     Frame frame;
     frame.origin_m = origin_m;
@@ -65,7 +65,7 @@ void add_sheets(const Face& face, std::vector<Polygon>& sheets) {
     }
 }
 
-// How long the border of flat pieces side by side is: edges that two of them share are inside.
+// The length of the outer border of adjacent flat pieces. Edges that two pieces share are inside and do not count.
 double border_m(const std::vector<Ring>& rings) {
     using Corner = std::pair<long long, long long>;
     const auto corner = [](const Vec2& p) {
@@ -125,15 +125,15 @@ private:
         if (!solid) return false;
         double closed_m2 = 0.0;
         for (const Polygon& face : solid->faces) closed_m2 += area_m2(face);
-        if (std::abs(closed_m2 - all_m2_) > kAlikeShare * all_m2_) return false;  // an open one, such as a tray
+        if (std::abs(closed_m2 - all_m2_) > kAlikeShare * all_m2_) return false;  // an open shell, such as a tray
         body.solids.push_back(std::move(*solid));
         return true;
     }
 
-    // All corners on two parallel planes, the same outline on both, and sides all round.
+    // Tests for a prism: all corners on two parallel planes, the same outline on both, and side faces all round.
     bool prism_of(Body& body) const {
         if (faces_.size() < 5 || points_.size() > 40'000) return false;
-        std::vector<std::pair<double, Vec3>> directions;  // with the area that looks there
+        std::vector<std::pair<double, Vec3>> directions;  // with the area of the faces that have this normal
         for (const Face& face : faces_) {
             const Vec3 normal = unit(face.area);
             const auto known = std::find_if(directions.begin(), directions.end(), [&](const auto& d) {
@@ -192,7 +192,7 @@ private:
     double all_m2_ = 0.0;
 };
 
-// Triangles of sheets, as closed_mesh.h takes them.
+// The triangles of the sheets, in the form that closed_mesh.h takes.
 struct Skin {
     std::vector<Vec3> points_m;
     std::vector<MeshCorners> triangles;
@@ -227,7 +227,7 @@ bool encloses(const Body& body) {
 void fill(Body& body) {
     if (body.sheets.empty() || !encloses(body)) return;
     Skin skin = skin_of(body.sheets);
-    if (skin.six_volumes_m3 < 0.0)  // seen from inside
+    if (skin.six_volumes_m3 < 0.0)  // the triangles face inwards
         for (MeshCorners& corners : skin.triangles) std::swap(corners[1], corners[2]);
     std::vector<std::uint32_t> all(skin.triangles.size());
     for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
@@ -245,7 +245,7 @@ Body body_of_faces(const std::vector<FlatFace>& flat) {
     std::vector<Face> faces;
     for (const FlatFace& one : flat)
         if (Face face = face_of(one); face.size_m2 > 1e-9) faces.push_back(std::move(face));
-    // Faces that share a corner belong together.
+    // Faces that share a corner belong to the same piece.
     std::map<std::array<long long, 3>, std::uint32_t> first_at;
     DisjointSets pieces(faces.size());
     for (std::uint32_t f = 0; f < faces.size(); ++f)

@@ -1,5 +1,5 @@
-// Sends a body through a door from both sides, over everything that stands in the finished scene but leaves of doors.
-// Costs a few milliseconds for each door. The index belongs to its caller; one reading thread.
+// Moves a walker's body through a door from both sides, against everything in the finished scene except door leaves.
+// The caller owns the index. One reading thread uses it. Costs a few milliseconds for each door.
 #pragma once
 
 #include <string>
@@ -11,31 +11,31 @@
 
 namespace handrail {
 
-// Why a body does not pass.
+// Why the walker does not get through a door.
 enum class DoorTrialEnd : std::uint8_t {
     Passed,
-    InTheWay,  // something that is not the door's own wall, or the door is large enough
-    Small,     // the opening itself is narrower or lower than the body
-    Step,      // higher than a body climbs
-    NoFloor,   // on one side, or within
+    InTheWay,  // an obstacle that is not the door's own wall, or any obstacle if the door is large enough
+    Small,     // the opening itself is narrower or lower than the walker
+    Step,      // a step higher than the walker climbs
+    NoFloor,   // no floor on one side of the door, or in the doorway
 };
-// Of the sentence that says it; empty where it passed.
+// The key of the sentence that states the reason; empty if the walker passed.
 std::string_view key_of(DoorTrialEnd end);
 
 struct DoorTrial {
     DoorTrialEnd end = DoorTrialEnd::Passed;
-    std::vector<int> lines;  // of the file, of what stands in the way; rising
+    std::vector<int> lines;  // lines of the file that define the obstacles, in rising order
     double step_m = 0.0;
 };
 
 class DoorTrials {
 public:
-    // `scene` outlives it and does not change meanwhile.
+    // `scene` must outlive this object and must not change meanwhile.
     explicit DoorTrials(const Scene& scene);
     DoorTrial try_door(const WallGap& gap) const;
 
 private:
-    // What stands over a small square of the floor: how far up and down, and its line.
+    // One obstacle above a small square of the floor: its lowest and highest point there, and its line in the file.
     struct Stretch {
         double low_m = 0.0, high_m = 0.0;
         int line = 0;

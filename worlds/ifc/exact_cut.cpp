@@ -1,7 +1,7 @@
 #include "worlds/ifc/exact_cut.h"
 
-// CGAL would check at the start of any program that links this whether the processor rounds up and down. Valgrind does
-// not, and the tests compare volumes anyway.
+// Without this, every program that links this file would check at its start that the processor rounds up and down.
+// Valgrind does not round so, and the tests compare volumes anyway.
 #define CGAL_DISABLE_ROUNDING_MATH_CHECK
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
@@ -28,7 +28,7 @@ using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 constexpr double kGrid = 1048576.0;  // corners per metre, a power of two: corners on it are exact and short numbers
-constexpr double kOnEdge_m = 2e-6;   // a corner so close to an edge is one of its corners
+constexpr double kOnEdge_m = 2e-6;   // a corner this close to an edge becomes one of its corners
 
 struct Refused {};
 
@@ -37,7 +37,7 @@ void count(ExactLimits& limits, std::size_t steps, const std::stop_token& stop) 
     limits.steps_left -= steps;
 }
 
-// CGAL calls it at each step, and it ends the work by an exception when the limits are reached.
+// CGAL calls this visitor at each step. It ends the work with an exception when the limits are reached.
 struct Counter : pmp::Corefinement::Default_visitor<Mesh> {
     ExactLimits* limits = nullptr;
     std::stop_token stop;
@@ -53,7 +53,7 @@ struct Counter : pmp::Corefinement::Default_visitor<Mesh> {
     void after_subface_created(Mesh::Face_index, Mesh&) const { step(); }
 };
 
-// Its checks throw; their words on standard error would help nobody.
+// Failed CGAL checks throw. Their texts on standard error would help nobody, so they are silenced.
 class QuietChecks {
 public:
     QuietChecks() : before_(CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {})) {}
@@ -69,7 +69,7 @@ struct Less {
     bool operator()(const Vec3& a, const Vec3& b) const { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 };
 
-// Polygons whose corners are numbers of points. Neighbours share both corners of each edge.
+// Polygons whose corners are indices of points. Neighbours share both corners of each edge.
 struct Soup {
     std::vector<Vec3> points_m;
     std::vector<std::vector<std::size_t>> polygons;
@@ -82,7 +82,7 @@ Soup soup_of(const std::vector<Polygon>& polygons) {
         std::vector<std::size_t> corners;
         for (const Vec3& p : polygon.points_m) {
             if (!is_finite(p) || glm::length(p) > kFarthestPart_m) throw Refused{};
-            const Vec3 on_grid = glm::round(p * kGrid) / kGrid + Vec3(0.0);  // no -0
+            const Vec3 on_grid = glm::round(p * kGrid) / kGrid + Vec3(0.0);  // turns -0 into 0
             const auto [found, is_new] = numbers.try_emplace(on_grid, soup.points_m.size());
             if (is_new) soup.points_m.push_back(on_grid);
             if (corners.empty() || corners.back() != found->second) corners.push_back(found->second);
@@ -93,7 +93,8 @@ Soup soup_of(const std::vector<Polygon>& polygons) {
     return soup;
 }
 
-// Faces were cut into convex ones without regard to their neighbours: a corner on another's edge becomes its corner.
+// Faces were cut into convex parts without regard to their neighbours. So a corner that lies on another polygon's edge
+// is inserted into that edge.
 void share_corners(Soup& soup, ExactLimits& limits, const std::stop_token& stop) {
     std::vector<Aabb> boxes;
     for (const Vec3& p : soup.points_m) boxes.push_back({p, p});
@@ -124,7 +125,7 @@ void share_corners(Soup& soup, ExactLimits& limits, const std::stop_token& stop)
     }
 }
 
-// Around its middle where corners lie on a line, so that no triangle is flat.
+// Polygons with collinear corners are divided around their centre, so that no triangle is flat.
 void cut_into_triangles(Soup& soup) {
     std::vector<std::vector<std::size_t>> triangles;
     for (const std::vector<std::size_t>& polygon : soup.polygons) {
@@ -146,7 +147,7 @@ void cut_into_triangles(Soup& soup) {
     soup.polygons = std::move(triangles);
 }
 
-// What of two meshes lies close together costs time, whatever comes of it.
+// Counts the pairs of nearby triangles of two meshes, because they cost time whatever the result is.
 void count_pairs(const std::vector<Aabb>& some, const std::vector<Aabb>& others, ExactLimits& limits,
                  const std::stop_token& stop) {
     const BoxIndex index(others);
@@ -160,7 +161,7 @@ void count_pairs(const std::vector<Aabb>& some, const std::vector<Aabb>& others,
 struct Piece {
     Mesh mesh;
     Aabb box;
-    std::vector<Aabb> boxes;  // of its triangles, as it was at first
+    std::vector<Aabb> boxes;  // boxes of the triangles before any cut
 };
 
 Piece piece_of(const std::vector<Polygon>& polygons, ExactLimits& limits, const std::stop_token& stop) {
@@ -192,7 +193,7 @@ std::vector<Piece> pieces_of(const Body& body, ExactLimits& limits, const std::s
     return pieces;
 }
 
-// Whether places lie in a mesh, and which way its surface looks where they lie on it.
+// Tells whether points are inside a mesh, and the outward direction of its surface at points on it.
 class Inside {
 public:
     explicit Inside(const Mesh& mesh) : mesh_(mesh), tree_(faces(mesh).begin(), faces(mesh).end(), mesh), side_(tree_) {
@@ -224,8 +225,8 @@ struct ExactSoup {
     std::vector<std::vector<std::size_t>> triangles;
 };
 
-// CGAL only refines the meshes along each other: its own choice of the faces that remain needs a result that is a
-// manifold, so it refuses solids that merely touch, and version 5.5 may never end on some of them.
+// CGAL only refines the two meshes along each other; the faces to keep are chosen here. CGAL's own choice needs a
+// result that is a manifold, so it refuses solids that merely touch. Its version 5.5 may never end on some of them.
 ExactSoup combined(const Mesh& a, const Mesh& b, ExactCut kind, ExactLimits& limits, const std::stop_token& stop) {
     constexpr std::size_t kStepsForPlace = 10;
     Mesh first = a, second = b;
@@ -274,14 +275,15 @@ Mesh mesh_of(ExactSoup soup) {
     return mesh;
 }
 
-// Less than a flush touch is left over where two faces were to lie in one plane and do not, by their last digits.
+// Returns true for a thin film, less than a flush contact. It remains if two faces were meant to share a plane but
+// differ in their last digits.
 bool is_film(const ConvexSolid& solid) {
     double largest_m2 = 0.0;
     for (const Polygon& face : solid.faces) largest_m2 = std::max(largest_m2, area_m2(face.points_m));
     return mass_properties(solid).volume_m3 < kFlush_m * largest_m2;
 }
 
-// Rounds to double.
+// Rounds the exact coordinates to double.
 Body body_of(const ExactSoup& soup, ExactLimits& limits, const std::stop_token& stop) {
     std::vector<Vec3> points;
     for (const Kernel::Point_3& p : soup.points)
@@ -352,7 +354,7 @@ std::optional<Body> cut_exactly(const Body& body, const Body& by, ExactCut kind,
         return cut(body, pieces_of(by, limits, stop), kind, limits, stop);
     } catch (const Refused&) {
         return std::nullopt;
-    } catch (const std::logic_error&) {  // CGAL's checks, as of a result that is no surface
+    } catch (const std::logic_error&) {  // CGAL's own checks, for example if the result is no surface
         return std::nullopt;
     }
 }

@@ -12,7 +12,7 @@
 namespace handrail {
 namespace {
 
-// Some programs write where the file lay as the name of the building: "D:\temp\file.ifc" is said as "file".
+// Some programs write the file's path as the name of the building: "D:\temp\file.ifc" becomes "file".
 std::string without_path(std::string name) {
     if (name.find('\\') == std::string::npos && !name.starts_with('/')) return name;
     name.erase(0, name.find_last_of("\\/") + 1);
@@ -21,12 +21,14 @@ std::string without_path(std::string name) {
     return name;
 }
 
-constexpr double kThrough_m = 1.0;                               // how far an opening is lengthened through its wall
-constexpr double kNarrowestLeaf_m = 0.4, kThickestLeaf_m = 0.6;  // else it is drawn open, or no leaf
+constexpr double kThrough_m = 1.0;  // an opening is lengthened by this much at each end, to cut through its wall
+// Otherwise the door is drawn open, or the shape is not a leaf.
+constexpr double kNarrowestLeaf_m = 0.4, kThickestLeaf_m = 0.6;
 
 bool is_part(PartRole role) { return role != PartRole::Opening && role != PartRole::Space && role != PartRole::Storey; }
 
-// What does not swing or slide out of the way. Furniture beside a door is told by walking, not cut.
+// Returns whether a part cannot swing or slide out of the way. Furniture next to a door is not cut: the trial with the
+// walker reports it.
 bool blocks(PartRole role) {
     switch (role) {
         case PartRole::Wall:
@@ -45,7 +47,7 @@ bool blocks(PartRole role) {
     }
 }
 
-// Turned upright: a door's width runs level, whatever its placement says.
+// Makes the frame upright, so that a door's width runs level whatever its placement states.
 Frame upright(const Frame& frame) {
     Frame axes = frame;
     axes.z = {0, 0, 1};
@@ -103,7 +105,7 @@ private:
         frame.origin_m -= building_.origin_m;
         return frame;
     }
-    // Compares what the file states of a part with what stands here.
+    // Compares what the file states about a part with what was built.
     void note_missing(const IfcPart& part, double own_m3, int far) {
         constexpr double kLostShare = 0.05, kLeastStated_m3 = 1e-6, kLeastStated_m2 = 1e-4;
         const IfcShapes::Account& account = shapes_.account();
@@ -143,8 +145,8 @@ private:
         return body;
     }
 
-    // Georeferenced files stand thousands of kilometres from zero, where doubles are still fine but planes are far from
-    // their points. By site or building, else by the first part.
+    // Georeferenced files lie thousands of kilometres from zero. Doubles are still precise there, but planes are far
+    // from their points. The origin comes from the site or building, else from the first part.
     void find_origin() {
         const auto consider = [&](const Vec3& at) {
             if (building_.origin_m == Vec3(0.0) && is_finite(at) && glm::length(at) > kFarAway_m)
@@ -231,8 +233,8 @@ private:
         }
     }
 
-    // Exports that went wrong hold the same part over and over, and no hand can tell one from two. Doors and windows in
-    // openings are proven each for itself.
+    // Faulty exports contain the same part many times, and the hand cannot tell the copies apart. Doors and windows in
+    // openings are exempt: each is tested separately.
     void note_repetition(IfcPart& part) {
         const bool leaf = part.role == PartRole::Door || part.role == PartRole::Window;
         if ((part.body.empty() && !leaf) || relations_.opening_of.contains(part.id)) return;
@@ -254,7 +256,7 @@ private:
         alike.push_back(building_.parts.size());
     }
 
-    // IFC has one class for all that carries people, and a word for the kind.
+    // IFC has one class for everything that carries people; a word states the kind.
     PartRole kind_of_transport(const IfcPart& part, const Values& v) const {
         for (const std::string& word : kind_words(part, v)) {
             if (word == "ESCALATOR") return PartRole::Escalator;
@@ -263,7 +265,8 @@ private:
         return PartRole::Lift;
     }
 
-    // Furniture that has a place and a kind but no form gets that of its kind, its front to the placement's y.
+    // Furniture with a place and a kind but no shape gets the prefab of its kind, with its front towards the
+    // placement's y.
     void take_prefab(IfcPart& part, const Values& v) {
         if (part.role != PartRole::Furniture && part.role != PartRole::Fixture && part.role != PartRole::Lift) return;
         if (!reference_at(v, 5) || !is_finite(part.frame.origin_m)) return;
@@ -281,8 +284,8 @@ private:
         }
     }
 
-    // What says of which kind a part is, the surest first: predefined types, then what it, its type and the file call
-    // it.
+    // The words that state the kind of a part, most reliable first: predefined types, then the names of its type and of
+    // the part itself.
     std::vector<std::string> kind_words(const IfcPart& part, const Values& v) const {
         std::vector<std::string> words;
         const auto type = relations_.type_of.find(part.id);
@@ -303,7 +306,7 @@ private:
         return std::string(word_at(of_type, model_.name(type->second) == "IFCDOORSTYLE" ? 8 : 10));
     }
 
-    // Flights, landings and stringers are the stairs.
+    // Flights, landings and stringers count as part of their stairs.
     void join_to_whole(std::size_t i) {
         IfcPart& part = building_.parts[i];
         std::uint64_t at = part.id;
@@ -325,7 +328,7 @@ private:
         if (openings == relations_.openings.end()) return;
         for (const std::uint64_t opening : openings->second) {
             if (stop_.stop_requested()) return;
-            const bool building = blocks(host.role);  // not the niche of a cabinet
+            const bool building = blocks(host.role);  // the niche of a cabinet does not count
             building_.openings += building ? 1 : 0;
             Body shape = body_of(opening, frame_of(opening));
             fill(shape);
@@ -348,8 +351,8 @@ private:
             if (!cut && building) building_.openings_uncut.push_back(static_cast<std::size_t>(model_.line(opening)));
         }
     }
-    // The opening lies between the ends of what it is to be cut into, and nothing stands in it: many a program writes
-    // its walls already cut, and their openings as well.
+    // Returns whether the opening already exists: it lies within the extent of its host, and nothing fills it. Many
+    // programs export their walls already cut, and the openings as well.
     bool is_open_already(const IfcPart& host, const std::vector<ConvexSolid>& solids, const Frame& axes) const {
         if (solids.empty()) return false;
         std::vector<const Body*> of_host{&host.body};
@@ -368,7 +371,7 @@ private:
         }
         return true;
     }
-    // The host itself, or its parts if it has no body of its own.
+    // The host itself, or its pieces if it has no shape of its own.
     std::vector<IfcPart*> bodies_of(IfcPart& host) {
         if (!host.body.empty()) return {&host};
         std::vector<IfcPart*> bodies;
@@ -377,8 +380,8 @@ private:
                 if (!building_.parts[i].body.empty()) bodies.push_back(&building_.parts[i]);
         return bodies;
     }
-    // By an opening that convex solids do not hold, such as a round arch. Whether something was cut; nothing if that
-    // cannot be computed.
+    // Cuts an opening that convex solids do not represent, such as a round arch. Returns whether something was cut, or
+    // nothing if the cut cannot be computed.
     std::optional<bool> cut_skin(IfcPart& host, Body shape, const Frame& opening, bool passage) {
         constexpr double kAtEnd_m = 1e-3, kCut_m3 = 1e-6;
         const Vec3 way = way_through_host(host.body, upright(opening), host.role);
@@ -399,7 +402,7 @@ private:
         return cut;
     }
 
-    // Filled by a door or window. A cupboard or a radiator in a niche leaves the wall behind it.
+    // Returns whether a door or window fills the opening. Behind a cupboard or a radiator in a niche, the wall stays.
     bool is_passage(std::uint64_t opening) const {
         const auto filling = relations_.filled_by.find(opening);
         if (filling == relations_.filled_by.end()) return false;
@@ -407,7 +410,7 @@ private:
         return role == PartRole::Door || role == PartRole::Window;
     }
 
-    // An opening without an inside is taken as the box of its corners, in the axes of its placement.
+    // An opening that encloses no volume is replaced by the box around its corners, in the axes of its placement.
     static std::vector<ConvexSolid> solids_around(const Body& shape, const Frame& opening) {
         if (!shape.solids.empty() || shape.sheets.empty()) return shape.solids;
         const Frame axes = upright(opening);
@@ -422,7 +425,7 @@ private:
         return {};
     }
 
-    // Whether a solid reaches from one face of a body to the other, where it meets it.
+    // Returns whether a solid reaches from one face of a wall to the other where the two meet.
     static bool reaches_both_faces(const Body& body, const ConvexSolid& solid, const Vec3& way) {
         constexpr double kNearFace_m = 0.03;
         std::vector<Plane> beside = solid.planes;
@@ -434,7 +437,8 @@ private:
         return host && own.least < host->least + kNearFace_m && own.most > host->most - kNearFace_m;
     }
 
-    // Through a wall: the level direction in which the opening is thinner than the host is long.
+    // The direction through the host: vertical for slabs and roofs. For walls it is the level axis of the opening along
+    // which the wall is thinner.
     static Vec3 way_through_host(const Body& body, const Frame& axes, PartRole role) {
         if (role == PartRole::Slab || role == PartRole::Roof) return {0, 0, 1};
         const std::optional<Reach> x = reach_along(body, axes.x), y = reach_along(body, axes.y);
@@ -456,7 +460,8 @@ private:
         if (hollow && host) add_jambs(body, planes, way, *host);
         return true;
     }
-    // A wall that is only its surface would be open to its inside.
+    // Adds the faces of the doorway. Without them, a wall that consists only of its surface would be open to its
+    // inside.
     static void add_jambs(Body& body, const std::vector<Plane>& planes, const Vec3& way, const Reach& host) {
         std::vector<Plane> within = planes;
         std::erase_if(within, [&](const Plane& p) { return std::abs(glm::dot(p.normal, way)) > 0.9; });
@@ -469,7 +474,8 @@ private:
             if (std::abs(glm::dot(gap->planes[i].normal, way)) < 0.9) body.sheets.push_back(gap->faces[i]);
     }
 
-    // From the opening where there is one, narrowed to the wall's thickness; else from the door's own form.
+    // The gap comes from the opening, if there is one, narrowed to the wall's thickness; else from the door's own
+    // shape.
     void find_gap(std::size_t i) {
         const IfcPart& part = building_.parts[i];
         if ((part.role != PartRole::Door && part.role != PartRole::Window) || part.same_as != i) return;
@@ -484,7 +490,7 @@ private:
                     host = &building_.parts[building_.parts[at->second].same_as];
         }
         if (shape.empty()) shape = part.body;
-        if (host && !host->body.empty())  // a door that lies along y of its placement
+        if (host && !host->body.empty())  // handles a door that runs along y of its placement
             if (const auto x = reach_along(shape, gap.axes.x), y = reach_along(shape, gap.axes.y);
                 x && y && y->most - y->least > 1.5 * (x->most - x->least)) {
                 const auto hx = reach_along(host->body, gap.axes.x), hy = reach_along(host->body, gap.axes.y);
@@ -512,8 +518,7 @@ private:
             building_.gaps.emplace(i, gap);
     }
 
-    // A door that no opening belongs to is cut as its leaf's outline through the walls that it stands in, or hangs
-    // close before.
+    // A door without an opening is cut, as the outline of its leaf, through the walls that it is in or close to.
     void cut_leaf(std::size_t i, WallGap& gap) {
         constexpr double kNear_m = 0.1, kWithin_m = 1.0, kThickest_m = 1.5;
         Vec3 least = gap.least_m, most = gap.most_m;
@@ -548,15 +553,16 @@ private:
     const std::function<void(double)>& progress_;
     IfcShapes shapes_;
     std::stop_token stop_;
-    int boxed_ = 0;  // openings cut as the box around them
+    int boxed_ = 0;  // openings cut as the box around their shape
     IfcBuilding building_;
-    std::unordered_map<std::uint64_t, std::size_t> place_;  // of parts, by their instances
+    std::unordered_map<std::uint64_t, std::size_t> place_;  // index into `parts` of each instance
     std::unordered_map<std::uint64_t, std::vector<std::size_t>> pieces_of_;
-    std::unordered_map<std::uint64_t, std::vector<std::size_t>> by_body_;  // the first of each, by numbers
+    // First part of each shape, by the shape's hash.
+    std::unordered_map<std::uint64_t, std::vector<std::size_t>> by_body_;
 };
 
-// What of a gap a body takes that goes through: 0.5 m wide and up to 1.8 m tall, above a threshold.
-// `standing`: it may stand on the threshold.
+// The space that a walker needs to pass through a gap: 0.5 m wide and up to 1.8 m tall, above a threshold. `standing`:
+// the walker may stand on the threshold.
 std::optional<ConvexSolid> way_through(const WallGap& gap, bool standing = false) {
     constexpr double kWide_m = 0.5, kTall_m = 1.8, kThreshold_m = 0.2, kBeyond_m = 0.1;
     const double middle = 0.5 * (gap.least_m.x + gap.most_m.x),
@@ -577,7 +583,7 @@ IfcBuilding read_building(IfcModel& model, const IfcRelations& relations, const 
 
 namespace {
 
-// The parts that stand in a body's way, in file order.
+// The parts that are in the walker's way, in file order.
 std::vector<std::uint32_t> blocking(const IfcBuilding& building, const ConvexSolid& body) {
     std::vector<std::uint32_t> near;
     building.by_place->find(body.bounds_m, near);
@@ -597,7 +603,8 @@ bool can_pass(const IfcBuilding& building, const WallGap& gap) {
 
 double sky_side(const IfcBuilding& building, const WallGap& gap) {
     constexpr double kOver_m = 1.0, kSky_m = 200.0, kBeyondFace_m = 0.05;
-    constexpr std::array kAway_m{1.0, 1.5, 2.0, 2.5};  // a porch or a balcony above may cover the first ones
+    // Tries several distances, because a porch or a balcony may cover the first ones.
+    constexpr std::array kAway_m{1.0, 1.5, 2.0, 2.5};
     const double middle = 0.5 * (gap.least_m.x + gap.most_m.x);
     const auto is_free = [&](const Vec3& from, const Vec3& to) {
         std::vector<std::uint32_t> near;
@@ -605,7 +612,7 @@ double sky_side(const IfcBuilding& building, const WallGap& gap) {
         return std::none_of(near.begin(), near.end(),
                             [&](std::uint32_t i) { return crosses(building.parts[i].body, from, to); });
     };
-    // Straight out from the door and then up.
+    // Checks the line straight out from the door and then up.
     const auto is_open = [&](double face, double out) {
         const double y = face + out;
         const Vec3 door = gap.axes.at({middle, face + std::copysign(kBeyondFace_m, out), gap.least_m.z + kOver_m}),

@@ -10,7 +10,7 @@ constexpr std::size_t kMostPoints = 20'000;
 
 double arc_step(double radius_m) { return radians_from_degrees(radius_m < 0.5 ? 15.0 : 7.5); }
 
-// From one angle by a turn, both ends included.
+// Adds an arc that begins at angle `from` and turns by `turn`, with both ends.
 void add_arc(std::vector<Vec3>& points, const Frame& frame, double a_m, double b_m, double from, double turn) {
     const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(turn) / arc_step(std::max(a_m, b_m)) - 1e-9)));
     for (int i = 0; i <= steps; ++i) {
@@ -19,7 +19,7 @@ void add_arc(std::vector<Vec3>& points, const Frame& frame, double a_m, double b
     }
 }
 
-// Through three points; straight where they lie on a line.
+// Adds the arc through three points, or a straight line if they are collinear.
 void add_arc_through(std::vector<Vec3>& points, const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 ab = b - a, ac = c - a, normal = glm::cross(ab, ac);
     const double square = glm::dot(normal, normal);
@@ -71,7 +71,7 @@ public:
             }
         } else if (kind.starts_with("IFCBSPLINECURVE") || kind.starts_with("IFCRATIONALBSPLINECURVE")) {
             for (const std::uint64_t p : references_at(values, 1))
-                found.push_back(model_.point(p));  // its control points
+                found.push_back(model_.point(p));  // only the control points are used
         }
         if (found.size() > kMostPoints) return {};
         std::vector<Vec3> kept;
@@ -96,7 +96,7 @@ private:
         if (segments.items.empty()) return all;
         std::vector<Vec3> found;
         for (const StepValue& segment : segments.items) {
-            // IFCLINEINDEX((1,2,3)) and IFCARCINDEX((1,2,3)): a list within a typed list.
+            // IFCLINEINDEX((1,2,3)) and IFCARCINDEX((1,2,3)) are a list within a typed list.
             std::vector<double> indices = numbers_of(segment);
             if (indices.empty() && !segment.items.empty()) indices = numbers_of(segment.items[0]);
             std::vector<Vec3> at;

@@ -8,7 +8,7 @@
 namespace handrail {
 namespace {
 
-// The corners of a bent face's outline, paired across it: strips as narrow as can be.
+// Pairs the corners of a curved face's outline across it, so that the strips are as narrow as possible.
 std::vector<FlatFace> strips_of(const std::vector<Vec3>& ring) {
     const std::size_t n = ring.size();
     std::size_t best = 0;
@@ -103,7 +103,7 @@ void IfcShapes::add_faces(std::uint64_t shell, std::vector<FlatFace>& faces) {
         if (spent()) return;
         FlatFace one = face(id);
         if (one.rings.empty()) continue;
-        // A bent face has no plane of its own: strips across its outline.
+        // A curved face has no single plane, so it becomes strips across its outline.
         if (one.rings.size() == 1 && one.rings[0].size() > 3 && one.rings[0].size() <= 200 &&
             off_plane(one.rings[0]) > 2e-3) {
             ++approximated_;
@@ -144,7 +144,7 @@ std::vector<Vec3> IfcShapes::point_list(std::uint64_t id) const {
 std::vector<FlatFace> IfcShapes::tessellated_faces(std::string_view kind, const Values& values) {
     const std::vector<Vec3> points = point_list(reference_at(values, 0));
     const bool triangles = kind != "IFCPOLYGONALFACESET";
-    std::vector<double> through;  // PnIndex: numbers of points by numbers
+    std::vector<double> through;  // PnIndex: maps the indices of the faces to indices of points
     for (const double n : numbers_of(value_at(values, triangles ? 4 : 3))) through.push_back(n);
     const auto ring_of = [&](const std::vector<double>& indices) {
         std::vector<Vec3> ring;
@@ -178,7 +178,7 @@ std::vector<FlatFace> IfcShapes::tessellated_faces(std::string_view kind, const 
     return faces;
 }
 
-// Adds what a closed skin encloses by its faces alone, or how large the faces of an open one are.
+// Adds the volume that a closed skin encloses, by its faces alone, or the area of the faces of an open skin.
 void IfcShapes::weigh_faces(const std::vector<FlatFace>& faces, const Body& body) {
     const std::optional<double> enclosed = enclosed_m3(faces);
     if (!enclosed) {
@@ -189,7 +189,7 @@ void IfcShapes::weigh_faces(const std::vector<FlatFace>& faces, const Body& body
                 sum_m2 += std::isfinite(ring_m2) ? ring_m2 : 0.0;
                 largest_m2 = std::max(largest_m2, std::isfinite(ring_m2) ? ring_m2 : 0.0);
             }
-            account_.stated_m2 += std::max(0.0, 2.0 * largest_m2 - sum_m2);  // all but the largest are holes
+            account_.stated_m2 += std::max(0.0, 2.0 * largest_m2 - sum_m2);  // all rings but the largest are holes
         }
         for (const Polygon& sheet : body.sheets) account_.made_m2 += glm::length(area_vector_m2(sheet.points_m));
         for (const ConvexSolid& solid : body.solids)

@@ -1,5 +1,6 @@
-// What the file says of a boolean result, place by place, without making a solid of it: the outlines of sweeps, the
-// planes of half-spaces and the faces of closed skins are asked whether they hold a place. Compared with what was made.
+// Evaluates what the file states for a boolean result, point by point, without building a solid. Outlines of sweeps,
+// planes of half-spaces and faces of closed skins are tested for whether they contain a point. The answers are compared
+// with the shape that was built.
 #include <algorithm>
 #include <array>
 
@@ -10,17 +11,17 @@ namespace handrail {
 namespace {
 
 constexpr int kDeepestForm = 40;
-constexpr std::size_t kMostLooks = 60'000'000;  // at triangles, for one part
+constexpr std::size_t kMostLooks = 60'000'000;  // triangle tests for one part
 
 bool is_result(std::string_view kind) { return kind == "IFCBOOLEANRESULT" || kind == "IFCBOOLEANCLIPPINGRESULT"; }
 
-// In the axes of a placement.
+// The position in the axes of a placement.
 Vec3 within(const Frame& frame, const Vec3& at_m) {
     const Vec3 off = at_m - frame.origin_m;
     return {glm::dot(off, frame.x), glm::dot(off, frame.y), glm::dot(off, frame.z)};
 }
 
-// Even places in a box, the same each time: multiples of powers of the root of x^4 = x + 1.
+// Evenly spread points in a box, the same each time: multiples of powers of the root of x^4 = x + 1.
 Vec3 place_in(const Aabb& box, std::size_t i) {
     constexpr std::array kSteps{0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
     Vec3 at = box.min_m;
@@ -33,19 +34,19 @@ Vec3 place_in(const Aabb& box, std::size_t i) {
 
 }  // namespace
 
-// One form; a boolean result is a chain of them, the first with operation Take.
+// One operand. A boolean result is a chain of them, the first with operation Take.
 struct IfcShapes::Form {
     enum class Operation : std::uint8_t { Take, Add, Less, Common };
     enum class Kind : std::uint8_t { Sweep, Turn, Pipe, HalfSpace, Skin, Result };
     Operation operation = Operation::Take;
     Kind kind = Kind::Sweep;
-    Frame frame;        // of a sweep, or of a half-space's outline
-    Vec3 way{0.0};      // of a sweep; of the axis of a turn
-    Vec3 axis_at{0.0};  // of a turn, in its frame
+    Frame frame;        // of a sweep or turn, or of a half-space's outline
+    Vec3 way{0.0};      // of a sweep, or the axis of a turn
+    Vec3 axis_at{0.0};  // a point on the axis of a turn, in `frame`
     double turn_rad = 0.0;
-    std::vector<Vec3> line;                // of a pipe
+    std::vector<Vec3> line;                // centre line of a pipe
     double inner_m = 0.0, outer_m = 0.0;   // radii of a pipe
-    std::vector<std::vector<Ring>> areas;  // of a sweep or turn, or where a half-space is bounded
+    std::vector<std::vector<Ring>> areas;  // profile of a sweep or turn, or the outline that bounds a half-space
     bool bounded = false;
     Plane plane;
     std::vector<std::array<Vec3, 3>> skin;
@@ -75,7 +76,7 @@ struct IfcShapes::Form {
         }
         return held;
     }
-    // The place turned back into the plane of the profile, which lies on both sides of the axis.
+    // Turns the point back into the plane of the profile, where it may be on either side of the axis.
     bool in_turn(const Vec3& at) const {
         const Vec3 arm = at - axis_at, along = way * glm::dot(way, arm), off = arm - along;
         const Vec3 side = glm::cross(Vec3(0.0, 0.0, 1.0), way);
@@ -97,7 +98,7 @@ struct IfcShapes::Form {
         }
         return false;
     }
-    // Of the skin, by a ray that no edge runs along.
+    // Counts how often a ray from the point crosses the skin. The direction is chosen so that no edge runs along it.
     int crossings(const Vec3& at_m) const {
         const Vec3 way_out(0.5377, 0.2893, 0.7919);
         int count = 0;
@@ -125,7 +126,7 @@ std::optional<IfcShapes::Form> IfcShapes::skin_form(const std::vector<FlatFace>&
     if (!enclosed_m3(faces)) return {};
     Form form;
     form.kind = Form::Kind::Skin;
-    for (const FlatFace& face : faces)  // a hole counts each of its places twice, which is not at all
+    for (const FlatFace& face : faces)  // each point of a hole is counted twice, so it cancels out
         for (const std::vector<Vec3>& ring : face.rings)
             for (std::size_t k = 1; k + 1 < ring.size(); ++k) form.skin.push_back({ring[0], ring[k], ring[k + 1]});
     return form;
@@ -154,7 +155,7 @@ std::optional<IfcShapes::Form> IfcShapes::form_of(std::uint64_t id, int depth) {
         form.areas = {{outline}};
         return form;
     }
-    const Account before = account_;  // these faces were counted when the solids were made
+    const Account before = account_;  // these faces were already counted when the solids were built
     std::vector<FlatFace> faces;
     if (kind == "IFCTRIANGULATEDFACESET" || kind == "IFCPOLYGONALFACESET" ||
         kind == "IFCTRIANGULATEDIRREGULARNETWORK") {
@@ -196,7 +197,7 @@ std::optional<IfcShapes::Form> IfcShapes::solid_form(std::string_view kind, cons
         form.way = model_.direction(reference_at(axis, 1), {0, 0, 1});
         form.turn_rad = std::clamp(number_at(values, 3) * model_.radians_per_unit(), -2.0 * kPi, 2.0 * kPi);
         form.areas = profile_rings(model_, reference_at(values, 0));
-        if (std::abs(form.way.z) > 1e-9) return {};  // an axis outside the profile's plane
+        if (std::abs(form.way.z) > 1e-9) return {};  // the axis is outside the profile's plane
         return form;
     } else if (kind.starts_with("IFCSWEPTDISKSOLID")) {
         form.kind = Form::Kind::Pipe;
@@ -209,7 +210,7 @@ std::optional<IfcShapes::Form> IfcShapes::solid_form(std::string_view kind, cons
     return form;
 }
 
-// A long chain of first operands, so walked without recursion.
+// First operands can form a long chain, so it is walked without recursion.
 std::optional<IfcShapes::Form> IfcShapes::result_form(std::uint64_t id, int depth) {
     constexpr std::size_t kMostOperands = 5'000;
     Form form;
@@ -236,7 +237,7 @@ void IfcShapes::compare_result(std::uint64_t id, const Body& body, Aabb box) {
     constexpr std::size_t kPlaces = 3'000, kLeastHeld = 200;
     if (!body.sheets.empty() && !encloses(body)) return;
     const std::optional<Form> form = form_of(id, 0);
-    Form skin;  // of what no solids were made of
+    Form skin;  // the sheets that did not become solids
     for (const Polygon& sheet : body.sheets)
         for (std::size_t k = 1; k + 1 < sheet.points_m.size(); ++k)
             skin.skin.push_back({sheet.points_m[0], sheet.points_m[k], sheet.points_m[k + 1]});
@@ -256,7 +257,7 @@ void IfcShapes::compare_result(std::uint64_t id, const Body& body, Aabb box) {
         lost += said && !made ? 1 : 0;
         surplus += made && !said ? 1 : 0;
     }
-    if (stated < kLeastHeld) return;  // too few places to tell
+    if (stated < kLeastHeld) return;  // too few points for a judgement
     const double share = (static_cast<double>(lost) - static_cast<double>(surplus)) / static_cast<double>(stated);
     if (std::abs(share) > std::abs(account_.result_share)) account_.result_share = share;
 }

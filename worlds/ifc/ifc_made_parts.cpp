@@ -11,8 +11,9 @@ namespace {
 
 constexpr double kFloorThick_m = 0.1, kWallThick_m = 0.05;
 constexpr double kBelow_m = 0.9,
-                 kAbove_m = 0.2;      // of a room's level: where what lies there is its floor, also a sunk one
-constexpr double kStepDown_m = 0.05;  // things that end so far below it lead down to one
+                 // Above and below a room's level: anything in this range counts as its floor, also a sunken one.
+    kAbove_m = 0.2;
+constexpr double kStepDown_m = 0.05;  // furniture that ends this far below the level leads down to a floor
 constexpr double kLeastRoom_m2 = 0.5, kLeastHigh_m = 1.5;
 
 bool carries(PartRole role) {
@@ -28,19 +29,19 @@ bool leads_up(PartRole role) {
     return role == PartRole::Stairs || role == PartRole::Ramp || role == PartRole::Lift || role == PartRole::Escalator;
 }
 
-// By what rooms are called that have no floor on purpose, in English and German.
+// Returns whether a room has no floor on purpose, judged by its name in English or German.
 bool is_open_below(const StatedRoom& room) {
     constexpr std::array<std::string_view, 8> kWords{"void",    "shaft",  "below", "luftraum",
                                                      "schacht", "atrium", "stair", "treppe"};
     const std::string name = lower_ascii(room.name);
-    // At the beginning of a word: "upstairs" is no stairs.
+    // Only at the beginning of a word: "upstairs" does not mean stairs.
     return std::any_of(kWords.begin(), kWords.end(), [&](std::string_view word) {
         const std::size_t at = name.find(word);
         return at != std::string::npos && (at == 0 || name[at - 1] < 'a' || name[at - 1] > 'z');
     });
 }
 
-// Places within the outline, evenly spread.
+// Evenly spread points within the outline.
 std::vector<Vec3> places_in(const StatedRoom& room) {
     constexpr int kAcross = 7;
     Aabb box;
@@ -56,7 +57,7 @@ std::vector<Vec3> places_in(const StatedRoom& room) {
     return places;
 }
 
-// Nothing lies under any place of the room. What comes up into it is no floor.
+// Returns true if nothing is under any point of the room. Stairs and lifts that come up into it do not count as floor.
 bool lacks_floor(const IfcBuilding& building, const BoxIndex& index, const StatedRoom& room) {
     const std::vector<Vec3> places = places_in(room);
     if (places.empty()) return false;
@@ -85,7 +86,7 @@ void add_part(IfcBuilding& building, PartRole role, const StatedRoom& room, std:
     building.parts.push_back(std::move(part));
 }
 
-// Left open over what comes up through it.
+// The made floor, left open above everything that comes up through it.
 std::vector<ConvexSolid> floor_of(const IfcBuilding& building, const BoxIndex& index, const StatedRoom& room) {
     Frame frame;
     frame.origin_m = {0.0, 0.0, room.floor_m - kFloorThick_m};
@@ -122,7 +123,8 @@ std::vector<std::uint32_t> make_floors(IfcBuilding& building) {
             continue;
         if (lacks_floor(building, index, room)) made.push_back(r);
     }
-    // Those of one storey stand next to each other, so none may carry another while they are looked at.
+    // All floors are made only after all rooms were examined: rooms of one storey adjoin, so one made floor could count
+    // as another room's.
     for (const std::uint32_t r : made)
         add_part(building, PartRole::Slab, building.rooms[r], floor_of(building, index, building.rooms[r]));
     return made;
@@ -146,7 +148,7 @@ int make_walls(IfcBuilding& building) {
                 frame.x = Vec3(along.x, along.y, 0.0) / length_m;
                 frame.y = glm::cross(frame.z, frame.x);
                 frame.origin_m = {from.x, from.y, room.floor_m};
-                // Outside: where the room is not.
+                // The wall goes on the outer side of the edge, away from the room.
                 const Vec2 out = Vec2(frame.y.x, frame.y.y) * kWallThick_m, middle = 0.5 * (from + to);
                 const bool left = !inside(room.rings, middle + out);
                 if (inside(room.rings, middle + out) == inside(room.rings, middle - out)) continue;

@@ -1,4 +1,4 @@
-// Floors and walls that a building needs and its file leaves out, made from the outlines of its spaces. Pure functions
+// Makes floors and walls that a building needs but its file leaves out, from the outlines of its spaces. Pure functions
 // on an IfcBuilding whose parts and rooms were read; one reading thread.
 #pragma once
 
@@ -6,11 +6,12 @@
 
 namespace handrail {
 
-// Adds a floor under each room that nothing lies under, open where stairs come up, but none if its name says that it is
-// open below. Returns the places of those rooms.
+// Adds a floor under each room that has nothing under it, open where stairs come up. Rooms whose name says that they
+// are open below get none. Returns the indices of the rooms.
 std::vector<std::uint32_t> make_floors(IfcBuilding& building);
 
-// Adds walls around all rooms, but only if the file gives spaces and no building around them. Returns how many rooms.
+// Adds walls around all rooms, but only if the file contains spaces and no building around them. Returns the number of
+// rooms.
 int make_walls(IfcBuilding& building);
 
 }  // namespace handrail

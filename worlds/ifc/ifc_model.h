@@ -1,7 +1,7 @@
-// An IFC file as its readers look at it: attributes by position, lengths in metres, angles in radians, placements from
-// the world's origin. Positions are those that IFC 2x3, 4, 4x2 and 4x3 share; where they differ the caller asks by
-// name. One reading thread: what is asked often is remembered. Source: buildingSMART, IFC 4.3.2 (ISO 16739-1) and
-// IFC2x3 TC1.
+// Typed access to an IFC file: attributes by position, lengths in metres, angles in radians, placements from the
+// world's origin. Positions are those that IFC 2x3, 4, 4x2 and 4x3 share; where they differ, the caller checks the
+// name. One reading thread uses it, because frequent queries are cached. Source: buildingSMART, IFC 4.3.2 (ISO 16739-1)
+// and IFC2x3 TC1.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@
 
 namespace handrail {
 
-// Axes, which may be scaled, and where the origin is. Right-handed or, in mirrored copies, not.
+// Axes, which may be scaled, and an origin. Right-handed, except in mirrored copies.
 struct Frame {
     Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, origin_m{0.0};
 
@@ -28,13 +28,13 @@ struct Frame {
 
 using Values = std::vector<StepValue>;
 
-// Attribute `i`; Nothing where there are fewer.
+// Attribute `i`; Nothing if there are fewer attributes.
 const StepValue& value_at(const Values& values, std::size_t i);
 double number_at(const Values& values, std::size_t i, double otherwise = 0.0);
-std::string text_at(const Values& values, std::size_t i);                       // decoded, one line; empty for Nothing
-std::string_view word_at(const Values& values, std::size_t i);                  // of .WORD.
-std::uint64_t reference_at(const Values& values, std::size_t i);                // 0: none
-std::vector<std::uint64_t> references_at(const Values& values, std::size_t i);  // of a list or of one reference
+std::string text_at(const Values& values, std::size_t i);         // decoded, as one line; empty for Nothing
+std::string_view word_at(const Values& values, std::size_t i);    // the text of a .WORD. without its dots
+std::uint64_t reference_at(const Values& values, std::size_t i);  // 0: none
+std::vector<std::uint64_t> references_at(const Values& values, std::size_t i);  // from a list or a single reference
 std::vector<double> numbers_of(const StepValue& list);
 
 class IfcModel {
@@ -42,38 +42,38 @@ public:
     explicit IfcModel(const StepFile& file);
 
     const StepFile& file() const { return file_; }
-    // Attributes of an instance; none for what is not there.
+    // Attributes of an instance; empty if the instance does not exist.
     Values values(std::uint64_t id) const;
-    std::string_view name(std::uint64_t id) const;  // "IFCWALL"; empty for what is not there
+    std::string_view name(std::uint64_t id) const;  // such as "IFCWALL"; empty if the instance does not exist
     int line(std::uint64_t id) const;
 
     double metres_per_unit() const { return metres_per_unit_; }
     bool unit_stated() const { return unit_stated_; }
     double radians_per_unit() const { return radians_per_unit_; }
 
-    // Of IfcCartesianPoint, two numbers or three, in metres.
+    // Position of an IfcCartesianPoint with two or three numbers, in metres.
     Vec3 point(std::uint64_t id) const;
-    // Of IfcDirection, unit length; `otherwise` where there is none or it has no length.
+    // Unit vector of an IfcDirection; `otherwise` if it does not exist or has no length.
     Vec3 direction(std::uint64_t id, const Vec3& otherwise) const;
-    // Of IfcAxis2Placement2D and 3D and IfcAxis1Placement; the identity for 0.
+    // Frame of an IfcAxis2Placement2D, IfcAxis2Placement3D or IfcAxis1Placement; the identity for 0.
     Frame axes(std::uint64_t id) const;
-    // Of IfcCartesianTransformationOperator2D, 3D and their non-uniform kinds.
+    // Frame of an IfcCartesianTransformationOperator2D or 3D and of their non-uniform kinds.
     Frame transformation(std::uint64_t id) const;
-    // Of IfcObjectPlacement, as a whole from the file's origin. Cycles and chains of more than 100 end where they were
-    // noticed: see odd_placements.
+    // Frame of an IfcObjectPlacement, as a whole from the file's origin. Cycles and chains of more than 100 are cut off
+    // where they are noticed, and are counted in odd_placements().
     Frame placement(std::uint64_t id);
     int odd_placements() const { return odd_placements_; }
 
 private:
     void read_units();
-    Frame on_grid(const Values& values);  // of an IfcGridPlacement
+    Frame on_grid(const Values& values);  // frame of an IfcGridPlacement
     double length_of_unit(std::uint64_t id, int depth) const;
 
     const StepFile& file_;
     double metres_per_unit_ = 1.0, radians_per_unit_ = 1.0;
     bool unit_stated_ = false;
     std::unordered_map<std::uint64_t, Frame> placements_;
-    std::unordered_map<std::uint64_t, std::uint64_t> grid_of_;  // of axes; filled at the first use
+    std::unordered_map<std::uint64_t, std::uint64_t> grid_of_;  // grid of each axis; filled at the first use
     int odd_placements_ = 0;
 };
 

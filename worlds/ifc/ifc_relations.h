@@ -1,4 +1,5 @@
-// Who belongs to whom in an IFC file, and what each class of part is to a building. One pass over the instances.
+// The relations between the instances of an IFC file, and the role of each class of part in a building. Filled in one
+// pass over the instances.
 #pragma once
 
 #include <map>
@@ -13,8 +14,8 @@ enum class PartRole : std::uint8_t {
     Slab,
     Roof,
     Cover,
-    Structure,  // the building itself: named by side, "north wall"
-    Panel,      // of a curtain wall, stairs or a roof; alone it is no building
+    Structure,  // the building itself; announced by side, such as "north wall"
+    Panel,      // of a curtain wall, stairs or a roof; alone it makes no building
     Door,
     Window,
     Opening,
@@ -24,7 +25,7 @@ enum class PartRole : std::uint8_t {
     Ramp,
     Lift,
     Escalator,
-    Walkway,  // a moving one
+    Walkway,  // a moving walkway
     Railing,
     Furniture,
     Fixture,
@@ -33,29 +34,29 @@ enum class PartRole : std::uint8_t {
     Other
 };
 
-// Nothing: no class that buildings are made of.
+// Returns nothing if buildings are not made of this class.
 std::optional<PartRole> role_of(std::string_view name);
 
 struct IfcRelations {
     explicit IfcRelations(const IfcModel& model);
 
-    std::map<std::uint64_t, std::uint64_t> host_of;                // of an opening
-    std::map<std::uint64_t, std::vector<std::uint64_t>> openings;  // of a host, in file order
-    std::map<std::uint64_t, std::uint64_t> opening_of;             // of a door or window
-    std::map<std::uint64_t, std::uint64_t> filled_by;              // of an opening
-    std::map<std::uint64_t, std::uint64_t> whole_of;  // of a part: the aggregate, or the storey that it stands in
-    std::map<std::uint64_t, std::uint64_t> type_of, material_of;  // of elements, and materials of types too
+    std::map<std::uint64_t, std::uint64_t> host_of;                // opening to host
+    std::map<std::uint64_t, std::vector<std::uint64_t>> openings;  // host to its openings, in file order
+    std::map<std::uint64_t, std::uint64_t> opening_of;             // door or window to its opening
+    std::map<std::uint64_t, std::uint64_t> filled_by;              // opening to the element that fills it
+    std::map<std::uint64_t, std::uint64_t> whole_of;               // part to its aggregate, or to its storey
+    std::map<std::uint64_t, std::uint64_t> type_of, material_of;   // of elements; types also have materials
     std::map<std::uint64_t, std::vector<std::uint64_t>>
-        spaces_at;  // of a door, window, or virtual element: the spaces that it bounds
+        spaces_at;  // door, window or virtual element to the spaces that it bounds
     std::map<std::uint64_t, std::uint64_t>
-        open_at;  // of a space with a border that is no wall: the first such boundary
-    std::map<std::string, int, std::less<>> skipped;  // classes that are no building, with how many
+        open_at;  // space with a border that is not a wall, to the first such boundary
+    std::map<std::string, int, std::less<>> skipped;  // classes that are not part of a building, with their counts
 
-    // Up the aggregates to the first of that class; 0: none.
+    // Goes up the aggregates to the first instance of that class; 0 if there is none.
     std::uint64_t whole_named(const IfcModel& model, std::uint64_t part, std::string_view name) const;
 };
 
-// The words that say what an element is made of, the innermost layer first; empty: the file says nothing.
+// The words that state what an element is made of, the innermost layer first. Empty if the file states nothing.
 std::vector<std::string> material_words(const IfcModel& model, const IfcRelations& relations, std::uint64_t element);
 
 }  // namespace handrail

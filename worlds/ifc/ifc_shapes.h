@@ -1,5 +1,5 @@
-// Shape representations of IFC as bodies in the product's own frame, in metres. What is not read is counted by name.
-// One reading thread.
+// Reads IFC shape representations as solids and sheets, in metres and in the product's own frame. Unsupported classes
+// are counted by name. One reading thread uses it.
 #pragma once
 
 #include <map>
@@ -15,38 +15,38 @@ namespace handrail {
 
 class IfcShapes {
 public:
-    // Mapped items and second operands within each other. First operands may be nested without end.
+    // Greatest depth of nested mapped items and second operands. First operands may be nested without limit.
     static constexpr int kDeepest = 200;
-    static constexpr std::size_t kMostItems = 400'000;  // items looked at in all
+    static constexpr std::size_t kMostItems = 400'000;  // items read in the whole file
     static constexpr std::size_t kMostFaces = 3'000'000;
 
     IfcShapes(const IfcModel& model, std::stop_token stop) : model_(model), stop_(std::move(stop)) {}
 
-    // Of an IfcProductDefinitionShape: its body, else what other solid form there is.
+    // The shape of an IfcProductDefinitionShape: its solid representation, else any other that encloses a volume.
     Body body_of(std::uint64_t shape);
-    // Of the last body_of: what its sweeps and closed shells hold by their outlines and faces, and in solids. Cuts are
-    // not in either.
+    // Accounts for the last call of body_of: the volume of sweeps and closed shells by their outlines and faces, and
+    // the volume of the solids built. Neither includes cuts.
     struct Account {
         double stated_m3 = 0.0, made_m3 = 0.0;
         double stated_m2 = 0.0, made_m2 = 0.0;  // the same for the faces of open skins
-        int lost_faces = 0;                     // with too many corners, or with corners that are not there
-        std::string unread;                     // a class that is not read
-        double result_share = 0.0;  // of what boolean results hold, so much is missing; below 0: too much is there
-        std::string uncut;          // a class that was to be taken away, and was not
-        bool formed = false;        // it has a representation that is a body
+        int lost_faces = 0;                     // with too many corners, or with missing corners
+        std::string unread;                     // name of a class that is not supported
+        double result_share = 0.0;  // Share of the boolean results' volume that is missing; negative: surplus.
+        std::string uncut;          // class of an operand that could not be taken away
+        bool formed = false;        // there is a solid representation
     };
     const Account& account() const { return account_; }
     const std::map<std::string, int, std::less<>>& not_read() const { return not_read_; }
-    int approximated() const { return approximated_; }  // curved faces, cuts with what has no inside
+    int approximated() const { return approximated_; }  // curved faces, and cuts of shapes that enclose no volume
     bool too_large() const { return items_ >= kMostItems || faces_ >= kMostFaces; }
-    // What exact cuts may still cost, in all parts of the file together.
+    // The remaining budget for exact cuts, shared by all parts of the file.
     ExactLimits& exact_limits() { return exact_limits_; }
 
 private:
     struct Cutter {
-        std::vector<std::vector<Plane>> parts;  // each a convex region, which may be open
+        std::vector<std::vector<Plane>> parts;  // each is a convex region, which may be unbounded
         bool known = true;
-        Body skin;  // the whole operand, if convex parts do not hold it
+        Body skin;  // the whole operand, if convex parts cannot represent it
     };
     Body item(std::uint64_t id, int depth);
     Body read_item(std::uint64_t id, int depth);
@@ -87,13 +87,13 @@ private:
         Body body;
         Account account;
     };
-    std::map<std::uint64_t, std::shared_ptr<const Mapped>> maps_;  // mapped representations in their own frame
+    std::map<std::uint64_t, std::shared_ptr<const Mapped>> maps_;  // mapped representations, in their own frames
     Account account_;
     std::map<std::string, int, std::less<>> not_read_;
     ExactLimits exact_limits_;
     std::size_t items_ = 0, faces_ = 0;
     int approximated_ = 0;
-    bool within_result_ = false;  // a boolean result is compared as a whole
+    bool within_result_ = false;  // set while reading operands: a boolean result is compared as a whole
 };
 
 }  // namespace handrail

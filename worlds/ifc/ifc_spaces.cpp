@@ -10,9 +10,9 @@
 namespace handrail {
 namespace {
 
-constexpr double kLowest_m = 0.05;  // faces so near to a space's lowest point are its floor
+constexpr double kLowest_m = 0.05;  // faces this close to a space's lowest point belong to its floor
 
-// The floor of a space, whatever form it has: never its solid, which in real files is often open.
+// The outline of a space comes from the faces of its floor. Its solid is not used: in real files it is often open.
 void outline(const Body& body, StatedRoom& room) {
     if (body.empty()) return;
     const Aabb box = body.bounds_m();
@@ -45,7 +45,7 @@ bool all_equal(const std::vector<StatedStorey>& storeys) {
                        [&](const StatedStorey& one) { return one.floor_m == storeys.front().floor_m; });
 }
 
-// Some programs place every storey at the building's own height, and state only the elevation above its lowest storey.
+// Some programs place every storey at the building's own height and state only its elevation above the lowest storey.
 void lay_by_elevation(std::vector<StatedStorey>& storeys, const std::vector<double>& elevations_m) {
     if (storeys.empty()) return;
     const double lowest_m = *std::min_element(elevations_m.begin(), elevations_m.end());
@@ -54,8 +54,8 @@ void lay_by_elevation(std::vector<StatedStorey>& storeys, const std::vector<doub
             storeys[i].floor_m += above_m;
 }
 
-// Some programs give the parts national coordinates and leave the storeys at zero, so that these have no height among
-// the parts. The lowest storey is then where the lowest part begins.
+// Some programs give national coordinates to the parts but leave the storeys at zero. Then the lowest storey is moved
+// to where the lowest part begins.
 void lay_under_parts(std::vector<StatedStorey>& storeys, const std::vector<IfcPart>& parts) {
     double least_part_m = std::numeric_limits<double>::infinity(), least_storey_m = least_part_m;
     for (const IfcPart& part : parts)
@@ -107,7 +107,7 @@ void read_spaces(IfcBuilding& building, IfcModel& model, const IfcRelations& rel
         building.room_of_id.emplace(instance.id, static_cast<std::uint32_t>(building.rooms.size()));
         building.rooms.push_back(std::move(room));
     }
-    // From the lowest up.
+    // Sorts the storeys from the lowest up.
     std::vector<std::uint32_t> order(building.storeys.size()), place(building.storeys.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -125,7 +125,7 @@ void read_spaces(IfcBuilding& building, IfcModel& model, const IfcRelations& rel
 
 namespace {
 
-// What `holds` may say of a room: its outline from a step below its floor to its ceiling.
+// The box in which `holds` may be true for a room: its outline, from a step below the floor to the ceiling.
 std::vector<Aabb> boxes_of(const std::vector<StatedRoom>& rooms) {
     constexpr double kStep_m = 0.4;
     std::vector<Aabb> boxes;

@@ -1,4 +1,4 @@
-// Storeys and rooms of an IFC file. One reading thread.
+// Storeys and rooms of an IFC file. One reading thread uses them.
 #pragma once
 
 #include "worlds/ifc/ifc_building.h"
@@ -8,15 +8,15 @@ namespace handrail {
 // Fills storeys, rooms and room_of_id.
 void read_spaces(IfcBuilding& building, IfcModel& model, const IfcRelations& relations, IfcShapes& shapes);
 
-// Which room is at a place, of many. The rooms must outlive it and stay as they are.
+// Finds the rooms at a place quickly. The rooms must outlive this object and must not change.
 class RoomsByPlace {
 public:
     explicit RoomsByPlace(const std::vector<StatedRoom>& rooms);
-    // The first in file order that holds the place; kNotStated: none.
+    // The first room in file order that contains the place; kNotStated if none does.
     std::uint32_t first_at(const Vec3& at_m) const;
-    // All that hold it, in file order.
+    // All rooms that contain the place, in file order.
     std::vector<std::uint32_t> all_at(const Vec3& at_m) const;
-    // Whose boxes meet that one, in file order.
+    // The rooms whose boxes meet the given box, in file order.
     std::vector<std::uint32_t> near(const Aabb& box) const;
 
 private:
@@ -24,8 +24,8 @@ private:
     BoxIndex boxes_;
 };
 
-// The rooms on both sides of a gap, from 0.15 to 1.2 m away from its middle: first behind (-y), then before (+y);
-// kNotStated where there is none.
+// The rooms on both sides of a gap, searched from 0.15 to 1.2 m from its middle: first behind it (-y), then before it
+// (+y). kNotStated if there is none.
 std::array<std::uint32_t, 2> rooms_beside(const RoomsByPlace& rooms, const WallGap& gap);
 
 }  // namespace handrail

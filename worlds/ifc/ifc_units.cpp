@@ -1,4 +1,4 @@
-// What a length and an angle of the file are: IfcUnitAssignment with SI and conversion-based units.
+// The length and angle units of the file: IfcUnitAssignment with SI and conversion-based units.
 #include <array>
 
 #include "worlds/base/text.h"
@@ -27,7 +27,7 @@ double prefix(std::string_view word) {
     return 1.0;
 }
 
-// Of units that state no factor of their own.
+// Factor of a unit that states none.
 double known_unit(const std::string& name) {
     if (name.find("foot") != std::string::npos || name.find("feet") != std::string::npos) return 0.3048;
     if (name.find("inch") != std::string::npos) return 0.0254;

@@ -1,4 +1,4 @@
-// What words of a file mean for hand and ear.
+// Translates words of a file into touch materials, prefabs and names that can be spoken.
 #include <algorithm>
 #include <array>
 
@@ -11,7 +11,8 @@ namespace {
 struct Rule {
     std::string_view part, material;
 };
-// The first that is part of the word, in lower case. Longer words first where one holds the other.
+// The first rule whose text is part of the word, in lower case, applies. If one text contains another, the longer comes
+// first.
 constexpr std::array kRules{
     Rule{"kunststoff", "plastic"}, Rule{"plastic", "plastic"},   Rule{"pvc", "plastic"},
     Rule{"vinyl", "plastic"},      Rule{"linoleum", "plastic"},  Rule{"gypsum", "plaster"},
@@ -35,12 +36,12 @@ constexpr std::array kRules{
     Rule{"grass", "grass"},
 };
 
-enum class Found { Anywhere, AtStart, Alone };  // in a word, at the start of one, as all there is
+enum class Found { Anywhere, AtStart, Alone };  // anywhere in a word, at the start of a word, or as the whole word
 struct KindRule {
     std::string_view part, prefab;
     Found found = Found::Anywhere;
 };
-// Likewise of furniture.
+// The same for furniture.
 constexpr std::array kKindRules{
     KindRule{"elevator", "lift_cabin"},
     KindRule{"aufzug", "lift_cabin"},
@@ -91,7 +92,7 @@ constexpr std::array kKindRules{
     KindRule{"bett", "bed"},
     KindRule{"bed", "bed", Found::AtStart},
 };
-// What stands on, at or beside such a thing, or is another thing altogether.
+// Words for things on, at or next to furniture, or for something else altogether.
 constexpr std::array<std::string_view, 11> kNoKind{"bedroom",   "lamp",    "leuchte",   "light",
                                                    "cloth",     "mirror",  "spiegel",   "wheelchair",
                                                    "rollstuhl", "bedside", "nachttisch"};

@@ -1,5 +1,5 @@
-// IFC (2x3, 4, 4x2, 4x3) as a Scene: the building solid where the file gives solids, its rooms and doors as the file
-// states them. Any thread.
+// Reads IFC (2x3, 4, 4x2, 4x3) as a Scene. The building is solid if the file contains solids; rooms and doors are those
+// that the file states. Any thread may call it.
 #pragma once
 
 #include <functional>
@@ -13,15 +13,15 @@
 namespace handrail {
 
 struct IfcOptions {
-    std::string world_name;       // where the file gives none that can be spoken
-    bool guess_materials = true;  // from what the file calls them
+    std::string world_name;       // used if the file has no name that can be spoken
+    bool guess_materials = true;  // from the names in the file
     std::function<void(double fraction)> progress;
-    std::function<void(std::string_view stage)> stage;  // a text's key
+    std::function<void(std::string_view stage)> stage;  // receives the key of a text
     std::stop_token stop;
 };
 
-// The same bytes give the same Scene. Fails with one sentence for what is damaged, cut short, of another schema, holds
-// no building or too much of one.
+// The same bytes always give the same Scene. Fails with one sentence if the file is damaged, cut short, of another
+// schema, without a building, or too large.
 Result<Scene> read_ifc_building(std::string_view bytes, const std::string& file_name, const IfcOptions& options = {});
 
 }  // namespace handrail

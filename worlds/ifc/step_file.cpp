@@ -16,7 +16,7 @@ bool is_name(char c) {
 }
 
 // How many characters after \S\ belong to it. An apostrophe there is a shifted one (a section sign), which some
-// programs double. It ends the text instead if a comma or a bracket follows, as in a path that nobody escaped.
+// programs double. It ends the text instead if a comma or a bracket follows, as in a path that was not escaped.
 int shifted_length(std::string_view after) {
     if (!after.starts_with('\'')) return after.empty() ? 0 : 1;
     const auto ends_text = [&](std::size_t from) {
@@ -27,7 +27,7 @@ int shifted_length(std::string_view after) {
     return after.starts_with("''") && !ends_text(2) ? 2 : 1;
 }
 
-// Walks over the bytes, counting lines.
+// Walks over the bytes and counts lines.
 class Cursor {
 public:
     explicit Cursor(std::string_view bytes) : bytes_(bytes) {}
@@ -40,7 +40,7 @@ public:
         if (bytes_[at_] == '\n') ++line_;
         ++at_;
     }
-    // Blanks and comments. False: a comment that never ends.
+    // Skips blanks and comments. Returns false if a comment never ends.
     bool skip_blanks() {
         while (!at_end()) {
             if (is_blank(bytes_[at_])) {
@@ -60,7 +60,7 @@ public:
         while (!at_end() && is_name(bytes_[at_])) ++at_;
         return bytes_.substr(begin, at_ - begin);
     }
-    // From its opening apostrophe to behind its closing one. False: it never ends.
+    // Skips a text, from its opening apostrophe past its closing one. Returns false if it never ends.
     bool skip_text() {
         step();
         for (; !at_end(); step()) {
@@ -75,8 +75,8 @@ public:
         }
         return false;
     }
-    // To behind the next semicolon that stands in no string or comment; the text before it. Nothing: the file ends
-    // first.
+    // Moves past the next semicolon outside strings and comments, and sets `text` to what comes before it. Returns
+    // false if the file ends first.
     bool statement(std::string_view& text) {
         const std::size_t begin = at_;
         while (!at_end()) {
@@ -109,7 +109,7 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-// Splits "NAME(...)" into its two parts; "(A(...)B(...))" has no name.
+// Splits "NAME(...)" into name and values; "(A(...)B(...))" has no name.
 bool split_record(std::string_view text, std::string_view& name, std::string_view& values) {
     text = trimmed(text);
     Cursor cursor(text);
@@ -120,7 +120,7 @@ bool split_record(std::string_view text, std::string_view& name, std::string_vie
     return true;
 }
 
-// Commas and brackets to values, with a stack of its own.
+// Parses commas and brackets into values, with an explicit stack instead of recursion.
 class ValueParser {
 public:
     explicit ValueParser(std::string_view text) : text_(text), cursor_(text) {}
@@ -145,7 +145,7 @@ public:
 private:
     struct Open {
         std::vector<StepValue>* into = nullptr;
-        bool typed = false;  // brackets of a typed value, not of a list
+        bool typed = false;  // the brackets belong to a typed value, not to a list
     };
 
     bool open_list(std::string_view type, bool typed) {
@@ -195,7 +195,7 @@ private:
             const std::string_view digits = cursor_.name();
             const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value.reference);
             if (error != std::errc{} || end != digits.data() + digits.size()) return false;
-        } else if (c == '"') {  // binary: nothing we use
+        } else if (c == '"') {  // binary values are not used
             cursor_.step();
             while (!cursor_.at_end() && cursor_.peek() != '"') cursor_.step();
             if (cursor_.at_end()) return false;

@@ -26,7 +26,7 @@ int hex(char c) {
                                   : -1;
 }
 
-// A number of so many hexadecimal digits; false where there are no such.
+// Parses exactly `digits` hexadecimal digits; returns false if they are missing or invalid.
 bool hex_number(std::string_view text, std::size_t digits, std::uint32_t& value) {
     if (text.size() < digits) return false;
     value = 0;
@@ -37,8 +37,8 @@ bool hex_number(std::string_view text, std::size_t digits, std::uint32_t& value)
     return true;
 }
 
-// Where a part of ISO 8859 says for \S\ what Latin-1 does not: Cyrillic (5), Greek (7), Hebrew (8); Turkish (9) in six
-// places. Others are taken as Latin-1.
+// The code points where a part of ISO 8859 differs from Latin-1 for \S\: Cyrillic (5), Greek (7), Hebrew (8), and six
+// characters of Turkish (9). All other parts are read as Latin-1.
 std::uint32_t of_page(char page, std::uint32_t code) {
     if (page == 'E' && code >= 0xa1 && code != 0xad) return code == 0xf0 ? 0x2116 : code == 0xfd ? 0xa7 : code + 0x360;
     if (page == 'G' && code >= 0xb4 && code != 0xb7 && code != 0xbb && code != 0xbd) return code + 0x2d0;
@@ -68,7 +68,7 @@ std::string decoded(std::string_view raw) {
             const std::size_t digits = rest[2] == '2' ? 4 : 8;
             i += 4;
             for (std::uint32_t high = 0; hex_number(raw.substr(i), digits, code); i += digits) {
-                if (digits == 4 && code >= 0xd800 && code < 0xdc00) {  // a pair, as UTF-16 has it
+                if (digits == 4 && code >= 0xd800 && code < 0xdc00) {  // a UTF-16 surrogate pair
                     high = code;
                     continue;
                 }
