@@ -55,7 +55,7 @@ bool is_walkway(const PlanSpace& space) {
 PlanDoor doorway(const FloorPlan& plan, std::size_t space, std::size_t level, const Doorway& found) {
     const PlanSpace& room = plan.spaces[space];
     PlanDoor door;
-    // Nobody falls into the shaft of a lift.
+    // A lift gets a closed door, so that nobody falls into the shaft.
     const bool lift = room.kind == PlanSpaceKind::Lift || plan.spaces[found.corridor].kind == PlanSpaceKind::Lift;
     door.kind = lift ? PlanDoorKind::Sliding : PlanDoorKind::Opening;
     door.by_itself = lift;
@@ -69,13 +69,13 @@ PlanDoor doorway(const FloorPlan& plan, std::size_t space, std::size_t level, co
 
 }  // namespace
 
-// First to walkways; then to rooms that have a door by now, until no more rooms get one.
+// First opens spaces towards walkways, then towards rooms that have a door by now, until no more spaces get one.
 int guess_doorways(FloorPlan& plan) {
     std::vector<Aabb> boxes;
     for (const PlanSpace& space : plan.spaces) boxes.push_back(grown(box_of(space.rings), kBesideRoom_m));
     const BoxIndex index(boxes);
     std::vector<std::uint32_t> near;
-    std::set<std::pair<std::size_t, std::size_t>> shut;  // spaces and their levels, in order
+    std::set<std::pair<std::size_t, std::size_t>> shut;  // spaces without a door, with the level
     for (std::size_t s = 0; s < plan.spaces.size(); ++s)
         for (const std::size_t level : plan.spaces[s].levels)
             if (!is_walkway(plan.spaces[s]) && !has_door(plan, plan.spaces[s], level)) shut.emplace(s, level);

@@ -1,24 +1,25 @@
-// Degrees of longitude and latitude near a place as metres east and north of it. Pure; any thread.
+// Converts degrees of longitude and latitude near a place to metres east and north of it. Pure; any thread may use it.
 #pragma once
 
 #include "worlds/base/vec.h"
 
 namespace handrail {
 
-// On the ellipsoid WGS 84: right to millimetres over half a kilometre.
+// On the WGS 84 ellipsoid; accurate to millimetres over half a kilometre.
 class LocalPlane {
 public:
     LocalPlane() = default;
-    // x: longitude, y: latitude, in degrees.
+    // `origin_deg`: x is the longitude, y the latitude, in degrees.
     explicit LocalPlane(const Vec2& origin_deg) : origin_deg_(origin_deg) {
-        constexpr double kEarth_m = 6378137.0, kFlatter = 0.00669437999014;  // radius, eccentricity squared
+        // Equatorial radius, and eccentricity squared.
+        constexpr double kEarth_m = 6378137.0, kFlatter = 0.00669437999014;
         const double sine = std::sin(radians_from_degrees(origin_deg.y)), rest = 1.0 - kFlatter * sine * sine;
         metres_per_deg_ = {
             radians_from_degrees(kEarth_m / std::sqrt(rest) * std::cos(radians_from_degrees(origin_deg.y))),
             radians_from_degrees(kEarth_m * (1.0 - kFlatter) / (rest * std::sqrt(rest)))};
     }
 
-    // To a tenth of a millimetre, which is finer than the degrees of such files.
+    // Rounds to a tenth of a millimetre, which is finer than the degrees in such files.
     Vec2 place_m(const Vec2& degrees) const {
         const Vec2 at = (degrees - origin_deg_) * metres_per_deg_;
         return {std::round(at.x * 1e4) / 1e4, std::round(at.y * 1e4) / 1e4};

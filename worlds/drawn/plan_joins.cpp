@@ -1,4 +1,4 @@
-// What ways outside rooms join, as the plan states it: each other, stairs, doors and the ground.
+// Portals of outdoor ways, as the plan states them: to each other, and to stairs, doors and the ground.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kMeetFloor_m = 0.3, kEndsBeforeDoor_m = 1.5, kOnGround_m = 0.6;
 
-// True if the place is on the floor of the way, or right next to that of an area.
+// Returns true if the point is on the floor of the way, or right next to the floor of an area.
 bool is_on_floor(const PlanWay& way, const Vec3& at) {
     if (way.area) {
         const std::vector<Ring> rings = rings_of_way(way);
@@ -129,7 +129,7 @@ void PlanBuilder::join_doors_with_ways(const std::vector<std::uint32_t>& rooms) 
     }
 }
 
-// Ways that lie on the ground are open to it: of those that are joined, the first says so.
+// Opens ways at ground level to the ground. Ways that are joined get one such portal, at the first of them.
 void PlanBuilder::open_ways_to_the_ground(const std::vector<std::uint32_t>& rooms) {
     DisjointSets groups(stated_->rooms.size());
     std::vector<std::uint32_t> outside;

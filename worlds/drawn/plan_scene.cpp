@@ -14,7 +14,8 @@ namespace handrail {
 namespace {
 
 constexpr std::size_t kMostSolids = 150'000;
-constexpr double kSurfaceUnit_m = 1.0 / 32.0;  // what derive_surfaces measures its tolerances in: those of maps
+// The unit in which derive_surfaces measures its tolerances, the same as for maps.
+constexpr double kSurfaceUnit_m = 1.0 / 32.0;
 constexpr double kSlab_m = 0.2, kCeiling_m = 0.1, kFacts_m = 2.0;
 constexpr double kLeastStorey_m = 2.2;
 constexpr double kNearGround_m = 0.6;
@@ -136,7 +137,7 @@ double PlanBuilder::highest_raise(const std::vector<std::size_t>& spaces, std::s
     return most < -1e299 ? 0.0 : most;
 }
 
-// Platforms that go through the floor of a space, or through its ceiling.
+// Lift platforms that go through the floor of a space, or through its ceiling.
 std::vector<Ring> PlanBuilder::platforms_in(std::size_t space, std::size_t level, bool ceiling) const {
     std::vector<Ring> rings;
     for (const PlanLift& lift : plan_.lifts) {
@@ -148,7 +149,7 @@ std::vector<Ring> PlanBuilder::platforms_in(std::size_t space, std::size_t level
     return rings;
 }
 
-// "Toilets F03, level 2": the level where rooms of several have one name.
+// Adds the level if rooms on several levels have the same name: "Toilets F03, level 2".
 std::string PlanBuilder::room_name(const PlanSpace& space, std::size_t level, bool with_level) const {
     std::string name = space.name.empty() ? space.number : space.name;
     if (!with_level || name.empty()) return name;
@@ -199,7 +200,7 @@ void PlanBuilder::state_rooms() {
     }
 }
 
-// From floor to ceiling, which never comes through the slab above.
+// From floor to ceiling, limited so that the ceiling never comes through the slab above.
 double PlanBuilder::room_height(std::size_t s, std::size_t level) const {
     constexpr double kLeast_m = 1.9;
     const PlanSpace& space = plan_.spaces[s];
@@ -236,11 +237,12 @@ std::vector<std::uint32_t> PlanBuilder::rooms_at(const std::vector<std::size_t>&
     return rooms;
 }
 
-// A room's floor and ceiling; round stairs and lifts the floor of each level, and a ceiling over the highest only.
+// Adds a room's floor and ceiling. A space with stairs or a lift gets a floor on each level, but a ceiling only over
+// the highest.
 void PlanBuilder::add_floors(std::size_t s, std::size_t level) {
     const PlanSpace& space = plan_.spaces[s];
     const double floor_m = floor_of(s, level), ceiling_m = floor_m + room_height(s, level) + kCeiling_m;
-    // Down to what lies lower beside it.
+    // The slab reaches down to the lowest adjoining floor.
     const double under_m = std::min(floor_m, plan_.levels[level].floor_m + lowest_raise_[level]) - kSlab_m;
     const MaterialId ground = material_named(space.floor_material);
     std::vector<Ring> rings = space.rings;
@@ -260,7 +262,7 @@ void PlanBuilder::add_floors(std::size_t s, std::size_t level) {
     add_facts(parts, floor_m, space.facts);
 }
 
-// Said on entering.
+// Adds the facts as a message that is announced when the walker enters.
 void PlanBuilder::add_facts(const std::vector<Ring>& parts, double floor_m, const std::vector<std::string>& facts) {
     if (facts.empty() || parts.empty()) return;
     const FeatureId feature = add_feature(FeatureKind::Trigger, "about this place", {});
@@ -339,7 +341,7 @@ void PlanBuilder::add_blocks() {
     }
 }
 
-// Plans end at the outer walls: who steps out needs something to stand on.
+// Plans end at the outer walls, but a walker who steps outside needs ground.
 void PlanBuilder::add_ground() {
     const double level_m = ground_m_ - kUnderThreshold_m;
     const Vec2 least = Vec2(scene_.bounds_m.min_m) - kGroundAround_m,
@@ -351,7 +353,7 @@ void PlanBuilder::add_ground() {
             for (Ring& left : without(ring, cutter)) kept.push_back(std::move(left));
         ground = std::move(kept);
     };
-    // Not through stairs and lifts that come up from below, nor through what stands half out of the ground.
+    // Leaves the ground open over stairs and lifts that come up from below, and over spaces that are partly below it.
     for (std::size_t s = 0; s < plan_.spaces.size(); ++s) {
         const PlanSpace& space = plan_.spaces[s];
         const double lowest_m = floor_of(s, space.levels.front()),
@@ -378,8 +380,8 @@ void PlanBuilder::add_ground() {
     scene_.bounds_m.include(scene_.features[feature.value].bounds_m);
 }
 
-// Before each door that leads outside, looking at it, the main entrance first; without one in the largest room at the
-// ground.
+// Adds a start before each door that leads outside, facing the door, main entrances first. Without such doors, the
+// start is in the largest room at ground level.
 void PlanBuilder::add_starts() {
     for (const PlanStart& start : plan_.starts) {
         const double floor_m = plan_.levels[start.level].floor_m + start.raised_m;
@@ -453,7 +455,7 @@ void PlanBuilder::write_report() {
     std::vector<bool> led_to(stated_->rooms.size(), false);
     for (const StatedPortal& portal : stated_->portals)
         for (const std::uint32_t room : portal.rooms) led_to[room] = true;
-    // Ways have no walls, so they are not closed even if the file joins them with nothing.
+    // Ways have no walls. So they do not count as closed, even if the file joins them to nothing.
     for (std::uint32_t r = 0; r < led_to.size(); ++r)
         if (!led_to[r] && !stated_->rooms[r].is_way && ++alone <= 3)
             names += (alone > 1 ? ", " : "") + one_line(stated_->rooms[r].name);

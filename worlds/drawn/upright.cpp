@@ -15,7 +15,7 @@ Ring without_short_edges(const Ring& ring) {
     return kept;
 }
 
-// The parts of a convex outline to the left and to the right of a line.
+// Splits a convex outline into the parts to the left and to the right of a line.
 void part(const Ring& ring, const Vec2& at, const Vec2& along, Ring& left, Ring& right) {
     left.clear();
     right.clear();

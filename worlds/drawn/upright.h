@@ -1,4 +1,4 @@
-// Upright solids over flat outlines, and what is left of an outline beside another. Pure functions; metres.
+// Vertical solids over flat outlines, and the difference of outlines. Pure functions; metres.
 #pragma once
 
 #include <optional>
@@ -9,14 +9,15 @@
 namespace handrail {
 
 inline double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
-// To the left of a direction.
+// The vector turned to its left by 90 degrees.
 inline Vec2 left_of(const Vec2& v) { return {-v.y, v.x}; }
 
-// Over a convex outline that runs counter-clockwise; nothing where it has no volume.
+// A solid over a convex, counter-clockwise outline; nothing if it has no volume.
 std::optional<ConvexSolid> upright(const Ring& outline, double from_m, double to_m);
-// The rectangle round a line, counter-clockwise.
+// The rectangle around a line, counter-clockwise.
 Ring strip(const Vec2& from, const Vec2& to, double half_width_m);
-// Convex outlines, counter-clockwise, of what lies in `ring` and not in `cutter`; both convex and counter-clockwise.
+// The part of `ring` outside `cutter`, as convex, counter-clockwise outlines. Both arguments must be convex and
+// counter-clockwise.
 std::vector<Ring> without(const Ring& ring, const Ring& cutter);
 
 // The point of the rings' edges that is nearest to a place.
@@ -26,7 +27,7 @@ struct NearestOfOutline {
     Vec2 along{0.0};  // the direction of the edge: length 1, or 0 for an edge without length
 };
 NearestOfOutline nearest_of_outline(const std::vector<Ring>& rings, const Vec2& at);
-// From the place to the nearest edge of the rings; 1e300 if they have none.
+// The distance from the point to the nearest edge of the rings; 1e300 if they have none.
 double distance_to_outline(const std::vector<Ring>& rings, const Vec2& at);
 
 }  // namespace handrail

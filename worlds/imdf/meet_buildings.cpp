@@ -35,7 +35,8 @@ public:
         std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return size_[a] > size_[b]; });
         if (order.empty()) return {};
         settled_[0] = settled_[order[0]] = true;
-        // Each building in turn that shares a door with one that is settled; then those that share none.
+        // First settles, one by one, the buildings that share a door with a settled building; then those that share
+        // none.
         for (bool any = true; any;) {
             any = false;
             for (const std::size_t b : order) {
@@ -54,7 +55,7 @@ public:
     }
 
 private:
-    // How many of the doors of a building, or on its outlines, say that it must be moved by how much.
+    // Counts, for each shift of the building, how many doors on its outlines or of its own require that shift.
     std::map<double, int> votes_of(std::size_t building) const {
         std::map<double, int> votes;
         std::vector<std::uint32_t> near;
@@ -73,7 +74,8 @@ private:
         return votes;
     }
 
-    // The lowest ordinal of a building that has nothing below it; 0 if it stands on the ground or on something.
+    // The lowest ordinal of a building if nothing is below it; 0 if it begins at the ground or is above another
+    // building.
     double floating_ordinals(std::size_t building) const {
         double lowest = 1e300;
         for (const VenueUnit& unit : units_)
@@ -99,7 +101,7 @@ private:
     BoxIndex index_;
     std::vector<double> shift_;
     std::vector<bool> settled_;
-    std::vector<std::size_t> size_;  // of each building, in units
+    std::vector<std::size_t> size_;  // number of units of each building
 };
 
 }  // namespace

@@ -25,7 +25,7 @@ constexpr std::size_t kMostFeatures = 60'000, kMostVertical = 3'000, kMostCorner
 constexpr std::array<std::string_view, 10> kFiles{"venue",   "building", "level", "unit",     "opening",
                                                   "amenity", "fixture",  "kiosk", "occupant", "anchor"};
 
-// "somewhere/unit.geojson" -> "unit"; empty where it is none of ours.
+// The feature type in a path: "somewhere/unit.geojson" gives "unit"; empty if the file is not one of ours.
 std::string_view type_of(std::string_view path) {
     path = path.substr(path.rfind('/') == std::string_view::npos ? 0 : path.rfind('/') + 1);
     for (const std::string_view type : kFiles)
@@ -34,7 +34,7 @@ std::string_view type_of(std::string_view path) {
     return {};
 }
 
-// Never throws: what is not there is null.
+// Returns null if the key is missing; never throws.
 const Json& at(const Json& object, const char* key) {
     static const Json nothing;
     if (!object.is_object()) return nothing;
@@ -47,7 +47,8 @@ std::string text(const Json& value) {
                              : std::string();
 }
 
-// A text in several languages: in the one spoken, else English, else the first. Codes may have a country: "ja-JP".
+// Picks a text that exists in several languages: the one spoken, else English, else the first. Codes may name a
+// country: "ja-JP".
 std::string label(const Json& value) {
     if (value.is_string()) return text(value);
     if (!value.is_object()) return {};
@@ -76,7 +77,7 @@ bool line_of(const Json& value, Ring& line) {
     return line.size() > 1;
 }
 
-// Of Polygon and MultiPolygon, each closed; false: something is wrong with it.
+// The rings of a Polygon or MultiPolygon, each closed. Returns false if the geometry is invalid.
 bool rings_of(const Json& geometry, std::vector<Ring>& rings) {
     const Json& coordinates = at(geometry, "coordinates");
     const auto polygon = [&](const Json& value) {
@@ -144,7 +145,7 @@ public:
     }
 
 private:
-    // Levels of the wanted building, where one is wanted.
+    // Selects the requested building, if the options name one, and its name.
     Result<void> choose_building(const std::string& file_name) {
         if (options_.building.empty()) return {};
         const std::string wish = lower_ascii(options_.building);
@@ -176,7 +177,7 @@ private:
                 std::none_of(buildings.begin(), buildings.end(),
                              [&](const Json& id) { return text(id) == wanted_building_; }))
                 continue;
-            // A level that belongs to several buildings or to none is not moved with any of them.
+            // A level that belongs to several buildings or to none is not shifted with any of them.
             std::string building;
             if (buildings.is_array() && buildings.size() == 1) building = text(buildings[0]);
             levels_[text(at(level, "id"))] = {number, label(at(properties, "name")), building};
@@ -184,7 +185,7 @@ private:
     }
 
     void meet_buildings() {
-        std::map<std::string, std::size_t> number_of{{"", 0}};  // of a building
+        std::map<std::string, std::size_t> number_of{{"", 0}};  // number of each building id
         for (const auto& [id, level] : levels_) number_of.try_emplace(level.building, number_of.size());
         if (number_of.size() < 3) return;
         const auto level_named = [&](const Json& feature) {
@@ -215,7 +216,7 @@ private:
             plan_.guessed.push_back(phrase("imdf.buildings_meet", {{"n", moved}}));
     }
 
-    // Those of one height are one level. It is called as the building calls it that was not moved.
+    // Levels of one height become one level. It takes its name from a building that was not shifted.
     void lay_levels() {
         std::map<double, std::string> names;
         for (const bool moved : {false, true})
@@ -230,7 +231,7 @@ private:
         }
     }
 
-    // kNoLevel where its level is not there or not wanted.
+    // Returns kNoLevel if the feature's level is missing or was not requested.
     std::size_t level_of(const Json& feature) {
         const auto found = levels_.find(text(at(at(feature, "properties"), "level_id")));
         return found == levels_.end() ? kNoLevel : level_.at(found->second.ordinal + found->second.shift);
@@ -300,12 +301,12 @@ private:
         join_vertical();
     }
 
-    // The unit's own name and that of who is in it. Many files write one in both places.
+    // Joins the unit's own name and that of its occupant. Many files write the same name in both places.
     static std::string named_once(const std::string& unit, const std::string& occupant) {
         return unit.empty() || lower_ascii(unit) == lower_ascii(occupant) ? occupant : unit + ", " + occupant;
     }
 
-    // Shops and the like, by the unit that they are in.
+    // Names of shops and other occupants, by the unit that they are in.
     std::map<std::string, std::string> occupants() {
         std::map<std::string, std::string> unit_of_anchor, found;
         for (const Json& anchor : features_["anchor"])
@@ -343,7 +344,7 @@ private:
         return said;
     }
 
-    // Stairs and lifts are a unit on each level: those that lie over one another are one.
+    // IMDF has one unit on each level for stairs and lifts. Units above one another become one space.
     void join_vertical() {
         std::vector<bool> gone(plan_.spaces.size(), false);
         std::vector<std::size_t> into(plan_.spaces.size()), vertical_before;
@@ -466,11 +467,11 @@ private:
     std::map<std::string, std::string> building_names_;
     struct Level {
         double ordinal = 0.0;
-        std::string name, building;  // the id of the building
-        double shift = 0.0;          // so that the floors of buildings meet
+        std::string name, building;  // `building` is its id
+        double shift = 0.0;          // shift of its building, see meet_buildings.h
     };
     std::map<std::string, Level> levels_;
-    std::map<double, std::size_t> level_;  // of an ordinal with its shift
+    std::map<double, std::size_t> level_;  // index in plan_.levels, by shifted ordinal
     std::map<std::string, std::size_t> unit_number_;
     std::string wanted_building_;
     LocalPlane plane_;
@@ -481,7 +482,7 @@ private:
 
 bool is_imdf(std::string_view bytes) {
     if (!bytes.starts_with("PK\x03\x04")) return false;
-    // The names of what is in it stand at its end.
+    // The directory with the file names is at the end of the archive.
     const std::string_view end = bytes.substr(bytes.size() > 70'000 ? bytes.size() - 70'000 : 0);
     return end.find("unit.geojson") != std::string_view::npos || end.find("unit.json") != std::string_view::npos ||
            (end.find("manifest.json") != std::string_view::npos && end.find(".geojson") != std::string_view::npos);

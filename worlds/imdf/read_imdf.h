@@ -1,5 +1,5 @@
-// The Indoor Mapping Data Format (IMDF), a ZIP archive of GeoJSON, as a Scene: levels, units as rooms, openings as
-// doors. Any thread.
+// Reads the Indoor Mapping Data Format (IMDF), a ZIP archive of GeoJSON, as a Scene: levels, units as rooms, openings
+// as doors. Any thread may call it.
 #pragma once
 
 #include <string_view>
@@ -9,15 +9,16 @@
 namespace handrail {
 
 struct ImdfOptions {
-    std::string building;  // of several the one with this in its name or as its number; empty: all of a venue
+    // If a venue has several buildings, the one to read, by part of its name or its number; empty: all of them.
+    std::string building;
     PlanOptions plan;
 };
 
-// A ZIP archive that names a unit.geojson or a manifest beside others, in whatever folder.
+// Returns true for a ZIP archive that lists a unit.geojson, or a manifest and other GeoJSON files, in any folder.
 bool is_imdf(std::string_view bytes);
 
-// The same bytes give the same Scene. Fails with one sentence for an archive that is damaged, holds no units or too
-// many.
+// The same bytes always give the same Scene. Fails with one sentence if the archive is damaged, contains no units or
+// too many.
 Result<Scene> read_imdf_venue(std::string_view bytes, const std::string& file_name, const ImdfOptions& options);
 
 }  // namespace handrail

@@ -18,7 +18,7 @@ std::uint32_t number(std::string_view bytes, std::size_t at, std::size_t size) {
     return value;
 }
 
-// Exactly `size` bytes; empty where the packed ones give more, fewer or none.
+// Unpacks exactly `size` bytes. Returns false if the packed data gives more, fewer or none.
 bool inflate_all(std::string_view packed, std::size_t size, std::string& into) {
     into.assign(size, '\0');
     z_stream stream{};
@@ -39,7 +39,7 @@ Result<std::map<std::string, std::string>> unzip(std::string_view bytes, const s
                                                  bool (*wanted)(std::string_view path)) {
     const auto damaged = [&] { return fail(phrase("imdf.damaged_zip"), file_name); };
     if (bytes.size() < kEnd_bytes) return damaged();
-    // Its directory is told of at the end, before a comment of at most 65,535 bytes.
+    // The end record locates the directory. It is followed by a comment of at most 65,535 bytes.
     std::size_t end = bytes.size() - kEnd_bytes;
     const std::size_t first = end > 65'535 ? end - 65'535 : 0;
     while (number(bytes, end, 4) != kEnd)
@@ -67,7 +67,7 @@ Result<std::map<std::string, std::string>> unzip(std::string_view bytes, const s
         if (data > bytes.size() || bytes.size() - data < packed) return damaged();
         unpacked += size;
         if (unpacked > kMostUnpacked_bytes) return fail(phrase("imdf.too_large"), file_name);
-        // Nothing is packed to less than a thousandth by this method.
+        // This method never packs to less than a thousandth, so a better ratio means damage.
         if (method == 8 && size / 1100 > packed) return damaged();
         std::string content;
         if (method == 0 && packed == size) content = bytes.substr(data, size);

@@ -1,4 +1,4 @@
-// The files of a ZIP archive, unpacked. Pure functions; any thread.
+// Unpacks the files of a ZIP archive. Pure functions; any thread may call them.
 #pragma once
 
 #include <map>
@@ -11,8 +11,8 @@ namespace handrail {
 
 inline constexpr std::size_t kMostUnpacked_bytes = std::size_t{1} << 30;
 
-// By their paths in it, those for which `wanted` says so. Stored and deflated ones; fails with one sentence for an
-// archive that is damaged, cut short, encrypted, or unpacks to more than kMostUnpacked_bytes.
+// Returns the stored and deflated files that `wanted` accepts, by their paths in the archive. Fails with one sentence
+// if the archive is damaged, cut short, encrypted, or unpacks to more than kMostUnpacked_bytes.
 Result<std::map<std::string, std::string>> unzip(std::string_view bytes, const std::string& file_name,
                                                  bool (*wanted)(std::string_view path));
 

@@ -16,7 +16,7 @@ namespace handrail {
 namespace {
 
 constexpr std::size_t kMostRefs = 20'000'000, kMostTags = 60, kLongestValue = 1000, kMostLevels = 1'000;
-// One of these on a node makes its tags worth keeping.
+// The tags of a node are kept only if it has one of these keys.
 constexpr std::array<std::string_view, 8> kNodeKeys{"door",    "entrance", "indoor",         "level",
                                                     "highway", "amenity",  "tactile_paving", "information"};
 

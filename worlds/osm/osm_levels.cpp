@@ -11,14 +11,14 @@ namespace {
 constexpr double kLowest = -100.0, kHighest = 300.0;
 constexpr std::size_t kMost = 200;
 
-// A level at the front of the text, which it is taken off.
+// Reads a level at the start of the text and removes it from the text.
 bool take_level(std::string_view& text, double& level) {
     std::string_view digits = text;
     if (digits.starts_with('-') || digits.starts_with('+')) digits.remove_prefix(1);
     if (digits.empty() || digits.front() < '0' || digits.front() > '9') return false;
     const auto taken = take_number(text, false);
     if (!taken || !taken->in_range) return false;
-    level = taken->value + 0.0;  // no negative zero
+    level = taken->value + 0.0;  // turns -0 into 0
     return level >= kLowest && level <= kHighest;
 }
 

@@ -12,7 +12,7 @@ namespace handrail {
 namespace {
 
 constexpr double kLift_m = 1.7, kRound_m = 0.3, kBeforeDoor_m = 1.2, kLiftDoor_m = 0.9;
-// Where the cabin may stand if walls are too close to the point itself.
+// Offsets at which the cabin is tried if walls are too close to the point itself.
 const std::array<Vec2, 9> kAside_m{Vec2(0, 0),     Vec2(0, 1.2),    Vec2(1.2, 0),     Vec2(0, -1.2),  Vec2(-1.2, 0),
                                    Vec2(1.2, 1.2), Vec2(1.2, -1.2), Vec2(-1.2, -1.2), Vec2(-1.2, 1.2)};
 
@@ -29,7 +29,7 @@ bool holds_square(const PlanSpace& space, const Vec2& at) {
 
 }  // namespace
 
-// Makes one of the outlines of stairs, or of a lift, that are drawn on each level separately, one above the other.
+// Stairs and lifts can be drawn on each level separately, one above the other. Joins these outlines into one.
 void OsmPlan::stack_outlines() {
     std::vector<std::size_t> order(outlines_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -66,7 +66,7 @@ void OsmPlan::stack_outlines() {
     std::erase_if(outlines_, [&](const Outline&) { return stacked[at++]; });
 }
 
-// Makes a cabin with a door to the room round it on each level. False: there is no space for it.
+// Makes a cabin with a door to the surrounding room on each level. Returns false if there is no space for it.
 bool OsmPlan::add_lift_at(std::int64_t node, std::size_t rooms) {
     const OsmTags& tags = data_.nodes.at(node).tags;
     std::vector<std::size_t> levels;
@@ -76,7 +76,7 @@ bool OsmPlan::add_lift_at(std::int64_t node, std::size_t rooms) {
     const Vec2 middle = place_of(node);
     for (const Vec2& off : kAside_m) {
         const Vec2 at = middle + off;
-        std::vector<std::size_t> around;  // of each level
+        std::vector<std::size_t> around;  // surrounding space on each level
         for (const std::size_t level : levels)
             for (std::size_t s = 0; s < rooms; ++s) {
                 const PlanSpace& space = plan_.spaces[s];

@@ -24,7 +24,7 @@ void note_id(std::string& ids, const std::string& id) {
     if (ids.size() < 60) ids += (ids.empty() ? "" : ", ") + id;
 }
 
-// Finds the spaces whose outlines pass by a place. Doors are often drawn a few centimetres off the wall.
+// Finds the spaces whose outlines pass close to a point. Doors are often drawn a few centimetres off the wall.
 class OutlineIndex {
 public:
     explicit OutlineIndex(const std::vector<PlanSpace>& spaces) : index_(boxes_of(spaces)) {}
@@ -109,7 +109,7 @@ bool OsmPlan::all_known(const std::vector<std::int64_t>& nodes) const {
     return std::all_of(nodes.begin(), nodes.end(), [&](std::int64_t n) { return data_.nodes.contains(n); });
 }
 
-// The member ways joined end to end.
+// Joins the member ways end to end.
 std::vector<std::vector<std::int64_t>> OsmPlan::rings_of(const OsmArea& area, bool& broken) const {
     std::vector<std::vector<std::int64_t>> rings, open;
     for (const auto& [id, hole] : area.ways) {
@@ -221,8 +221,8 @@ std::vector<Ring> OsmPlan::in_degrees(const std::vector<std::vector<std::int64_t
     return made;
 }
 
-// Each outline goes to the building around its middle; those around which there is none to the nearest
-// within a kilometre.
+// Each outline belongs to the building around its middle. If none surrounds it, it belongs to the nearest one within a
+// kilometre.
 Result<void> OsmPlan::choose_building(const std::string& file_name) {
     std::vector<Aabb> boxes;
     for (const Building& building : buildings_) boxes.push_back({Vec3(building.least, 0.0), Vec3(building.most, 0.0)});
@@ -293,7 +293,7 @@ Result<void> OsmPlan::choose_building(const std::string& file_name) {
     return {};
 }
 
-// The middle of what is read, so that a metre is a metre there.
+// Puts the origin in the middle of the area read, so that lengths there are right.
 void OsmPlan::set_origin() {
     bool around_building = false;
     Vec2 least{1e300}, most{-1e300};
@@ -305,7 +305,7 @@ void OsmPlan::set_origin() {
         const std::string kind = kind_of_space(*outline.tags);
         return kind != "lift" && kind != "stairs" && kind != "escalator";
     });
-    // Of several buildings one is read with its surroundings; a single one stands for the whole file.
+    // If there are several buildings, one is read with its surroundings. A single building stands for the whole file.
     const auto with_rooms = std::count_if(buildings_.begin(), buildings_.end(),
                                           [](const Building& building) { return building.spaces > 0; });
     if (!options_.building.empty() || (rooms && with_rooms > 1)) around_building = true;
@@ -354,7 +354,8 @@ void OsmPlan::lay_levels() {
     for (const double number : numbers) plan_.levels.push_back(level_made(number));
 }
 
-// A level is called as its own relation or outline is named, else as its things refer to it ("Level B1").
+// A level is named after its own relation or outline. Otherwise its name comes from how its outlines refer to it
+// ("Level B1").
 void OsmPlan::find_level_names() {
     const auto take = [&](std::string_view level, const std::string& name) {
         const OsmLevels levels = levels_of(level);

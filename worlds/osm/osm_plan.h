@@ -1,4 +1,5 @@
-// From tags to a plan: which outlines are rooms, which nodes doors, which levels there are. One reading thread.
+// Turns OpenStreetMap tags into a plan: which outlines are rooms, which nodes are doors, and which levels exist. One
+// reading thread uses it.
 #pragma once
 
 #include <map>
@@ -12,14 +13,14 @@ namespace handrail {
 class OsmPlan {
 public:
     OsmPlan(const OsmData& data, const OsmOptions& options);
-    // Fails with one sentence where there is nothing to walk in, or no such building.
+    // Fails with one sentence if there is nothing to walk on, or if the requested building does not exist.
     Result<FloorPlan> build(const std::string& file_name);
 
 private:
     struct Outline {
         std::string id;
         const OsmTags* tags = nullptr;
-        std::vector<std::vector<std::int64_t>> rings;  // nodes, the first not repeated
+        std::vector<std::vector<std::int64_t>> rings;  // node ids; the first is not repeated at the end
         std::vector<double> levels;
         std::size_t building = kNone;
     };
@@ -27,7 +28,8 @@ private:
     struct Walked {
         std::string id;
         const OsmTags* tags = nullptr;
-        std::vector<std::vector<std::int64_t>> lines;  // of an area: its outlines, the first not repeated
+        // Of a line: its nodes; of an area: its outlines, without repeating the first node.
+        std::vector<std::vector<std::int64_t>> lines;
         bool area = false;
         std::string_view level;  // as the file states it
 
@@ -37,7 +39,7 @@ private:
     struct Building {
         std::string id, name, ref;
         const OsmTags* tags = nullptr;
-        std::vector<Ring> rings;  // degrees
+        std::vector<Ring> rings;  // in degrees
         Vec2 least{1e300}, most{-1e300};
         int spaces = 0;
     };
@@ -57,7 +59,7 @@ private:
     void lay_levels();
     void find_level_names();
     PlanLevel level_made(double number) const;
-    std::size_t level_at(double number) const;  // kNone: none
+    std::size_t level_at(double number) const;  // kNone if there is none
     void add_spaces();
     void add_doors();
     void add_walls_and_things();
@@ -85,10 +87,10 @@ private:
     std::vector<Outline> outlines_;
     std::vector<Building> buildings_;
     std::size_t chosen_ = kNone;
-    std::vector<Ring> surroundings_of_;  // outlines; ways far from all of them are left out. Empty: none is
+    std::vector<Ring> surroundings_of_;  // ways far from all of these outlines are left out; if empty, none is left out
     LocalPlane plane_;
-    std::map<double, std::string> level_names_;                             // those that the file names
-    std::unordered_map<std::int64_t, std::vector<std::size_t>> spaces_of_;  // of a node; looked up only
+    std::map<double, std::string> level_names_;                             // names that the file states
+    std::unordered_map<std::int64_t, std::vector<std::size_t>> spaces_of_;  // spaces of each node; never iterated
     int open_ = 0, incomplete_ = 0, without_level_ = 0, odd_levels_ = 0, doors_alone_ = 0;
     std::string open_ids_, incomplete_ids_;
 };

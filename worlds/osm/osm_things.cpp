@@ -1,4 +1,4 @@
-// Walls and pillars by themselves, things, ways outside rooms, and other buildings of an OpenStreetMap file.
+// Free-standing walls and pillars, objects, and other buildings of an OpenStreetMap file.
 #include <algorithm>
 #include <cmath>
 
@@ -22,7 +22,7 @@ Ring square(const Vec2& at, double side_m) {
     return {at + Vec2(-half, -half), at + Vec2(half, -half), at + Vec2(half, half), at + Vec2(-half, half)};
 }
 
-// Columns, desks and benches; empty: no thing that mappers draw as an outline.
+// The kind of an object that mappers draw as an outline (columns, desks and benches); empty for anything else.
 std::string_view drawn_thing(const OsmTags& tags) {
     if (tags.is("indoor", "column") || tags.is("indoor", "pillar") || tags.is("wall:type", "pillar") ||
         tags.is("building", "pillar") || tags.is("building", "column") || tags.is("buildingpart", "column"))
@@ -50,7 +50,7 @@ void OsmPlan::add_walls_and_things() {
     for (const std::int64_t n : data_.tagged_nodes) add_thing_at(n);
 }
 
-// Walls, guidance and things that are drawn as lines or outlines.
+// Adds walls, tactile guidance and objects that are drawn as lines or outlines.
 void OsmPlan::add_drawn(const OsmWay& way) {
     const bool wall = way.tags.is("indoor", "wall") || way.tags.is("buildingpart", "wall"),
                guidance = way.tags.is("tactile_paving", "yes") && !way.tags.has("highway") && !is_walked(way.tags) &&
@@ -88,14 +88,14 @@ void OsmPlan::add_drawn(const OsmWay& way) {
     }
 }
 
-// Its own name, or else what it is.
+// Uses the object's own name, or else its kind.
 void OsmPlan::name_thing(PlanThing& thing, const OsmTags& tags, std::string_view what) const {
     thing.name = in_spoken(tags, "name");
     if (thing.name.empty()) thing.name = capitalised(kind_words(what));
     for (const std::string& fact : facts_of(tags)) thing.message += (thing.message.empty() ? "" : " ") + fact;
 }
 
-// Pillars and things that are mapped as a place alone.
+// Adds pillars and objects that are mapped only as a point.
 void OsmPlan::add_thing_at(std::int64_t node) {
     const OsmTags& tags = data_.nodes.at(node).tags;
     const bool pillar = tags.is("wall:type", "pillar") || tags.is("indoor", "pillar") || tags.is("indoor", "column") ||
@@ -121,7 +121,8 @@ void OsmPlan::add_thing_at(std::int64_t node) {
     }
 }
 
-// Other buildings near by, and parts of them, as blocks; what stands over rooms that were read has its own walls.
+// Adds other buildings nearby, and parts of them, as blocks. Blocks over rooms or ways that were read are left out,
+// because the rooms have their own walls.
 void OsmPlan::add_blocks() {
     Vec2 least{1e300}, most{-1e300};
     for (const PlanSpace& space : plan_.spaces)

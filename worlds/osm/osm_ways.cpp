@@ -1,4 +1,4 @@
-// Ways, platforms and stairs outside rooms of an OpenStreetMap file.
+// Footways, platforms and stairs outside rooms of an OpenStreetMap file.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -27,14 +27,14 @@ bool is_escalator(const OsmTags& tags) {
     return tags.is("highway", "steps") && tags.has("conveying") && !tags.is("conveying", "no");
 }
 
-// What the way is, in words: "Footway".
+// The kind of way in words, such as "Footway".
 std::string kind_of_way(const OsmTags& tags) {
     const std::string_view highway = tags["highway"];
     const bool plain = is_platform(tags) || highway.empty() || highway == "no";
     return capitalised(kind_words(is_escalator(tags) ? "escalator" : plain ? "platform" : highway));
 }
 
-// As the file names it; empty: it does not.
+// The name that the file states for the way; empty if it states none.
 std::string own_name(const OsmTags& tags) {
     std::string name(in_spoken(tags, "name")), ref(tags["ref"]);
     if (!is_platform(tags)) return name.empty() ? ref : name;
@@ -58,12 +58,12 @@ bool OsmPlan::is_lift_node(std::int64_t node) const {
 
 namespace {
 
-// Answers whether places are near any of these outlines.
+// Tells whether points are near any of the given outlines.
 class Surroundings {
 public:
     explicit Surroundings(const std::vector<Ring>& rings) : rings_(rings), index_(boxes_of(rings)) {}
 
-    // True if one of the lines comes near.
+    // Returns true if one of the lines comes near.
     bool hold_one_of(const std::vector<Ring>& lines) const {
         for (const Ring& line : lines)
             for (std::size_t i = 0; i < line.size(); ++i) {
@@ -100,7 +100,7 @@ private:
 
 }  // namespace
 
-// Reports the ways that lack places, and those that are left out because they are far away.
+// Reports the ways whose nodes are missing, and those that are left out because they are far away.
 std::vector<OsmPlan::Walked> OsmPlan::find_walked() {
     std::vector<Walked> walked;
     int cut_ways = 0, far_ways = 0;
@@ -147,8 +147,8 @@ std::vector<OsmPlan::Walked> OsmPlan::find_walked() {
     return walked;
 }
 
-// A level that has only ways is a storey too, if a way keeps a place at its height. A footway that only slopes up to it
-// does not make one.
+// A level that has only ways becomes a storey too, but only if some point of a way is at its height. A footway that
+// merely slopes up to the level does not make one.
 void OsmPlan::add_levels(const std::vector<Walked>& walked, const std::unordered_map<std::int64_t, double>& height_m) {
     std::vector<PlanLevel> levels = plan_.levels;
     for (const Walked& way : walked) {
@@ -197,7 +197,8 @@ PlanWay OsmPlan::way_of(const Walked& walked, const std::unordered_map<std::int6
         for (const std::int64_t n : nodes) made.floor_m.push_back(made.area ? low_m : height_at(n, low_m));
         return made;
     }
-    // Other ways that meet the ends of stairs say how high they are. Without any, the levels of the stairs do.
+    // The heights of the ends of stairs come from the ways that meet them. If there are none, they come from the levels
+    // of the stairs.
     const bool down = tags.is("incline", "down");
     const double first_m = height_at(nodes.front(), down ? high_m : low_m),
                  last_m = height_at(nodes.back(), down ? low_m : high_m);
@@ -250,8 +251,8 @@ public:
 
 private:
     const std::vector<PlanWay>& ways_;
-    std::vector<std::vector<std::int64_t>> nodes_;                        // of each way
-    std::unordered_map<std::int64_t, std::vector<std::size_t>> at_node_;  // looked up only
+    std::vector<std::vector<std::int64_t>> nodes_;                        // node ids of each way
+    std::unordered_map<std::int64_t, std::vector<std::size_t>> at_node_;  // by node id; never iterated
     std::vector<std::size_t> areas_;
     BoxIndex index_;
 };
@@ -269,7 +270,7 @@ void OsmPlan::name_ways(const std::vector<Walked>& walked) {
         own.push_back(own_name(*way.tags));
     }
     const LedTo led(plan_.ways, std::move(nodes));
-    // A place with a name goes before lifts and stairs.
+    // A named place takes precedence over lifts and stairs.
     const auto met_at = [&](std::int64_t node, const std::vector<std::size_t>& but) {
         std::string passage = is_lift_node(node) ? phrase("osm.the_lift") : std::string();
         for (const std::size_t other : led.ways_at(node)) {
@@ -287,7 +288,7 @@ void OsmPlan::name_ways(const std::vector<Walked>& walked) {
             }
         return passage;
     };
-    // At the end itself, else through ways without names, the fewest first.
+    // Looks at the end itself first, then through as few unnamed ways as possible.
     const auto led_to = [&](std::size_t w, bool at_end) {
         const PlanWay& way = plan_.ways[w];
         const std::int64_t end = at_end ? walked[w].lines[0].back() : walked[w].lines[0].front();
@@ -335,7 +336,7 @@ void OsmPlan::name_ways(const std::vector<Walked>& walked) {
     tell_ways_apart(walked);
 }
 
-// Ways of one name are told apart by their levels, then by the sides of the place that they are on.
+// Tells ways of the same name apart by their levels, then by the side of the site that they are on.
 void OsmPlan::tell_ways_apart(const std::vector<Walked>& walked) {
     Aabb all;
     for (const PlanWay& way : plan_.ways)
@@ -365,7 +366,7 @@ void OsmPlan::tell_ways_apart(const std::vector<Walked>& walked) {
     tell_apart(side_words);
 }
 
-// True if its middle is in a room of its level.
+// Returns true if the middle of the way is in a room on the same level.
 bool OsmPlan::is_within_rooms(const Walked& walked) const {
     const Ring line = placed(walked.lines)[0];
     Vec2 middle{0.0};
@@ -383,8 +384,8 @@ bool OsmPlan::is_within_rooms(const Walked& walked) const {
     });
 }
 
-// Lines and areas that people walk on: each at its level, and from level to level where its ends say so. If the rooms
-// are joined by doors, those that lie within rooms add nothing.
+// Adds the lines and areas that people walk on. Each is at its own level, or slopes between levels if its ends say so.
+// If the rooms are joined by doors, ways within rooms are left out.
 void OsmPlan::add_ways(bool rooms_are_joined) {
     if (rooms_are_joined && surroundings_of_.empty()) {
         for (const PlanSpace& space : plan_.spaces)
@@ -396,9 +397,9 @@ void OsmPlan::add_ways(bool rooms_are_joined) {
     std::vector<Walked> walked = find_walked();
     if (rooms_are_joined) std::erase_if(walked, [&](const Walked& way) { return is_within_rooms(way); });
     if (walked.empty()) return;
-    std::unordered_map<std::int64_t, double> height_m;  // of the nodes of level ways; looked up only
+    std::unordered_map<std::int64_t, double> height_m;  // heights of the nodes of level ways; never iterated
     // Areas first: they are flat, so the lines that end on them climb to them.
-    std::unordered_set<std::int64_t> of_area;  // looked up only
+    std::unordered_set<std::int64_t> of_area;  // never iterated
     for (const bool area : {true, false}) {
         for (const auto& [n, floor_m] : height_m) of_area.insert(n);
         for (const Walked& way : walked) {

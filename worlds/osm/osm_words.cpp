@@ -8,7 +8,7 @@
 namespace handrail {
 namespace {
 
-// Facts that one tag with one value gives, by the last part of the text's key.
+// A fact stated by one tag with one value. `says` is the last part of the text's key.
 struct Fact {
     std::string_view key, value, says;
 };

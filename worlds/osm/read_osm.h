@@ -1,5 +1,6 @@
-// OpenStreetMap as a Scene: rooms, corridors, doors, stairs and lifts of a building as Simple Indoor Tagging has them,
-// or the ways of a place where rooms are not joined. Any thread; reads with two more while it is called.
+// Reads OpenStreetMap as a Scene: the rooms, corridors, doors, stairs and lifts of a building by Simple Indoor Tagging,
+// or the outdoor ways of a site whose rooms are not joined. Any thread may call it; it uses two more threads during the
+// call.
 #pragma once
 
 #include "worlds/drawn/plan_scene.h"
@@ -8,13 +9,14 @@
 namespace handrail {
 
 struct OsmOptions {
-    std::string building;  // of several the one with this in its name, its reference or as its number; empty: the one
-                           // with most rooms
+    // If there are several buildings, the one to read, by part of its name, its reference or its number; empty: the one
+    // with the most rooms.
+    std::string building;
     PlanOptions plan;
 };
 
-// The same bytes give the same Scene. Fails with one sentence for what is damaged, holds nothing to walk in or too
-// much.
+// The same bytes always give the same Scene. Fails with one sentence if the file is damaged, or contains nothing to
+// walk on or too much.
 Result<Scene> read_osm_building(std::string_view bytes, OsmForm form, const std::string& file_name,
                                 const OsmOptions& options);
 
