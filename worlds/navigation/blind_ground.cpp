@@ -9,14 +9,15 @@
 namespace handrail {
 namespace {
 
-constexpr double kPartOfCell = 0.8;   // of one stride on the grid
-constexpr double kDoorReach_m = 0.5;  // from where the leaf stops a body to where it can still be opened
-constexpr double kLeast_m = 1e-4;     // inside a cell's border
+constexpr double kPartOfCell = 0.8;   // length of one stride on the grid, as a part of a cell
+constexpr double kDoorReach_m = 0.5;  // how far before the point where the leaf stops a walker it can still be opened
+constexpr double kLeast_m = 1e-4;     // a walker stays this far inside a cell's border
 constexpr double kRiser_m = 0.03;
-constexpr double kLeafMiddle = 0.75;  // of a cell, to either side of a leaf: no two neighbours lie across that
+// Part of a cell on either side of a leaf, so that no two neighbouring cells have the leaf between them.
+constexpr double kLeafMiddle = 0.75;
 
-// The spans whose middle is nearer than `reach_m` to a leaf there: with the radius of the body, those at which the body
-// overlaps it.
+// Visits the spans whose middle is nearer than `reach_m` to a leaf at that placement. With the walker's radius, these
+// are the spans where the walker overlaps the leaf.
 template <class Visit>
 void visit_leaf(const WalkSpace& space, const Aabb& own_m, const Placement& at, double reach_m, Visit visit) {
     const PlacedFrame frame(at);
@@ -56,14 +57,14 @@ std::vector<WordDoor> word_doors(const Scene& scene, std::span<const int> thing_
         if (!feature || feature->kind != FeatureKind::Door || !mover.moves() || mover.endless()) continue;
         if (i >= thing_of_mover.size() || thing_of_mover[i] < 0) continue;
         const Aabb& own = scene.placed[static_cast<std::size_t>(thing_of_mover[i])].model->bounds_m;
-        if (own.empty() || own.size_m().z < std::min(own.size_m().x, own.size_m().y)) continue;  // a bridge
+        if (own.empty() || own.size_m().z < std::min(own.size_m().x, own.size_m().y)) continue;  // a bridge, not a door
         auto door = std::find_if(doors.begin(), doors.end(), [&](const WordDoor& d) { return d.group == mover.group; });
         if (door == doors.end()) {
             doors.push_back({i, mover.feature, mover.group, {}, false});
             door = doors.end() - 1;
         }
         door->leaves.push_back({own, mover.at(0.0), mover.at(1.0)});
-        // A lift's door opens only where the lift is.
+        // A lift's door opens only if the lift is there.
         const bool opens = mover.by_hand || !mover.approach_m.empty();
         door->opens = door->opens || (opens && mover.lift == kNoMover);
     }
@@ -98,7 +99,7 @@ BlindGround::BlindGround(const WalkSpace& space, std::vector<WordDoor> doors)
                        [&](std::uint32_t s) { open_leaf_[s] = static_cast<std::uint16_t>(d + 1); });
         }
     find_free();
-    // Whoever stands a little before it can open it.
+    // A walker a little before the door can open it.
     const int rings = static_cast<int>(std::lround(kDoorReach_m / space_.cell_m));
     for (int ring = 0; ring < rings; ++ring) {
         std::vector<std::uint32_t> next;
@@ -112,8 +113,8 @@ BlindGround::BlindGround(const WalkSpace& space, std::vector<WordDoor> doors)
     }
 }
 
-// No farther than to where a leaf may be. Rings of neighbours are never farther apart than their number of cells, and
-// never nearer than that by more than the diagonal.
+// Limits free_m_ by the distance to where leaves may be. The ring number of a cell is at least its distance in cells,
+// and at most the diagonal factor times that.
 void BlindGround::find_free() {
     constexpr double kFarthest_m = 2.0, kDiagonal = 1.42;
     std::vector<std::uint32_t> ring;
@@ -138,7 +139,7 @@ void BlindGround::find_free() {
     }
 }
 
-// A body with the column and row of its cell and the borders of these, which most strides look at and few change.
+// A walker with the column and row of the current cell and its borders. Most strides read these and few change them.
 struct BlindGround::OnCell : BlindBody {
     double low_m[2], high_m[2];
     std::uint32_t at_cell[2];
@@ -156,7 +157,7 @@ struct BlindGround::OnCell : BlindBody {
     }
 };
 
-// Where nothing is near, all of the way at once. False: it is not known that nothing is.
+// Moves the whole distance at once if nothing is near. Returns false if that is not certain.
 bool BlindGround::leap(OnCell& body, const Vec2& ahead, double by_m) const {
     const Vec2 to = body.at_m + ahead * by_m;
     const auto x = static_cast<std::int64_t>(std::floor((to.x - space_.origin_m.x) / space_.cell_m)),
@@ -181,8 +182,8 @@ BlindBody BlindGround::body_at(const Vec3& feet_m) const {
             span};
 }
 
-// A leaf holds whoever is not in it already: an opening leaf goes past a body. A shut one lets whoever stands close to
-// it go away from it, and holds them at its middle.
+// Returns whether a leaf stops the walker. A leaf stops walkers who are not yet in it; an opening leaf passes through
+// them. A shut leaf lets a walker close to it move away, and stops one at its middle.
 bool BlindGround::held(std::uint32_t from, std::uint32_t to, const DoorsOpen& open, bool through_doors) const {
     if (shut_leaf_.empty()) return false;
     const auto in = [&](std::uint32_t span, std::uint32_t& door) {
@@ -202,7 +203,7 @@ bool BlindGround::held(std::uint32_t from, std::uint32_t to, const DoorsOpen& op
     return shut_middle_[to] && !shut_middle_[from] && !open[there - 1U] && !through_doors;
 }
 
-// So far at a time, less than a cell, and past which neighbour it goes along each axis.
+// One stride, shorter than a cell, and the index of the neighbour that it enters along each axis.
 struct BlindGround::Stride {
     Vec2 by_m;
     std::uint8_t next[2];
@@ -213,7 +214,8 @@ struct BlindGround::Stride {
     }
 };
 
-// Each axis by itself, so that it slides. False: it went on in neither.
+// Moves along each axis separately, so that the walker slides along walls. Returns false if neither axis allowed any
+// movement.
 bool BlindGround::advance(OnCell& body, const Stride& by, const DoorsOpen& open, bool through_doors, bool& edge) const {
     bool moved = false;
     for (int axis = 0; axis < 2; ++axis) {
@@ -251,7 +253,7 @@ Paced BlindGround::walk(BlindBody& walks, double heading_rad, double most_m, Pac
     double window_from_m = 0.0, level_z = start_z, level_from_m = 0.0, next_step_m = step_m;
     int strides = 0, lined_up = 0;
     bool edge = false;
-    // A flight of stairs lies behind, or whoever counts the steps has had enough.
+    // Returns whether the walk has ended: a flight of stairs is behind the walker, or `each_step` said stop.
     const auto over = [&] {
         paced.climbed = end == PaceEnd::Stairs && std::abs(level_z - start_z) > kFlightRise_m &&
                         paced.walked_m - level_from_m > kFlightOver_m;
@@ -291,7 +293,7 @@ Paced BlindGround::walk(BlindBody& walks, double heading_rad, double most_m, Pac
         strides = 0;
         window_from_m = paced.walked_m;
         if (!slow) continue;
-        // Into the doorway whose frame it has met.
+        // Slide into the doorway whose frame the walker has met.
         const std::optional<double> aside_m = lined_up < 2 ? line_up_m(body, heading_rad, open) : std::nullopt;
         if (!aside_m) {
             paced.stopped = true;
@@ -316,12 +318,12 @@ std::optional<double> BlindGround::line_up_m(const BlindBody& body, double headi
         const Stride by(way * stride_m);
         for (double left_m = most_m; left_m > 0.0 && !edge; left_m -= stride_m) {
             if (!advance(from, by, open, through_doors, edge)) break;
-            // Where all strides that are left would not do, which is most often.
+            // Give up early if all remaining strides would not reach the least distance, which is the usual case.
             if (glm::dot(from.at_m - start, way) + left_m + kLeast_m < least_m) break;
         }
         return edge ? 0.0 : glm::dot(from.at_m - start, way);
     };
-    // In a doorway it goes on, though for no wide way to the sides.
+    // A doorway leads on ahead, but is not wide to the sides.
     const auto opens_there = [&](OnCell probe) {
         const double least_m = kLineUpDeep_m - 2.0 * stride_m;
         if (goes_m(probe, ahead, kLineUpDeep_m, true, least_m) < least_m) return false;
@@ -337,7 +339,7 @@ std::optional<double> BlindGround::line_up_m(const BlindBody& body, double headi
             if (!goes[side]) continue;
             const double sign = side == 0 ? 1.0 : -1.0;
             goes[side] = goes_m(sides[side], right * sign, stride_m, false) > 0.25 * stride_m;
-            // A little farther in than where it just goes.
+            // Go a little farther in than where the walker just fits.
             if (goes[side] && opens_there(sides[side])) return sign * (aside_m + stride_m);
         }
     return std::nullopt;

@@ -1,7 +1,8 @@
-// The floor as a body finds it that follows words with shut eyes: it walks straight on, slides along what it meets at a
-// slant, is stopped by what it meets more squarely, and slides into a doorway whose frame it has met. Leaves of doors
-// stand shut or open. What routes for words are tried on. Immutable after it is made; pure functions; any thread. World
-// metres, radians clockwise from north. A walk costs a few nanoseconds for each centimetre.
+// The floor as walkers find it who follow spoken directions with their eyes shut. They walk straight on, slide along
+// obstacles that they meet at a slant, and stop at obstacles that they meet more squarely. They slide into a doorway
+// whose frame they have met. Door leaves are either shut or open. Spoken directions are tested on this ground.
+// Immutable once made, with pure functions; any thread may use it. World metres, radians clockwise from north. A walk
+// costs a few nanoseconds for each centimetre.
 #pragma once
 
 #include <cstdint>
@@ -15,27 +16,27 @@
 
 namespace handrail {
 
-// A door as somebody uses it: all leaves of one group go together.
+// A door as people use it: all leaves of one group move together.
 struct WordDoor {
-    std::uint32_t mover = 0;  // the first leaf's place in Scene::movers
+    std::uint32_t mover = 0;  // index of the first leaf in Scene::movers
     FeatureId feature = kNoFeature;
     std::uint32_t group = 0;
     struct Leaf {
-        Aabb own_m;  // in its own frame
+        Aabb own_m;  // in the leaf's own frame
         Placement shut, open;
     };
     std::vector<Leaf> leaves;
-    bool opens = true;  // by hand or as one comes near, at any time
+    bool opens = true;  // can be opened at any time, by hand or automatically when someone approaches
 };
 
-// All doors that one walks through, in the order of their movers, of a scene whose movers are things apart: see
-// with_movers_apart().
+// All doors that people walk through, in the order of their movers. The movers of the scene must be separate things:
+// see with_movers_apart().
 std::vector<WordDoor> word_doors(const Scene& scene, std::span<const int> thing_of_mover);
 
-// Which doors stand open, by their place among the WordDoors.
+// Which doors are open, by index of the WordDoor.
 using DoorsOpen = std::vector<bool>;
 
-// Where a body is on the ground.
+// Position of a walker on the ground.
 struct BlindBody {
     Vec2 at_m{0.0};
     std::uint32_t span = kNothing;
@@ -43,49 +44,48 @@ struct BlindBody {
 
 // What ends a walk.
 enum class PaceEnd : std::uint8_t {
-    Steps,    // counted
-    Stopped,  // something solid, met at more than 45 degrees: a wall, a shut door
-    Stairs,   // a flight is behind one
+    Steps,    // the given distance is complete
+    Stopped,  // something solid met at more than 45 degrees: a wall or a shut door
+    Stairs,   // a flight of stairs is behind the walker
 };
 
-// What happened on it.
+// What happened on the walk.
 struct Paced {
     double walked_m = 0.0;
     bool stopped = false;
-    bool at_edge = false;  // it would have gone over an edge
+    bool at_edge = false;  // the walker would have gone over an edge
     bool climbed = false;  // a whole flight, up or down
     double rise_m = 0.0;
 };
 
-// A walk counts as stopped where less than this part of the wished way was made over kStoppedWindow_m. Between the
-// sine of 22.5 and of 45 degrees, with room for a turn that is 5 degrees off.
+// A walk counts as stopped if less than this part of the intended distance was covered over kStoppedWindow_m. The value
+// is between the sines of 22.5 and 45 degrees, with room for a turn that is 5 degrees off.
 inline constexpr double kStoppedBelow = 0.55, kStoppedWindow_m = 0.2;
-// A flight rises as much as this, and is over after so much level floor.
+// A flight rises at least this far, and is over after this much level floor.
 inline constexpr double kFlightRise_m = 0.4, kFlightOver_m = 0.6;
-// How far to the side the body slides into a doorway it has missed, how deep a way must open there, and how wide, for
-// the middle of the body, what lies there may be to be a doorway.
+// Lining up with a doorway that the walker has missed: how far the walker slides sideways, how deep the way beyond must
+// be, and how wide it may be. The width is for the walker's centre; anything wider is no doorway.
 inline constexpr double kLineUp_m = 0.5, kLineUpDeep_m = 0.35, kDoorway_m = 1.4;
 
 class BlindGround {
 public:
-    // `space` outlives it. Costs a look at the places round each leaf and a few bytes for each span.
+    // `space` must outlive this object. Costs a search around each leaf and a few bytes for each span.
     BlindGround(const WalkSpace& space, std::vector<WordDoor> doors);
 
     const WalkSpace& space() const { return space_; }
     const std::vector<WordDoor>& doors() const { return doors_; }
     DoorsOpen all_shut() const { return DoorsOpen(doors_.size(), false); }
 
-    // At that place; span kNothing: one cannot stand there.
+    // A walker at that place; `span` is kNothing if nobody can stand there.
     BlindBody body_at(const Vec3& feet_m) const;
     Vec3 feet_m(const BlindBody& body) const { return {body.at_m.x, body.at_m.y, space_.place_m(body.span).z}; }
-    // Walks on until what is asked for, or until it is stopped, or at most so far.
+    // Walks on until `end` applies, something stops the walker, or `most_m` is covered.
     Paced walk(BlindBody& body, double heading_rad, double most_m, PaceEnd end, const DoorsOpen& open,
                const std::function<bool(const BlindBody&)>& each_step = {}, double step_m = 0.7) const;
-    // How far to the right a body must slide that has been stopped there, to go on in its direction through a doorway;
-    // negative to the left; 0: the doorway is straight ahead, with a shut door maybe; none: there is none within
-    // kLineUp_m.
+    // How far to the right a stopped walker must slide to go on through a doorway in the same direction. Negative: to
+    // the left. 0: the doorway is straight ahead, perhaps with a shut door. Nothing: no doorway within kLineUp_m.
     std::optional<double> line_up_m(const BlindBody& body, double heading_rad, const DoorsOpen& open) const;
-    // The door within reach of somebody who stands there, among doors(); kNothing: none.
+    // Index in doors() of the door within reach at that span; kNothing if there is none.
     std::uint32_t door_at(std::uint32_t span) const { return near_door_.empty() ? kNothing : near_door_[span]; }
 
 private:
@@ -98,10 +98,12 @@ private:
 
     const WalkSpace& space_;
     std::vector<WordDoor> doors_;
-    std::vector<std::uint16_t> shut_leaf_, open_leaf_;  // of each span: 1 + the door whose leaf it is in; 0: none
-    std::vector<bool> shut_middle_;                     // of each span: the middle of a body there is in a shut leaf
+    // For each span: 1 + index of the door whose leaf is there; 0: none.
+    std::vector<std::uint16_t> shut_leaf_, open_leaf_;
+    std::vector<bool> shut_middle_;  // for each span: the walker's centre would be in a shut leaf
     std::vector<std::uint32_t> near_door_;
-    std::vector<float> free_m_;  // of each span: nothing stands, ends or rises nearer; 0 where that is not known
+    // For each span: the distance within which nothing is in the way, ends or rises; 0 if it is not known.
+    std::vector<float> free_m_;
 };
 
 }  // namespace handrail

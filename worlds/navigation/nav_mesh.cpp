@@ -17,16 +17,18 @@
 namespace handrail {
 namespace {
 
-// Recast's y is up: (x, z, y) of ours, relative to the space's origin.
+// In Recast y is up. Its coordinates are (x, z, y) of ours, relative to the origin of the space.
 enum Area : unsigned char { kOpen = 1, kNearWall, kNearEdge, kWading, kDropArea, kLiftArea, kTeleportArea };
-constexpr double kComfortable_m = 0.2;  // of clearance beyond the body
+constexpr double kComfortable_m = 0.2;  // of clearance beyond the walker's radius
 constexpr double kEdgeComfort_m = 0.5, kWallComfort_m = 0.3;
 constexpr double kLeastHeight_m = 0.02;  // Recast's unit of height; grows in very high worlds
-constexpr double kSquare_m = 1.0;        // polygons are no larger, so that ways over their edges come near the shortest
-constexpr std::uint32_t kLargestSquare = 8;                           // times that, in large worlds
+// Largest side of a polygon, so that paths along polygon edges come close to the shortest.
+constexpr double kSquare_m = 1.0;
+constexpr std::uint32_t kLargestSquare = 8;                           // multiple of kSquare_m, in large worlds
 constexpr std::uint32_t kSquaresOfTile = 64;                          // along a side
-constexpr std::size_t kMostRegions = 30'000, kMostVertices = 60'000;  // of a tile, and regions of the whole world
-constexpr int kMostRefBits = 22;  // Detour names a polygon by its tile and its number there, and needs 10 bits itself
+constexpr std::size_t kMostRegions = 30'000, kMostVertices = 60'000;  // for a tile, and regions of the whole world
+// Detour identifies a polygon by its tile and its index there, and needs 10 bits for itself.
+constexpr int kMostRefBits = 22;
 constexpr int kMostPath = 16'384;
 constexpr unsigned short kOnFoot = 1, kOverLink = 2;  // flags of polygons
 
@@ -66,14 +68,16 @@ float cost_of_area(unsigned char area, RouteWish wish) {
     }
 }
 
-// Pieces of one area inside one square, none above itself: what Recast calls regions. Their number.
+// Divides the spans into what Recast calls regions: connected pieces of one area within one square, of which no two
+// spans are above each other. Returns their number.
 std::size_t regions_of(const WalkSpace& space, const std::vector<unsigned char>& areas, std::uint32_t side,
                        std::vector<std::uint32_t>& region) {
     region.assign(space.spans.size(), 0);
     std::size_t made = 0;
     std::vector<std::uint32_t> piece;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> cells;  // of the piece, sorted where it matters
-    std::vector<std::size_t> taken_by(space.first.size(), 0);    // column: the last region that took a span of it
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> cells;  // of the piece, sorted if needed
+    // For each column: the last region that took a span of it.
+    std::vector<std::size_t> taken_by(space.first.size(), 0);
     for (std::uint32_t s = 0; s < space.spans.size(); ++s) {
         if (region[s] != 0) continue;
         ++made;
@@ -145,11 +149,11 @@ std::size_t NavMesh::far_links() const { return parts_->far_links; }
 
 namespace {
 
-// Makes the polygons of one square part of the space at a time, because Recast and Detour count with 16 bits and
-// because joining the outlines of holes takes time with the square of their number.
+// Makes the polygons of one square part of the space at a time. Recast and Detour use 16-bit indices, and joining the
+// outlines of holes takes time that grows with the square of their number.
 class TileMaker {
 public:
-    // `side`: cells along a side of a tile, a multiple of the squares that `region` was made with.
+    // `side`: cells along a side of a tile, a multiple of the squares that were used for `region`.
     TileMaker(const WalkSpace& space, const std::vector<unsigned char>& areas, const std::vector<std::uint32_t>& region,
               std::uint32_t side)
         : space_(space), areas_(areas), region_(region), side_(side) {
@@ -157,7 +161,7 @@ public:
         unit_m_ = static_cast<float>(std::max(kLeastHeight_m, static_cast<double>(highest_) / 60'000.0));
     }
 
-    // Null polygons: the tile is too large to be made. Else they may be none.
+    // `polygons` is null if the tile is too large; otherwise it may be empty.
     struct Made {
         std::unique_ptr<rcPolyMesh, Free> polygons;
         bool failed = false;
@@ -183,8 +187,8 @@ public:
         field.bmax[0] = field.bmin[0] + static_cast<float>(field.width) * field.cs;
         field.bmax[1] = highest_ + static_cast<float>(space_.body.height_m) + 1.0F;
         field.bmax[2] = field.bmin[2] + static_cast<float>(field.height) * field.cs;
-        // Filled here and lent to Recast: its own rasteriser takes triangles, and knows neither bodies nor slopes as
-        // walking has them.
+        // The arrays are filled here and lent to Recast. Its own rasteriser takes triangles, and does not know the
+        // walker's body and slopes as walking does.
         field.cells = cells_.data();
         field.spans = spans_.data();
         field.areas = span_areas_.data();
@@ -206,10 +210,11 @@ public:
     }
 
 private:
-    // Around each tile lie the next cells, so that its outline has corners where those of the tiles there have them.
+    // Each tile includes the adjacent cells, so that its outline has corners in the same places as those of its
+    // neighbours.
     static constexpr int kBorder = 1;
 
-    // The columns of the tile; false: too many regions.
+    // Fills in the columns of the tile. Returns false if there are too many regions.
     bool fill(int wide, int deep) {
         cells_.assign(static_cast<std::size_t>(wide + 2 * kBorder) * static_cast<std::size_t>(deep + 2 * kBorder), {});
         spans_.clear();
@@ -240,7 +245,7 @@ private:
         span.reg = static_cast<unsigned short>(region | (border ? RC_BORDER_REG : 0U));
         span.h = 255;
         span.con = 0;
-        // Recast counts its directions from the west, with its z for our north: west, north, east, south.
+        // Recast orders its directions west, north, east, south; its z is our north.
         constexpr int kDirections[4] = {2, 1, 0, 3};
         constexpr int kEast[4] = {-1, 0, 1, 0}, kNorth[4] = {0, 1, 0, -1};
         for (int d = 0; d < 4; ++d) {
@@ -263,13 +268,13 @@ private:
     std::vector<rcCompactCell> cells_;
     std::vector<rcCompactSpan> spans_;
     std::vector<unsigned char> span_areas_;
-    std::unordered_map<std::uint32_t, std::uint32_t> local_;  // regions of the tile; looked up only
+    std::unordered_map<std::uint32_t, std::uint32_t> local_;  // regions of the tile; never iterated
 };
 
 struct TileOfMesh {
     std::uint32_t x = 0, y = 0;
     std::unique_ptr<rcPolyMesh, Free> polygons;
-    std::vector<std::uint32_t> links;  // that begin here
+    std::vector<std::uint32_t> links;  // the links that begin here
 };
 
 int bits_for(std::size_t count) { return static_cast<int>(std::bit_width(std::bit_ceil(count)) - 1); }
@@ -290,8 +295,8 @@ Result<NavMesh> NavMesh::make(const WalkSpace& space, const std::stop_token& sto
             continue;
         }
         if (plain) break;
-        // So much furniture that the places near it make too many pieces: only edges and liquids stay apart. Routes
-        // still keep off walls, because each place knows its distance from them.
+        // There is so much furniture that the spans near it form too many pieces. So only edges and liquids stay
+        // separate areas. Routes still keep away from walls, because each span knows its distance from them.
         plain = true;
         square = finest;
         std::replace(areas.begin(), areas.end(), static_cast<unsigned char>(kNearWall),
@@ -355,7 +360,7 @@ Result<NavMesh> NavMesh::make(const WalkSpace& space, const std::stop_token& sto
     return NavMesh(std::move(parts));
 }
 
-// Gives Detour the polygons of one tile and the links that begin on it.
+// Gives the polygons of one tile, and the links that begin on it, to Detour.
 bool NavMesh::Parts::add(const TileOfMesh& tile) {
     std::vector<float> link_ends, link_radius;
     std::vector<unsigned short> link_flags;
@@ -393,7 +398,7 @@ bool NavMesh::Parts::add(const TileOfMesh& tile) {
     params.offMeshConUserID = link_ids.data();
     params.offMeshConCount = static_cast<int>(link_ids.size());
     params.walkableHeight = static_cast<float>(space->body.height_m);
-    params.walkableRadius = 2.0F;  // Detour looks ahead fifty times as far when it straightens a way
+    params.walkableRadius = 2.0F;  // Detour looks fifty times this far ahead when it straightens a path
     params.walkableClimb = static_cast<float>(space->body.step_up_m);
     std::copy(made.bmin, made.bmin + 3, params.bmin);
     std::copy(made.bmax, made.bmax + 3, params.bmax);
@@ -442,8 +447,8 @@ std::optional<MeshPath> NavMesh::path(std::uint32_t from, std::uint32_t to, Rout
                      !dtStatusDetail(status, DT_PARTIAL_RESULT) && !dtStatusDetail(status, DT_BUFFER_TOO_SMALL);
     if (!found.complete) p.query->closestPointOnPoly(p.refs[static_cast<std::size_t>(count - 1)], on_b, on_b, nullptr);
 
-    // Straightened from link to link: on the way as a whole, links above each other look like one place from above, and
-    // all but one of them would be lost.
+    // Straighten from link to link. On the whole path, links above each other would look like one place from above, and
+    // all but one would be lost.
     const auto straighten = [&](const float* begin, const float* end, int first_ref, int refs) {
         int corners = 0;
         if (refs > 0 &&

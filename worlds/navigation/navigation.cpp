@@ -12,15 +12,15 @@
 namespace handrail {
 namespace {
 
-constexpr double kGoalReach_m = 3.0;  // a thing stands at most so far from where one can stand beside it
+constexpr double kGoalReach_m = 3.0;  // greatest distance from an object to where people can stand next to it
 constexpr double kStartReach_m = 1.0;
-constexpr double kNarrow_m = 0.25;     // less clearance than this is a narrow place
-constexpr double kStairsTold_m = 0.4;  // a rise of less is no stairs
-constexpr double kOneFlight_m = 1.0;   // stairs with less than that between them are one
+constexpr double kNarrow_m = 0.25;     // a place with less clearance is narrow
+constexpr double kStairsTold_m = 0.4;  // stairs with a smaller rise are not announced
+constexpr double kOneFlight_m = 1.0;   // stairs with a smaller distance between them count as one
 constexpr double kGameCell_m = 0.1, kBuildingCell_m = 0.05;
-constexpr double kThroughLeaf_per_m = 30.0;  // what a metre through a leaf counts for: about 15 metres of way round it
+constexpr double kThroughLeaf_per_m = 30.0;  // cost of a metre through a leaf: worth about 15 metres of detour
 constexpr double kBesideLeaf_per_m = 3.0;
-constexpr double kRoundLeaf_m = 3.0;  // before and behind it a way may change for it
+constexpr double kRoundLeaf_m = 3.0;  // a route may change this far before and behind a leaf
 constexpr double kOutOfLeaf_m = 1.0;
 constexpr double kMostGameDrop_m = 20.0, kMostPlannedDrop_m = 1.0;
 
@@ -51,7 +51,7 @@ Result<std::shared_ptr<Navigation>> Navigation::over(const Scene& scene, WalkSpa
             made->mesh_ = std::make_unique<NavMesh>(std::move(*mesh));
         if (made->mesh_ && made->mesh_->far_links() > 0)
             made->space_.said.push_back(phrase("navigation.far_links", {{"n", made->mesh_->far_links()}}));
-    } catch (const std::bad_alloc&) {  // the rest goes on without it
+    } catch (const std::bad_alloc&) {  // continues without a mesh
     }
     if (stop.stop_requested()) return fail(phrase("navigation.given_up"), scene.source_file);
 
@@ -141,8 +141,8 @@ void Navigation::block(std::span<const Aabb> boxes) {
     }
 }
 
-// Where one is free of what is blocked, for who stands close before it: without going under the leaf of a door.
-// Nothing: nowhere.
+// The nearest span outside what is blocked, for a walker who is close before it. It does not lead under the leaf of a
+// door. kNothing if there is none.
 std::uint32_t Navigation::out_of_blocked(std::uint32_t span) const {
     std::vector<std::uint32_t> open{span};
     std::set<std::uint32_t> seen{span};
@@ -162,7 +162,7 @@ bool Navigation::meets_blocked(const Way& way) const {
     return meets;
 }
 
-// On foot, from cell to cell. Where no way leads there, to the nearest place that one does lead to, which is `to` then.
+// Plans over the cells, on foot. If no route leads to the goal, `to` becomes the nearest reachable place.
 std::optional<Navigation::Way> Navigation::round_blocked(std::uint32_t from, std::uint32_t& to, const Vec3& to_m,
                                                          RouteWish wish) const {
     std::vector<std::uint32_t> cells = over_cells(from, to, wish);
@@ -209,7 +209,8 @@ double Navigation::cost(const Vec3& from_m, const Vec3& to_m, RouteWish wish) co
     return glm::length(to_m - from_m) * sum / static_cast<double>(std::max<std::size_t>(count, 1));
 }
 
-// From cell to cell: where a leg of the mesh's way, which simplifies outlines a little, does not quite hold.
+// Plans from cell to cell. This is used if a leg from the mesh is not walkable, because the mesh simplifies outlines a
+// little.
 std::vector<std::uint32_t> Navigation::over_cells(std::uint32_t from, std::uint32_t to, RouteWish wish) const {
     std::vector<float>& best = search_.best;
     std::vector<std::uint32_t>&came = search_.came, &touched = search_.touched;
@@ -260,7 +261,7 @@ std::vector<std::uint32_t> Navigation::over_cells(std::uint32_t from, std::uint3
     return way;
 }
 
-// The nearest place on foot where no leaf stands; the same where there is none near.
+// The nearest place on foot that is outside every leaf, or the same place if none is near.
 std::uint32_t Navigation::out_of_leaf(std::uint32_t span) const {
     if (!in_leaf(span)) return span;
     const Vec3 from = space_.place_m(span);
@@ -284,7 +285,7 @@ std::uint32_t Navigation::out_of_leaf(std::uint32_t span) const {
     return best;
 }
 
-// From where on, and up to where, leaves stand across.
+// The first and last distance along the points at which leaves are in the way.
 Navigation::Stretch Navigation::in_leaves(std::span<const Vec3> points_m) const {
     Stretch found{std::numeric_limits<double>::infinity(), -1.0};
     double before_m = 0.0;
@@ -306,8 +307,8 @@ Navigation::Stretch Navigation::in_leaves(std::span<const Vec3> points_m) const 
 
 bool Navigation::meets_leaf(std::span<const Vec3> points_m) const { return in_leaves(points_m).to_m >= 0.0; }
 
-// The mesh knows no leaves. Where one stands across, the way from a little before it to a little behind is sought from
-// cell to cell.
+// The mesh does not know leaves. If one is in the way, the part of the route from a little before it to a little behind
+// it is planned from cell to cell.
 void Navigation::go_round_leaves(std::vector<Vec3>& points_m, RouteWish wish) const {
     const Stretch across = in_leaves(points_m);
     if (across.to_m < 0.0) return;
@@ -335,7 +336,7 @@ void Navigation::go_round_leaves(std::vector<Vec3>& points_m, RouteWish wish) co
     points_m = std::move(round);
 }
 
-// Leaves out points between which one can as well walk straight.
+// Leaves out points if the straight line between their neighbours is as good.
 void Navigation::straighten(std::vector<Vec3>& points_m, RouteWish wish) const {
     if (points_m.size() < 3) return;
     std::vector<double> so_far{0.0};
@@ -358,11 +359,11 @@ void Navigation::straighten(std::vector<Vec3>& points_m, RouteWish wish) const {
     points_m = std::move(kept);
 }
 
-// Moves the turning points to where there is more room, as long as the way does not get worse by it: through the middle
-// of doors, round corners at a distance.
+// Moves the turning points to where there is more room, if that does not make the route worse: through the middle of
+// doors, and around corners at a distance.
 void Navigation::make_way(std::vector<Vec3>& points_m, RouteWish wish) const {
     if (wish == RouteWish::Shortest || points_m.size() < 2) return;
-    // A turning point of its own in each narrow place.
+    // Adds a turning point in each narrow place.
     std::vector<Vec3> more{points_m.front()};
     for (std::size_t i = 1; i < points_m.size(); ++i) {
         std::uint32_t narrowest = kNothing;
@@ -403,8 +404,7 @@ void Navigation::make_way(std::vector<Vec3>& points_m, RouteWish wish) const {
     straighten(points_m, wish);
 }
 
-// Doors and stairs on a stretch that is walked, and the points where stairs begin and end, which are added to the
-// route.
+// Adds the doors and stairs on a walked stretch to the route, and the points where stairs begin and end.
 void Navigation::tell_passages(Route& route, const std::vector<Vec3>& leg) const {
     std::uint32_t door = kNothing;
     bool on_stairs = false;
@@ -431,7 +431,7 @@ void Navigation::tell_passages(Route& route, const std::vector<Vec3>& leg) const
         stairs_end_m = route.length_m + glm::length(space_.place_m(at) - route.points_m.back());
     };
     if (route.points_m.empty() || glm::length(leg.front() - route.points_m.back()) > 1e-9)
-        route.points_m.push_back(leg.front());  // a link counts no metres
+        route.points_m.push_back(leg.front());  // a link adds no length
     std::uint32_t last = kNothing;
     for (std::size_t i = 1; i < leg.size(); ++i) {
         const Vec3 from = leg[i - 1], to = leg[i];
@@ -474,7 +474,7 @@ void Navigation::tell_passages(Route& route, const std::vector<Vec3>& leg) const
     if (on_stairs && last != kNothing) end_stairs(last);
 }
 
-// The mesh's way, its corners put on the floor.
+// Takes the path over the mesh and puts its corners on the floor.
 std::optional<Navigation::Way> Navigation::over_mesh(std::uint32_t from, std::uint32_t to, RouteWish wish,
                                                      bool over_links) {
     const std::optional<MeshPath> found = mesh_ ? mesh_->path(from, to, wish, over_links) : std::nullopt;
@@ -487,7 +487,7 @@ std::optional<Navigation::Way> Navigation::over_mesh(std::uint32_t from, std::ui
         if (i == 0) on = from;
         if (i + 1 == found->corners.size()) on = to;
         for (const std::uint32_t number :
-             {i > 0 ? found->corners[i - 1].link : kNothing, corner.link}) {  // one end of a link
+             {i > 0 ? found->corners[i - 1].link : kNothing, corner.link}) {  // the corner is one end of a link
             if (number == kNothing) continue;
             const WalkLink& link = space_.links[number];
             const Vec3 a = space_.place_m(link.from), b = space_.place_m(link.to);
@@ -503,7 +503,7 @@ std::optional<Navigation::Way> Navigation::over_mesh(std::uint32_t from, std::ui
     return way;
 }
 
-// Every leg walkable, round leaves, straight and with room.
+// Makes every leg walkable, leads it around leaves, straightens it and gives it room.
 void Navigation::finish(Way& way, std::uint32_t to, RouteWish wish) const {
     for (std::vector<Vec3>& leg : way.legs_m) {
         if (leg.empty()) leg.push_back(space_.place_m(to));
@@ -534,8 +534,8 @@ double Navigation::cost(const Way& way, RouteWish wish) const {
     return sum;
 }
 
-// Where one comes on foot and over a link too, such as by stairs and by a lift, the one that costs less once both are
-// drawn in full.
+// If the goal can be reached on foot as well as over a link, such as by stairs and by a lift, compares both routes once
+// they are complete and takes the cheaper one.
 std::optional<Navigation::Way> Navigation::best_over_mesh(std::uint32_t from, std::uint32_t to, RouteWish wish) {
     std::optional<Way> foot, linked;
     if (piece_[from] == piece_[to]) foot = over_mesh(from, to, wish, false);
@@ -566,7 +566,7 @@ Route Navigation::plan(const Vec3& from_m, const Vec3& to_m, RouteWish wish) {
 
     if (to != kNothing) to = out_of_leaf(to);
 
-    // Over the mesh; where it has no way, from cell to cell.
+    // Plans over the mesh; if it has no path, from cell to cell.
     std::optional<Way> way = best_over_mesh(from, to, wish);
     if (!way) {
         way.emplace();
@@ -600,7 +600,7 @@ Route Navigation::plan(const Vec3& from_m, const Vec3& to_m, RouteWish wish) {
         }
         tell_passages(route, way->legs_m[i]);
     }
-    // A few steps too few to be told as stairs.
+    // Too few steps to be announced as stairs.
     std::erase_if(route.passages, [&](const RoutePassage& p) {
         return p.kind == PassageKind::Stairs && std::abs(p.rise_m) < kStairsTold_m;
     });

@@ -8,8 +8,8 @@
 namespace handrail {
 namespace {
 
-constexpr double kLeastSquare_m = 0.5, kMostSquares = 2'000.0;  // along a side
-constexpr double kSquareShare = 0.125;                          // of how far out the ground is kept
+constexpr double kLeastSquare_m = 0.5, kMostSquares = 2'000.0;  // along a side of the grid
+constexpr double kSquareShare = 0.125;  // side of a square, as a part of the distance within which ground is kept
 
 }  // namespace
 

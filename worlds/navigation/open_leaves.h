@@ -1,6 +1,6 @@
-// The leaves of doors where they stand open, over a walkable space in which all doors count as open and no leaf is
-// anywhere: which places a body overlaps a leaf at. Pure function; any thread. Costs a look at the places round each
-// leaf, and a byte for each span while any stands open.
+// Finds where walkers would overlap the leaves of open doors, over a walkable space that was made as if all doors were
+// open and had no leaves. Pure function; any thread. Costs a search around each leaf, and a byte for each span while
+// any door is open.
 #pragma once
 
 #include <cstdint>
@@ -13,18 +13,18 @@
 namespace handrail {
 
 struct OpenLeaf {
-    Aabb own_m;    // in its own frame
-    Placement at;  // where it stands, turned about the upright only
+    Aabb own_m;    // in the leaf's own frame
+    Placement at;  // placement of the leaf, rotated about the vertical axis only
 };
 
 enum LeafMark : std::uint8_t {
     kNoLeaf,
-    kBesideLeaf,  // a body has less than kLeafRoom_m beside it
-    kInLeaf,      // a body here would overlap it
+    kBesideLeaf,  // a walker here has less than kLeafRoom_m to the leaf
+    kInLeaf,      // a walker here would overlap the leaf
 };
 inline constexpr double kLeafRoom_m = 0.15;
 
-// Of each span of the space; empty: no leaf is near any.
+// Returns a mark for each span of the space; empty if no leaf is near any span.
 std::vector<std::uint8_t> mark_leaves(const WalkSpace& space, std::span<const OpenLeaf> leaves);
 
 }  // namespace handrail

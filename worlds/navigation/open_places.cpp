@@ -14,12 +14,12 @@
 namespace handrail {
 namespace {
 
-constexpr double kDoorwayClear_m = 0.35;  // clearance of the body's middle: an opening of at most 1.2 m
-constexpr double kDoorwayShare = 0.6;     // and narrower than this share of what lies on both sides
-constexpr double kWideShare = 0.5;        // a wider opening
+constexpr double kDoorwayClear_m = 0.35;  // clearance of the walker's centre in a doorway: an opening of at most 1.2 m
+constexpr double kDoorwayShare = 0.6;     // a doorway is also narrower than this share of the places on both sides
+constexpr double kWideShare = 0.5;        // the same share for a wider opening
 constexpr double kLeastPiece_m2 = 0.3, kLeastWide_m2 = 4.0;
 constexpr double kHuge_m2 = 150.0, kHugeShare = 0.75, kLeastOfHuge_m2 = 10.0;
-constexpr double kLong = 6.0;  // a huge place of so many squares as wide as its widest part is corridors
+constexpr double kLong = 6.0;  // an area longer than this many times its greatest width is split into corridors
 
 bool is_plain(const WallSpan& s) { return !s.door && !s.stairs && !s.liquid; }
 
@@ -45,9 +45,9 @@ private:
     struct Basin {
         double peak_m = 0.0;
         std::size_t cells = 0;
-        std::uint32_t name = kNothing;  // place in Scene::room_names
+        std::uint32_t name = kNothing;  // index in Scene::room_names
     };
-    // The file says nothing of it.
+    // Returns whether the file states no room here.
     bool open(std::uint32_t s) const { return is_plain(walls_.spans[s]) && stated_[s] == kNothing; }
     double area(std::size_t cells) const { return static_cast<double>(cells) * cell_area_m2_; }
     double wide_m(std::uint32_t s) const { return static_cast<double>(walls_.spans[s].clearance_m); }
@@ -75,8 +75,8 @@ private:
         return doorway || wide;
     }
 
-    // The widest first. Above how wide a span is, the wider the less, below which one: whole numbers are sorted in a
-    // third of the time.
+    // The spans, widest first. Each entry has the inverted width in its upper half and the span in its lower half:
+    // whole numbers are sorted in a third of the time.
     std::vector<std::uint64_t> by_width() const {
         std::vector<std::uint64_t> order;
         order.reserve(walls_.spans.size());
@@ -87,9 +87,9 @@ private:
         return order;
     }
 
-    // Names that the file gives to places, each at the widest place around.
+    // The names that the file gives to places, each at the widest place around.
     std::unordered_map<std::uint32_t, std::uint32_t> names_at_peaks() const {
-        std::unordered_map<std::uint32_t, std::uint32_t> names;  // looked up only
+        std::unordered_map<std::uint32_t, std::uint32_t> names;  // never iterated
         for (std::uint32_t k = 0; k < scene_.room_names.size(); ++k) {
             const RoomName& given = scene_.room_names[k];
             std::uint32_t s = walls_.nearest(given.at_m, 1.5, 1.0, 3.0);
@@ -108,13 +108,14 @@ private:
         return names;
     }
 
-    // From the widest places down to the narrowest: what meets in a narrow place stays apart.
+    // Floods from the widest places to the narrowest. Places that meet only in a narrow one stay separate.
     void watershed() {
         const std::vector<std::uint64_t> order = by_width();
         const std::unordered_map<std::uint32_t, std::uint32_t> names = names_at_peaks();
         parent_.resize(walls_.spans.size());
         std::iota(parent_.begin(), parent_.end(), 0U);
-        // Of each root its basin, of each other span that has been met kMet, until the places stand here.
+        // Until the places are known, of_span contains the basin of each root, and kMet for every other span that was
+        // visited.
         constexpr std::uint32_t kMet = kNothing - 1;
         places_.of_span.assign(walls_.spans.size(), kNothing);
         for (std::size_t k = 0; k < order.size(); ++k) {
@@ -122,7 +123,7 @@ private:
             const auto s = static_cast<std::uint32_t>(order[k]);
             const auto given = names.find(s);
             const std::uint32_t name = given == names.end() ? kNothing : given->second;
-            // First to the neighbour with most room, so that a border's cell goes where it belongs.
+            // Sort the neighbours by width, so that a span on a border joins the basin with the most room.
             std::array<std::uint32_t, 4> around = {kNothing, kNothing, kNothing, kNothing};
             std::size_t count = 0;
             for (const std::uint32_t n : walls_.spans[s].next)
@@ -135,7 +136,7 @@ private:
                 basins_.push_back({wide_m(s), 1, name});
                 continue;
             }
-            // Narrower than all before it, it goes to one of them.
+            // The span is narrower than all before it, so it joins one of them.
             place(s) = kMet;
             parent_[s] = around[0];
             basin(around[0]).cells += 1;
@@ -143,7 +144,7 @@ private:
             for (std::size_t i = 1; i < count; ++i) {
                 const std::uint32_t a = root(s), b = root(around[i]);
                 if (a == b || cut(basin(a), basin(b), s)) continue;
-                // The one with more room goes on.
+                // The basin with more room absorbs the other.
                 const std::uint32_t keep = basin(a).peak_m > basin(b).peak_m ? a : b, gone = keep == a ? b : a;
                 parent_[gone] = keep;
                 basin(keep).cells += basin(gone).cells;
@@ -153,7 +154,7 @@ private:
         }
     }
 
-    // Each basin is a place, in the order of its first span.
+    // Makes each basin a place, in the order of its first span.
     void label_basins() {
         std::vector<std::uint32_t> label(basins_.size(), kNothing);
         for (std::uint32_t s = 0; s < walls_.spans.size(); ++s) {
@@ -170,7 +171,7 @@ private:
         std::vector<std::uint32_t>().swap(parent_);
     }
 
-    // What the file states is a room as a whole, whatever stands in it.
+    // A room that the file states is one place, whatever divides it.
     void label_stated() {
         places_.of_stated.assign(scene_.stated ? scene_.stated->rooms.size() : 0, kNothing);
         for (std::uint32_t s = 0; s < stated_.size(); ++s) {
@@ -181,8 +182,8 @@ private:
         }
     }
 
-    // The ground outside, which the reader added, becomes one place: all spans at its height. If most of a place lies
-    // at that height, the rest of the place (ledges and thresholds) is outside, too.
+    // Makes the ground outside, which the reader added, one place: all spans at its height. If most of a place is at
+    // that height, the rest of the place (ledges and thresholds) is outside, too.
     void label_outside() {
         const auto ground = std::find_if(scene_.features.begin(), scene_.features.end(), is_outer_ground);
         if (!scene_.stated || ground == scene_.features.end()) return;
@@ -200,15 +201,15 @@ private:
                 place(s) = places_.outside;
     }
 
-    // A huge place that is nowhere wide is corridors: no wall comes together anywhere in it, but it turns and branches.
-    // Each straight stretch becomes a place of its own.
+    // Splits a huge place that is nowhere wide into corridors. It turns and branches, but nowhere do walls narrow it.
+    // Each straight stretch becomes a separate place.
     void part_long_ones() {
         const std::vector<bool> parts = long_places();
         if (std::none_of(parts.begin(), parts.end(), [](bool p) { return p; }) || stop_.stop_requested()) return;
         std::vector<std::uint32_t> stretch = stretches_of(parts);
         join_crumbs(stretch);
         std::map<std::uint32_t, std::uint32_t> label;
-        std::vector<bool> kept(parts.size(), false);  // the first stretch of a place keeps its label
+        std::vector<bool> kept(parts.size(), false);  // true once a stretch has kept the label of its place
         for (std::uint32_t s = 0; s < stretch.size(); ++s) {
             if (stretch[s] == kNothing) continue;
             const auto [found, is_new] = label.try_emplace(stretch[s], place(s));
@@ -234,8 +235,8 @@ private:
         return parts;
     }
 
-    // The number of the straight stretch that each span of these places belongs to. Two rows run through a span, one
-    // east and one north; the longer row decides. A row never leaves its place.
+    // Returns the number of the straight stretch for each span of these places. Two rows run through a span, one east
+    // and one north; the longer row decides. A row never leaves its place.
     std::vector<std::uint32_t> stretches_of(const std::vector<bool>& parts) {
         const std::vector<std::uint32_t> east = runs(0, 2), north = runs(1, 3);
         const auto along = [&](std::uint32_t s) { return east[s] >= north[s]; };
@@ -260,7 +261,7 @@ private:
 
     using Borders = std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t>;
 
-    // Recesses and crumbs of slanting walls go to the longest border.
+    // Joins recesses, and fragments along slanting walls, to the stretch with the longest common border.
     void join_crumbs(std::vector<std::uint32_t>& stretch) {
         std::vector<std::size_t> size;
         for (int round = 0; round < 8 && !stop_.stop_requested(); ++round) {
@@ -278,7 +279,7 @@ private:
         }
     }
 
-    // How many cells each stretch has, and of which so many lie beside another of the same place.
+    // Counts the cells of each stretch, and how many of them border on another stretch of the same place.
     Borders measure(const std::vector<std::uint32_t>& stretch, std::vector<std::size_t>& size) {
         Borders borders;
         std::fill(size.begin(), size.end(), 0);
@@ -293,7 +294,8 @@ private:
         return borders;
     }
 
-    // The larger stretch that this one has the longest border with; of two alike the first. Itself: there is none.
+    // The larger stretch with the longest common border, the first one if several are equal. Returns `part` itself if
+    // there is none.
     static std::uint32_t longest_border(std::uint32_t part, const Borders& borders,
                                         const std::vector<std::size_t>& size) {
         std::size_t longest = 0;
@@ -308,7 +310,7 @@ private:
         return best;
     }
 
-    // Of each cell of a place, how many of it lie in one row with it, that way and back.
+    // For each cell of a place: how many of its cells are in one row with it, in direction `way` and back.
     std::vector<std::uint32_t> runs(std::size_t way, std::size_t back) {
         const auto on = [&](std::uint32_t s, std::size_t to) {
             const std::uint32_t n = walls_.spans[s].next[to];
@@ -330,7 +332,7 @@ private:
     const std::stop_token& stop_;
     OpenPlaces places_;
     std::vector<std::uint32_t> stated_;  // the stated room of each span
-    std::vector<std::uint32_t> parent_;  // of each span, up to the root of its basin
+    std::vector<std::uint32_t> parent_;  // for each span, the next one towards the root of its basin
     std::vector<Basin> basins_;
 };
 

@@ -1,5 +1,5 @@
-// The places that a floor without furniture falls into: what walls keep apart, what the file states as rooms, the
-// ground outside, and the straight stretches of corridors. Pure functions; any thread.
+// Divides a floor without furniture into places: by walls, by the rooms that the file states, the ground outside, and
+// the straight stretches of corridors. Pure functions; any thread.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,15 @@
 namespace handrail {
 
 struct OpenPlaces {
-    std::vector<std::uint32_t> of_span;    // the place of each span; kNothing: of a door, of stairs, in a liquid
-    std::vector<std::string> names;        // of each place, as the file has it; may be empty
-    std::vector<std::uint32_t> of_stated;  // the place of each of StatedBuilding::rooms; kNothing: none
-    std::uint32_t outside = kNothing;      // the place that is the ground which a reader added
+    // The place of each span; kNothing: the span belongs to a door, to stairs or to a liquid.
+    std::vector<std::uint32_t> of_span;
+    std::vector<std::string> names;        // of each place, as the file states it; may be empty
+    std::vector<std::uint32_t> of_stated;  // the place of each entry of StatedBuilding::rooms; kNothing: none
+    std::uint32_t outside = kNothing;      // the place that is the ground added by a reader
 };
 
-// walls: the floor without furniture. cell_area_m2: of one of its cells. radius_m: of the body. Goes with the number of
-// spans times its logarithm. What is left is of no use once a stop was requested.
+// `walls` is the floor without furniture, `cell_area_m2` the area of one of its cells, and `radius_m` the walker's
+// radius. The time is proportional to n log n for n spans. After a stop request the result is not usable.
 OpenPlaces open_places(const Scene& scene, const SpanGrid<WallSpan>& walls, double cell_area_m2, double radius_m,
                        const std::stop_token& stop);
 

@@ -1,5 +1,5 @@
-// Which rooms of a world nobody comes to on foot from its base: walled in, or beyond what the map's doors, lifts and
-// teleporters join. A look over the finished graph; pure function; any thread.
+// Finds the rooms of a world that nobody can reach on foot from its base: walled in, or beyond everything that doors,
+// lifts and teleporters connect. Works on the finished graph; pure functions; any thread.
 #pragma once
 
 #include <string>
@@ -10,32 +10,34 @@
 
 namespace handrail {
 
-// Where one begins; null: the scene has no base.
+// The start at the base; null if the scene has no base.
 const Start* base_of(const Scene& scene);
 
-// Of each span those to which a drop, a lift or a teleporter leads from it.
+// For each span, the spans to which a drop, a lift or a teleporter leads from it.
 std::vector<std::vector<std::uint32_t>> spans_led_to(const WalkSpace& space);
-// The spans one comes to from this one on foot and by such links; itself among them.
+// The spans that can be reached from this one on foot and over such links, including itself.
 std::vector<bool> spans_reached(const WalkSpace& space, std::uint32_t first);
 
-// Where a route to a room leads: to the room's middle, or, if nobody comes there from that place, to the nearest place
-// of the room that one does come to. The middle if there is none.
+// The end of a route to a room: its middle or, if that cannot be reached from `from_m`, the nearest place of the room
+// that can. The middle if there is none.
 Vec3 goal_in_room(const Navigation& navigation, const RoomGraph& graph, std::uint32_t room, const Vec3& from_m);
 
 struct RoomOutOfReach {
-    std::string name;               // as it is told
-    std::uint32_t room = kNothing;  // of the graph; kNothing: the map names a place where nobody can stand
+    std::string name;  // as it is announced
+    // Index in the graph. kNothing: the map names a place where nobody can stand.
+    std::uint32_t room = kNothing;
     Vec3 at_m{0.0};
 };
-// Each of them, in the order of the graph, then of the map's names; see unreachable_rooms for which count.
+// All rooms out of reach, first in the order of the graph, then of the map's names. See unreachable_rooms for which
+// rooms count.
 std::vector<RoomOutOfReach> rooms_out_of_reach(const Scene& scene, const WalkSpace& space, const RoomGraph& graph);
 
-// Their names as they are told, each once, in the order of the graph; locked doors count as ways. Liquids do not count,
-// niches and what is smaller than a square metre only where the map names them; a name of the map in whose place nobody
-// can stand counts too. Nothing where nobody can stand at the base.
+// The names of the rooms out of reach as they are announced, each once, in the order of the graph. Locked doors count
+// as passable. Liquids do not count. Niches, and rooms smaller than a square metre, count only if the map names them.
+// Names of the map count too if nobody can stand in their place. Empty if nobody can stand at the base.
 std::vector<std::string> unreachable_rooms(const Scene& scene, const WalkSpace& space, const RoomGraph& graph);
 
-// "Vault cannot be reached on foot."; empty where there is none. The first few by name.
+// "Vault cannot be reached on foot." Lists the first few by name; empty if there is none.
 std::string unreachable_words(const std::vector<std::string>& names);
 
 }  // namespace handrail

@@ -21,8 +21,8 @@ double area_m2(const std::vector<Vec2>& loop) {
 std::vector<RoomOutline> room_outlines(const RoomGraph& graph, const WalkSpace& space) {
     std::vector<RoomOutline> outlines(graph.rooms.size());
     std::vector<bool> met(graph.rooms.size(), false);
-    // The span beside, where one walks there and back and stays in the room; ways as WalkSpan::next: east, north, west,
-    // south.
+    // The adjoining span, if people can walk there and back and stay in the room; else kNothing. Directions are as in
+    // WalkSpan::next: east, north, west, south.
     const auto beside = [&](std::uint32_t span, std::size_t way) {
         const std::uint32_t n = space.spans[span].next[way];
         return n != kNothing && space.spans[n].next[(way + 2) % 4] == span &&
@@ -41,7 +41,7 @@ std::vector<RoomOutline> room_outlines(const RoomGraph& graph, const WalkSpace& 
         met[room] = true;
         for (std::size_t first = 0; first < 4; ++first) {
             if (done[4 * start + first] || beside(start, first) != kNothing) continue;
-            // Along the border with the room on the left hand; `side` is the side of the span that is border.
+            // Walk along the border with the room on the left; `side` is the side of the span that is border.
             std::vector<Vec2> loop;
             std::uint32_t span = start;
             std::size_t side = first;
@@ -54,9 +54,9 @@ std::vector<RoomOutline> room_outlines(const RoomGraph& graph, const WalkSpace& 
                     span = to;
                     continue;
                 }
-                // A corner: from place to place round it, to the next side that is border. Where the floor is stepped
-                // that may be the other side of the very step one came along. No side is come to from two, and so the
-                // way ends where it began.
+                // A corner: go around it from span to span to the next side that is border. On a stepped floor that may
+                // be the other side of the same step. No side can be reached from two others, so the loop ends where it
+                // began.
                 if (to == kNothing) to = span, to_side = ahead;
                 else
                     for (std::uint32_t on = beside(to, to_side); on != kNothing; on = beside(to, to_side))
@@ -73,7 +73,7 @@ std::vector<RoomOutline> room_outlines(const RoomGraph& graph, const WalkSpace& 
                 span = to;
                 side = to_side;
             } while (span != start || side != first);
-            // Clockwise: what stands in the room.
+            // Clockwise loops, around objects in the room, have a negative area and are left out.
             if (area_m2(loop) >= kLeastLoop_m2) outline.loops_m.push_back(std::move(loop));
         }
     }

@@ -1,4 +1,4 @@
-// Which of the rooms that a file states the places of a walkable space lie in. Pure functions; any thread.
+// Assigns the places of a walkable space to the rooms that a file states. Pure functions; any thread.
 #pragma once
 
 #include <vector>
@@ -8,12 +8,13 @@
 
 namespace handrail {
 
-// Of each span the place in StatedBuilding::rooms, by its outline and height; kNothing: in none. Of two rooms that
-// overlap the first. Goes with the cells under the rooms' outlines.
+// For each span, the index in StatedBuilding::rooms of the room that contains it, by outline and height; kNothing if
+// none does. Of two overlapping rooms the first counts. The time is proportional to the cells under the rooms'
+// outlines.
 template <class Span>
 std::vector<std::uint32_t> stated_rooms_of(const StatedBuilding& stated, const SpanGrid<Span>& grid);
 
-// The first that holds the place; null: none does, or the file states no rooms.
+// The first room that contains the place; null if none does, or the file states no rooms.
 const StatedRoom* stated_room_at(const Scene& scene, const Vec3& at_m);
 
 }  // namespace handrail

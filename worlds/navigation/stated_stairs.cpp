@@ -13,18 +13,19 @@
 namespace handrail {
 namespace {
 
-constexpr double kLevel = 0.7;         // of the normal of what one treads on
-constexpr double kFirstTread_m = 0.6;  // above the floor at most
-constexpr double kLastTread_m = 0.6;   // below the floor at most, and a tenth above it
+constexpr double kLevel = 0.7;         // least vertical part of a tread's normal
+constexpr double kFirstTread_m = 0.6;  // greatest height of the first tread above the lower floor
+// Greatest depth of the last tread below the upper floor; a tenth above it is also allowed.
+constexpr double kLastTread_m = 0.6;
 constexpr double kNearEnd_m = 1.5, kSameFloor_m = 0.4;
 constexpr double kLeastRise_m = 0.5;
 
-// What one treads on, of the parts of one feature.
+// A surface to tread on, from the parts of one feature.
 struct Tread {
     Vec3 middle_m{0.0};
     double area_m2 = 0.0;
 };
-using Treads = std::map<std::uint32_t, std::vector<Tread>>;  // of each feature
+using Treads = std::map<std::uint32_t, std::vector<Tread>>;  // by feature
 
 void add(std::vector<Tread>& treads, const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 normal = glm::cross(b - a, c - a);
@@ -54,7 +55,7 @@ Treads treads_of(const Scene& scene, const StatedBuilding& stated) {
     return treads;
 }
 
-// The middle of those between two heights; nothing: there is none.
+// The area-weighted middle of the treads between two heights; nothing if there are none.
 std::optional<Vec3> middle_of(const std::vector<Tread>& treads, double low_m, double high_m) {
     Vec3 sum{0.0};
     double area_m2 = 0.0;
@@ -69,10 +70,10 @@ std::optional<Vec3> middle_of(const std::vector<Tread>& treads, double low_m, do
 
 struct Stairs {
     Vec3 foot_m{0.0}, head_m{0.0};
-    Aabb around;  // where somebody who walks on them is; empty: nothing was built of them
+    Aabb around;  // where people walk on them; empty: nothing of them was built
 };
 
-// Where one would step on them and off: by their treads, else by the rooms that they join.
+// Finds where a walker steps on and off the stairs: by their treads, else by the rooms that they join.
 std::optional<Stairs> stairs_of(const Scene& scene, const StatedBuilding& stated, const StatedPortal& portal,
                                 const Treads& all) {
     const StatedRoom *low = nullptr, *high = nullptr;
@@ -93,7 +94,7 @@ std::optional<Stairs> stairs_of(const Scene& scene, const StatedBuilding& stated
     }
     const Aabb& box = feature->bounds_m;
     const double low_m = joins ? low->floor_m : box.min_m.z, high_m = joins ? high->floor_m : box.max_m.z;
-    // A part of a flight, such as one step, is no stairs by itself.
+    // A part of a flight, such as a single step, does not count as stairs.
     if (high_m - low_m < kLeastRise_m || box.min_m.z > low_m + kFirstTread_m || box.max_m.z < high_m - kLastTread_m)
         return std::nullopt;
     const std::vector<Tread>& treads = all.at(portal.feature.value);
@@ -108,7 +109,7 @@ std::optional<Stairs> stairs_of(const Scene& scene, const StatedBuilding& stated
     return stairs;
 }
 
-// On foot, without leaving the box.
+// Returns whether one span leads to the other on foot, without leaving the box.
 bool leads(const WalkSpace& space, std::uint32_t from, std::uint32_t to, const Aabb& within, std::vector<bool>& seen) {
     std::vector<std::uint32_t> open{from};
     seen[from] = true;

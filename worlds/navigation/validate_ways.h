@@ -1,6 +1,6 @@
-// Whether a walk space and the rooms cut from it hold together: what ways and room names rely on without looking. For
-// tests and the preset debug, after each finding of rooms; any thread. Looks at every span once. The messages are for
-// developers.
+// Checks the consistency of a walk space and of the rooms made from it, which route planning and room names rely on
+// without checking. For tests and the preset debug, after each search for rooms; any thread. Looks at every span once.
+// The messages are for developers.
 #pragma once
 
 #include "worlds/base/result.h"
@@ -9,10 +9,10 @@
 
 namespace handrail {
 
-// Columns in order, floors below ceilings and rising, neighbours that stand in the next column, links between spans
-// that are there.
+// Checks that columns are in order, floors rise and are below ceilings, neighbours are in the next column, and links
+// join existing spans.
 Result<void> validate(const WalkSpace& space);
-// A room for every number, portals that join two of them, sizes that can be.
+// Checks that every room number exists, portals join two rooms, and sizes are possible.
 Result<void> validate(const RoomGraph& graph, const WalkSpace& space);
 
 }  // namespace handrail

@@ -1,5 +1,6 @@
-// Floor that nothing leads to: a room without a door, or with one that nobody gets through. It is a room all the same,
-// and told as out of reach, if something shuts it in on all sides, so tops of walls, roofs and ledges are none.
+// Finds floor that nothing leads to: a room without a door, or with a door that nobody gets through. It counts as a
+// room, announced as out of reach, if something encloses it on all sides. So tops of walls, roofs and ledges do not
+// count.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -9,9 +10,9 @@
 namespace handrail {
 namespace {
 
-constexpr double kLeast_m2 = 2.0;    // of floor to stand on; less is a shaft
-constexpr std::int64_t kEvery = 10;  // cells between places that are looked at
-constexpr double kInFloor_m = 0.01;  // what begins lower stands on the floor
+constexpr double kLeast_m2 = 2.0;    // least floor area to stand on; anything smaller is a shaft
+constexpr std::int64_t kEvery = 10;  // cells between tested places
+constexpr double kInFloor_m = 0.01;  // obstacles that begin lower than this are on the floor
 
 std::uint64_t key_of(std::uint32_t tile, std::uint32_t place) { return (std::uint64_t{tile} << 32) | place; }
 
@@ -53,7 +54,7 @@ Flood::End Flood::reach_closed_rooms() {
     return End::Done;
 }
 
-// Where the start lies under the open sky the world may have no ceilings at all.
+// If the start is under the open sky, the world may have no ceilings at all.
 bool Flood::under_the_sky_at_the_start() {
     if (scene_.starts.empty()) return false;
     const Cell cell = tiles_.cell_at(scene_.starts.front().feet_m);
@@ -64,9 +65,9 @@ bool Flood::under_the_sky_at_the_start() {
            range.from + 1 == range.to;
 }
 
-// Everything one comes to from there, without furniture. False where that is little, lies partly under another sky than
-// its first place, can be reached or has an edge that one falls from. Then it ends at once, and so does whatever comes
-// to what it has seen.
+// Visits everything that can be reached from there, without furniture. Returns false if that is little, if it is partly
+// open to the sky and partly not, if it was reached already, or if it has an edge to fall from. Then the search ends at
+// once, and so does any later search that comes to a place seen here.
 bool Flood::is_closed_room(const Found& from, SeenPlaces& seen) {
     const auto trial = static_cast<std::uint32_t>(seen.size());
     const bool sky = tiles_[from.tile].places[from.place].ceiling >= kSky;

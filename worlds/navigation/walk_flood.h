@@ -1,5 +1,5 @@
-// Floods what can be reached on foot, tile by tile and breadth first, with furniture and without it at once, and writes
-// it as spans. For walk_space only.
+// Floods everything that can be reached on foot, tile by tile and breadth first, both with furniture and without it,
+// and writes the result as spans. Used by walk_space only.
 #pragma once
 
 #include <array>
@@ -15,23 +15,24 @@ namespace handrail {
 
 class Flood {
 public:
-    // More in coarse columns, so that a large station keeps columns that its doors are wide enough for.
+    // Coarse columns may have more spans, so that a large station need not use columns too coarse for its doors.
     static std::size_t most_spans(double cell_m) { return cell_m > 0.15 ? 4'000'000 : 2'000'000; }
     static constexpr double kMostCells = 40e6;              // of the dense grid
     static constexpr std::size_t kMostBytes = 400'000'000;  // of tiles
 
-    // `partly`: where there is too much floor, the flood ends with what it has reached by then.
-    // `trial`: see make_trial_space; null: everything is made. What is given outlives this object.
+    // `partly`: if there is too much floor, the flood ends with what it has reached by then.
+    // `trial`: see make_trial_space; null: everything is made.
+    // All arguments must outlive this object.
     Flood(const Scene& scene, const WalkBody& body, const Obstacles& obstacles, const NearGround& ground, bool partly,
           const std::stop_token& stop, const WalkTrial* trial = nullptr);
 
-    // TooLarge: too much floor, or too many cells between its ends. Only if it does not go `partly`.
+    // TooLarge: too much floor, or too large a grid. Only returned if `partly` is false.
     enum class End : std::uint8_t { Done, TooLarge, Stopped };
     End run();
-    // After run(). False: stopped.
+    // Call after run(). Returns false if stopped.
     bool write(WalkSpace& space);
     bool write(SpanGrid<WallSpan>& walls);
-    // True if there is more floor than was reached.
+    // Returns true if there is more floor than was reached.
     bool is_part() const { return part_; }
     bool ground_left_out() const { return tiles_.ground_left_out(); }
     std::size_t reached() const { return layers_[kFurnished].reached; }
@@ -56,17 +57,17 @@ private:
         Cell low, high;
     };
 
-    // False: the flood does not go there, because there is too much floor already.
+    // Returns false if the flood does not go there, because there is too much floor already.
     bool visit(Layer layer, std::uint32_t tile, std::uint32_t place, Cell cell);
     End spread_all();
     End spread(std::uint32_t tile);
-    // Of walk_closed.cpp: rooms that nothing leads to, which are told as out of reach.
+    // Finds rooms that nothing leads to, which are announced as out of reach; in walk_closed.cpp.
     End reach_closed_rooms();
-    // Of places that were looked at, in which look; looked up, never walked through: no order of its own.
+    // For each visited place, the number of the search that visited it. Never iterated, because its order is arbitrary.
     using SeenPlaces = std::unordered_map<std::uint64_t, std::uint32_t>;
     bool is_closed_room(const Found& from, SeenPlaces& seen);
     bool under_the_sky_at_the_start();
-    // Where one steps to from a place, each way.
+    // The places to which a walker steps from a place, in each direction.
     struct Steps {
         std::array<std::uint32_t, 4> tile{}, place{};
     };

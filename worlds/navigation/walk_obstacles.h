@@ -1,5 +1,5 @@
-// Every solid of a scene grown by a body, as planes that upright columns are cut from: where the soles of the body
-// cannot be. For walk_space only.
+// Every solid of a scene, grown by the walker's body, as planes that vertical columns are cut from: where the soles
+// cannot be. Used by walk_space only.
 #pragma once
 
 #include <cstdint>
@@ -15,12 +15,12 @@ inline constexpr double kWalkRounding_m = 1e-6;
 
 struct WalkObstacle {
     std::uint32_t first_plane = 0, plane_count = 0;
-    Aabb box_m;  // grown
+    Aabb box_m;  // grown by the walker's body
     FeatureId feature = kNoFeature;
-    bool furniture = false;  // a thing lower than a wall
+    bool furniture = false;  // an object lower than a wall
     bool stairs = false;     // see StairRule
 };
-// The top of something that comes and goes.
+// The top of a moving platform that comes and goes.
 struct PassingFloor {
     WalkObstacle shape;
     std::uint32_t mover = 0;
@@ -28,16 +28,16 @@ struct PassingFloor {
 
 class Obstacles {
 public:
-    // Of what touches `within`, grown by the body; null: of everything.
+    // Includes everything that touches `within`, grown by the walker's body; null: everything.
     Obstacles(const Scene& scene, const WalkBody& body, const Aabb* within = nullptr);
 
-    // The heights over one place that an obstacle takes from the soles; false where it takes none. `steep`: its top
-    // there cannot be stood on.
+    // The heights above one place that an obstacle denies to the soles. Returns false if it denies none. `steep`:
+    // nobody can stand on its top there.
     bool column(const WalkObstacle& o, double x, double y, double& low, double& high, bool& steep) const;
 
     std::vector<WalkObstacle> all;
     std::vector<PassingFloor> passing;
-    std::vector<std::pair<Aabb, std::uint32_t>> doors;  // upright leaves and their movers
+    std::vector<std::pair<Aabb, std::uint32_t>> doors;  // vertical leaves and their movers
     std::vector<const Solid*> liquids;
 
 private:
@@ -52,7 +52,7 @@ private:
     WalkBody body_;
     const Aabb* within_;
     StairRule stairs_;
-    std::vector<Plane> planes_;  // pushed out by the body
+    std::vector<Plane> planes_;  // pushed outwards by the walker's body
 };
 
 std::vector<Aabb> boxes_of(const std::vector<WalkObstacle>& all);

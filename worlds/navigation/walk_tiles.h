@@ -1,5 +1,5 @@
-// The places where one could stand, found tile by tile as they are asked for: columns of what stands over each cell,
-// with furniture and without it, and the steps from a place to those beside it. For the flood only.
+// The places where people could stand, found tile by tile on request: columns of the obstacles over each cell, with
+// furniture and without it, and the steps from a place to its neighbours. For the flood only.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@ namespace handrail {
 
 class WalkTiles {
 public:
-    static constexpr int kTile = 32;                         // cells along a side of what is looked at together
-    static constexpr std::size_t kIntervalBytes = 32 << 20;  // of columns kept to be looked at again
+    static constexpr int kTile = 32;                         // cells along a side of a tile
+    static constexpr std::size_t kIntervalBytes = 32 << 20;  // memory for columns that are kept for later
     enum Layer : std::uint8_t { kFurnished, kWalls };
     static constexpr std::uint8_t kReached[2] = {1, 2}, kNearEdge = 4;
     static constexpr std::uint8_t kSame = 255;
@@ -28,48 +28,50 @@ public:
     }
 
     using Interval = ColumnInterval;
-    struct Place {  // a span in the making
+    struct Place {  // becomes a span
         double floor = 0.0, ceiling = 0.0;
         std::uint32_t ground = kNothing, beside = kNothing;
     };
     struct Spot {
         std::uint32_t place = 0;
-        std::uint16_t cell = 0;  // of the tile
+        std::uint16_t cell = 0;  // in the tile
         Layer layer = kFurnished;
     };
-    struct Columns {  // what stands over each cell of a tile
+    struct Columns {  // obstacles over each cell of a tile
         std::array<std::uint32_t, kTile * kTile + 1> first{};
         std::vector<Interval> intervals;
     };
     struct Tile {
         std::int64_t x = 0, y = 0;
-        std::array<std::uint32_t, 4> beside = {kNothing, kNothing, kNothing, kNothing};  // tiles, once asked for
-        std::vector<std::uint32_t> first;  // of each cell its first place; empty: there is none in the tile
-        std::vector<std::uint8_t> split;   // of each cell how many of its places are those with furniture; kSame:
-                                           // furniture changes nothing. Empty: nowhere
+        // Neighbouring tiles, once requested.
+        std::array<std::uint32_t, 4> beside = {kNothing, kNothing, kNothing, kNothing};
+        std::vector<std::uint32_t> first;  // for each cell its first place; empty: the tile has none
+        // For each cell, how many of its places are those with furniture. kSame: furniture changes nothing. Empty: it
+        // changes nothing in the whole tile.
+        std::vector<std::uint8_t> split;
         std::vector<Place> places;
-        std::vector<std::uint8_t> marks;  // of each place
-        std::vector<std::uint8_t> steps;  // of each reached one, the bits step_bit() of the ways one can step from it
+        std::vector<std::uint8_t> marks;  // for each place
+        std::vector<std::uint8_t> steps;  // for each reached place: a step_bit() for each direction with a step
         std::vector<Spot> open;
-        std::unique_ptr<Columns> columns;  // while they are kept
+        std::unique_ptr<Columns> columns;  // null while they are not kept
         bool waits = false;
     };
-    struct Cell {  // anywhere in the world
+    struct Cell {  // position in the grid of the whole world
         std::int64_t x = 0, y = 0;
     };
     struct Range {
         std::uint32_t from = 0, to = 0;
     };
 
-    // What is given by reference outlives this object.
+    // The arguments must outlive this object.
     WalkTiles(const Scene& scene, const WalkBody& body, const Obstacles& obstacles, const NearGround& ground);
 
-    // A tile stays where it is.
+    // The reference stays valid: tiles do not move.
     Tile& operator[](std::uint32_t tile) { return *tiles_[tile]; }
     const Tile& operator[](std::uint32_t tile) const { return *tiles_[tile]; }
     std::uint32_t count() const { return static_cast<std::uint32_t>(tiles_.size()); }
     std::size_t bytes() const { return tile_bytes_; }
-    // True if ground was left out of a tile.
+    // Returns true if ground was left out of a tile.
     bool ground_left_out() const { return ground_left_out_; }
 
     static Cell neighbour(Cell c, int d) { return {c.x + (d == 0) - (d == 2), c.y + (d == 1) - (d == 3)}; }
@@ -87,33 +89,35 @@ public:
     Vec2 middle(Cell c) const;
     Cell cell_at(const Vec3& p) const;
 
-    // Both make the tile where it is not known yet.
+    // Both make the tile if it does not exist yet.
     std::uint32_t tile_of(Cell c);
     std::uint32_t beside(std::uint32_t tile, std::size_t cell, int d);
-    // Made anew where they were not kept.
+    // Makes the columns again if they were not kept.
     const Columns& columns_of(std::uint32_t tile);
 
-    // The place in that column one comes to by a step, kNothing for none.
+    // The place in that column to which a step leads; kNothing if there is none.
     std::uint32_t step(const Place& here, const Tile& tile, std::size_t cell, Layer layer) const;
-    // The same after the flood, from a place that it reached.
+    // The same after the flood, for a place that it reached.
     std::uint32_t known_step(const Tile& from, std::uint32_t place, std::size_t d, const Tile& to, std::size_t cell,
                              Layer layer) const {
         if (!(from.steps[place] & step_bit(layer, d))) return kNothing;
         const Range range = column(to, cell, layer);
         return range.to - range.from == 1 ? range.from : step(from.places[place], to, cell, layer);
     }
-    // True where the step from `place` in the column of `cell` to `there` of another tile leads back as well.
+    // Returns whether the step from `place` in the column of `cell` to `there` in another tile also leads back.
     bool leads_back(const Tile& tile, std::size_t cell, std::uint32_t place, const Place& there, Layer layer) const {
         const Range range = column(tile, cell, layer);
-        return range.to - range.from == 1 || step(there, tile, cell, layer) == place;  // a step is as high both ways
+        // A step is equally high in both directions.
+        return range.to - range.from == 1 || step(there, tile, cell, layer) == place;
     }
     std::uint32_t drop(const Place& here, const Tile& tile, std::size_t cell, Layer layer) const;
-    // The mover that carries this ground, -1: none. And whether it is no thing that stands in the building.
+    // `passing_mover`: the mover that carries this ground; -1: none. `is_building`: the ground is not an object in the
+    // building.
     int passing_mover(std::uint32_t ground) const;
     bool is_building(std::uint32_t ground) const;
     bool is_stairs(std::uint32_t ground) const;
 
-    // After the flood: what was not reached goes, and so do all columns.
+    // Call after the flood: frees places that were not reached, and all columns.
     void drop_unreached();
 
 private:
@@ -128,8 +132,7 @@ private:
     const NearGround& ground_;
     BoxIndex index_, passing_index_;
     Vec3 anchor_{0.0};
-    std::unordered_map<std::uint64_t, std::uint32_t>
-        tile_number_;  // looked up, never walked through: no order of its own
+    std::unordered_map<std::uint64_t, std::uint32_t> tile_number_;  // never iterated, because its order is arbitrary
     std::vector<std::unique_ptr<Tile>> tiles_;
     std::deque<std::uint32_t> kept_;  // tiles with columns, the oldest first
     std::size_t kept_bytes_ = 0, tile_bytes_ = 0;

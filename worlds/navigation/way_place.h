@@ -1,5 +1,5 @@
-// The nearest place of a way made of straight legs: how far off it somebody is, and how far along. Pure function; any
-// thread; linear over the legs.
+// The nearest place on a route made of straight legs: how far away it is, and how far along the route. Pure functions;
+// any thread; time linear in the legs.
 #pragma once
 
 #include <cstddef>
@@ -11,28 +11,31 @@
 namespace handrail {
 
 struct WayPlace {
-    Vec3 place_m{0.0};        // on the way
-    double distance_m = 0.0;  // from it
-    double along_m = 0.0;     // from the way's first point to it
-    std::size_t leg = 0;      // from points_m[leg] to the next
+    Vec3 place_m{0.0};        // on the route
+    double distance_m = 0.0;  // from the place to the given position
+    double along_m = 0.0;     // from the first point of the route to the place
+    std::size_t leg = 0;      // the place is between points_m[leg] and the next point
 };
 
-// Of several places as near, the first along the way. Legs without length are fine; one point is a way. Expects at
-// least one point.
+// If several places are equally near, returns the first along the route. Legs may have no length; a single point is a
+// route. Expects at least one point.
 WayPlace nearest_on_way(std::span<const Vec3> points_m, const Vec3& from_m);
 
-// The same for somebody who was so far along it a moment ago: a way may pass near itself, so what is far along from
-// there counts as farther off. height_counts: the part of a metre that a metre up or down counts; half of one for who
-// walks, since over the steps of a stair the way is a straight line. `sees`: asked of the places in that order until
-// one holds, since beyond a wall a way may be near too; where none does that is hardly farther off than the nearest one
-// is where one was. Empty: all do.
+// The same for a walker who was at `along_m` a moment ago. A route may pass near itself, so places far along from there
+// count as farther away.
+// `height_counts`: how much a metre up or down counts. For walkers it is one half, because a route over stairs is a
+// straight line.
+// `sees`: called for the places in order of distance until it returns true, because a route may also be near on the
+// other side of a wall. If no place is seen that is hardly farther than the nearest one, returns the former place.
+// Empty: all are seen.
 inline constexpr double kFartherForEachMetreAlong_m = 0.05;
-inline constexpr double kRoundCorner_m = 1.5;  // farther off, the nearest place hides behind something thin
+// If the visible place is farther away than this, the nearest one is behind something thin.
+inline constexpr double kRoundCorner_m = 1.5;
 inline constexpr double kHeightCountsForWalkers = 0.5;
 WayPlace near_on_way(std::span<const Vec3> points_m, const Vec3& from_m, double along_m,
                      double height_counts = kHeightCountsForWalkers, const std::function<bool(const Vec3&)>& sees = {});
 
-// The place so far along a way; its ends before and beyond them.
+// The place at that distance along the route, or the nearer end if the distance is outside it.
 Vec3 place_along(std::span<const Vec3> points_m, double along_m);
 
 }  // namespace handrail

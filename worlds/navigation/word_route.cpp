@@ -13,31 +13,32 @@ namespace handrail {
 namespace {
 
 constexpr std::uint32_t kPiece = 4;  // cells along a side of a piece
-constexpr int kBodies = 13;          // that walk each candidate: one without errors, twelve with
+constexpr int kBodies = 13;          // walkers that try each candidate: one without errors, twelve with errors
 constexpr double kFarthestLeg_m = 30.0;
-constexpr double kMostApart_m = 1.8;      // from the body without errors; more is no place any longer
-constexpr double kMostElsewhere_m = 4.0;  // by which one may be farther from the goal than that body
-constexpr double kLeg_m = 2.0;            // what a leg costs, in metres of way
-constexpr double kStraightOn_m = 0.5;     // and one that goes on as one faces
-constexpr double kCrooked_m = 1.4;        // a turn that is no quarter: two steps
-constexpr double kBump_m = 0.4;           // a wall walked against
-constexpr double kSlide_per_m = 0.3;      // along walls and past furniture nearer than a shoulder
+constexpr double kMostApart_m = 1.8;      // from the walker without errors; beyond it they no longer share a place
+constexpr double kMostElsewhere_m = 4.0;  // how much farther from the goal a walker may be than the one without errors
+constexpr double kLeg_m = 2.0;            // cost of a leg, in metres of route
+constexpr double kStraightOn_m = 0.5;     // cost of a leg that continues in the same direction
+constexpr double kCrooked_m = 1.4;        // extra cost of a turn that is not a multiple of a quarter: two instructions
+constexpr double kBump_m = 0.4;           // cost of walking against a wall
+constexpr double kSlide_per_m = 0.3;      // cost along walls and past furniture nearer than a shoulder
 constexpr double kShoulder_m = 0.2;
-constexpr double kDoorAskew_m = 3.0;  // a doorway gone through at a slant
+constexpr double kDoorAskew_m = 3.0;  // cost of going through a doorway at a slant
 constexpr double kHeadOn = 0.98;      // cosine of half a notch
-constexpr double kApart_per_m = 0.6;  // of not knowing where one is
-constexpr double kGreed = 1.4;        // what is left counts for more than what is behind: fewer are looked at
-constexpr double kWider = 1.1;        // errors of the bodies that are searched with
+constexpr double kApart_per_m = 0.6;  // cost of uncertainty about the position
+constexpr double kGreed = 1.4;        // weight of the remaining distance: above 1, so that fewer nodes are expanded
+constexpr double kWider = 1.1;        // factor for the errors of the walkers used in the search
 constexpr double kSamePlace_m = 0.35;
-constexpr int kRefusals = 2;                              // of routes that lose one more body
-constexpr double kStopWithin = 2.0, kStopWithin_m = 4.0;  // times as far as told, and more: then there is no wall
+constexpr int kRefusals = 2;  // refused beginnings until one more lost walker is accepted
+// A stop must come within this multiple of the stated distance plus these metres; otherwise there is no wall.
+constexpr double kStopWithin = 2.0, kStopWithin_m = 4.0;
 constexpr double kBehind_m = 0.3;
-constexpr int kToCommit = 3, kLongEnough = 25;  // nodes beyond a milestone, or looked at since the first
-constexpr int kMostAtPlace = 4;                 // nodes; more would hardly be better
+constexpr int kToCommit = 3, kLongEnough = 25;  // nodes beyond a milestone, or expanded since the first of them
+constexpr int kMostAtPlace = 4;                 // nodes; more would hardly improve the result
 constexpr int kMostExpanded = 1200, kMostTried = 25;
-constexpr int kGoodEnough = 98;        // of kWordTrials
-constexpr double kShort_m = 0.1;       // what more counts for, as not knowing where one is
-constexpr double kMostEndShort = 0.5;  // of a step, that may be left when a counted leg is stopped
+constexpr int kGoodEnough = 98;        // of kWordTrials walkers
+constexpr double kShort_m = 0.1;       // cost, as uncertainty, if a counted leg is stopped much too early
+constexpr double kMostEndShort = 0.5;  // part of a step that may remain when a counted leg is stopped
 constexpr std::uint64_t kTrialSeed = 20261123;
 
 std::uint64_t mixed(std::uint64_t x) {  // splitmix64, Steele, Lea, Flood 2014
@@ -46,20 +47,20 @@ std::uint64_t mixed(std::uint64_t x) {  // splitmix64, Steele, Lea, Flood 2014
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
     return x ^ (x >> 31);
 }
-// -1 to 1.
+// A random number from -1 to 1.
 double drawn(std::uint64_t& state) {
     state = mixed(state);
     return static_cast<double>(state >> 11) * 0x1.0p-52 - 1.0;
 }
 
-// One that may follow the words.
+// A walker who may follow the directions.
 struct Sample {
     BlindBody body;
     double off_rad = 0.0;
 };
 
-// How much longer this one's steps are and how far off its turn is, as parts of the most: some are always at the same
-// end, the others change.
+// How much too long a walker's steps are and how far off the turn is, as parts of the greatest errors. Some walkers
+// always have the same errors; those of the others change with each leg.
 struct Wrong {
     double step = 0.0, turn = 0.0;
 };
@@ -134,7 +135,7 @@ WordPlanner::WordPlanner(const BlindGround& ground, double step_m) : ground_(gro
     for (std::size_t i = 1; i < first_beside_.size(); ++i) first_beside_[i] += first_beside_[i - 1];
 }
 
-// A leaf is thin across the way.
+// Returns whether the notch faces the door squarely. A leaf is thin across the way.
 bool WordPlanner::head_on(std::uint32_t door, int notch) const {
     const WordDoor::Leaf& leaf = ground_.doors()[door].leaves.front();
     const Vec3 size = leaf.own_m.size_m();
@@ -143,8 +144,8 @@ bool WordPlanner::head_on(std::uint32_t door, int notch) const {
     return std::abs(glm::dot(forward_of_heading(notch_heading_rad(notch)), across)) > kHeadOn;
 }
 
-// How far it is from each piece to the goal, on foot; infinite where there is no way, and where that is farther than
-// from the piece of `until` by a good deal.
+// The walking distance from each piece to the goal. Infinite if there is no way, or if it is much longer than from the
+// piece of `until`.
 std::vector<float> WordPlanner::flood(const WordGoal& goal, std::uint32_t until) const {
     constexpr float kFar = std::numeric_limits<float>::infinity(), kBeyond_m = 8.0F;
     std::vector<float> far(first_beside_.size() - 1, kFar);
@@ -178,7 +179,7 @@ struct WordPlanner::Trial {
     WordErrors errors;
 };
 
-// What is left once each door and flight on the shortest way is behind one, the first first.
+// The distance that remains after each door and flight on the shortest way, in walking order.
 std::vector<float> WordPlanner::milestones(const std::vector<float>& far_m, std::uint32_t from) const {
     std::vector<float> left_m;
     bool in_narrow = false;
@@ -200,10 +201,10 @@ struct WordPlanner::Search {
     struct Node {
         std::uint32_t before = kNothing;
         WordLeg leg;
-        int notch = 0, legs = 0, behind = 0;  // milestones
+        int notch = 0, legs = 0, behind = 0;  // `behind` counts milestones
         double cost_m = 0.0;
         DoorsOpen open;
-        std::uint64_t doors = 0;  // which stand open, in a number
+        std::uint64_t doors = 0;  // hash of the doors that are open
         std::array<Sample, kBodies> samples;
     };
     struct Candidate {
@@ -214,7 +215,7 @@ struct WordPlanner::Search {
         std::uint16_t steps = 0;
         float cost_m = 0.0F;
         std::uint64_t place = 0;
-        bool operator<(const Candidate& other) const {  // the queue's top is the largest
+        bool operator<(const Candidate& other) const {  // the top of the queue is the largest
             return estimate_m != other.estimate_m ? estimate_m > other.estimate_m : number > other.number;
         }
     };
@@ -228,9 +229,9 @@ struct WordPlanner::Search {
     WordErrors errors;
     std::vector<Node> nodes;
     std::priority_queue<Candidate> open;
-    // Both looked up, never walked through.
+    // Neither is ever iterated.
     std::unordered_map<std::uint64_t, double> seen;
-    std::unordered_map<std::uint64_t, int> here;  // how many nodes there are at a place
+    std::unordered_map<std::uint64_t, int> here;  // number of nodes at each place
 
     double left_m(std::uint32_t span) const { return static_cast<double>(far_m[planner.piece_of_span_[span]]); }
 
@@ -259,7 +260,7 @@ struct WordPlanner::Search {
         nodes.push_back(std::move(node));
     }
 
-    // What may be done next, by the body without errors.
+    // Adds the possible next legs, as walked by the walker without errors.
     void offer(std::uint32_t number) {
         const Node& node = nodes[number];
         for (int notch = 0; notch < kNotches; ++notch) {
@@ -312,7 +313,7 @@ struct WordPlanner::Search {
         }
     }
 
-    // Walked by all. None: one of them would not survive it.
+    // Lets all walkers walk the leg. Returns nothing if one of them would get lost.
     std::optional<Node> walk(const Candidate& c) const {
         const Node& from = nodes[c.node];
         Node to;
@@ -371,7 +372,7 @@ struct WordPlanner::Search {
         return to;
     }
 
-    // The node behind these legs, walked from the first node by all. None: one of them does not survive them.
+    // Lets all walkers walk these legs from the first node. Returns the last node, or nothing if one of them gets lost.
     std::optional<std::uint32_t> begin_with(std::span<const WordLeg> legs) {
         std::uint32_t last = 0;
         for (const WordLeg& leg : legs) {
@@ -388,8 +389,8 @@ struct WordPlanner::Search {
         return last;
     }
 
-    // Of the nodes from `first` on, the one that has most milestones behind it, of these the one that promises the
-    // shortest route.
+    // The node from `first` on with the most milestones behind it; of several, the one that promises the shortest
+    // route.
     const Node& farthest(std::uint32_t first) const {
         const auto estimate_m = [&](const Node& node) {
             return node.cost_m + kGreed * left_m(node.samples[0].body.span);
@@ -434,7 +435,7 @@ std::optional<WordRoute> WordPlanner::plan(const Vec3& from_m, double heading_ra
     const std::vector<float> milestones_m = milestones(far, stands.span);
     const Trial trial{stands, nearest_notch(heading_rad), doors, errors};
     std::optional<WordRoute> best;
-    // Where no route holds for all errors, one that holds for smaller ones; at last any.
+    // If no route works for all errors, try smaller errors, and finally none.
     for (const double part : {1.0, 0.7, 0.4, 0.0}) {
         Search search{
             *this,
@@ -478,7 +479,7 @@ std::optional<WordRoute> WordPlanner::plan(const Vec3& from_m, double heading_ra
             }
             ++expanded;
             if (node->behind > behind) {
-                // What goes wrong this early is not made good by what follows.
+                // An error this early cannot be corrected by later legs.
                 const double left_m = static_cast<double>(milestones_m[static_cast<std::size_t>(node->behind - 1)]) +
                                       kSamePlace_m + kBehind_m;
                 const int passed = try_out(search.route_to(*node).legs, trial, kWordTrials, kTrialSeed,
@@ -558,7 +559,7 @@ WordGoal goal_in_room(const WalkSpace& space, std::span<const std::uint32_t> roo
             if (all[s] && !holds(*outline, space.place_m(s))) within[s] = 0;
         if (std::any_of(within.begin(), within.end(), [](std::uint8_t in) { return in != 0; })) all = std::move(within);
     }
-    // A hand's breadth inside: who stands on the border is told of one room or the other.
+    // A hand's breadth inside: on the border it would be unclear which room is announced.
     const int rings = std::max(1, static_cast<int>(std::lround(0.15 / space.cell_m)));
     WordGoal inside = all;
     for (int ring = 0; ring < rings; ++ring) {
@@ -577,7 +578,7 @@ WordGoal goal_round(const WalkSpace& space, const Vec3& place_m, double within_m
     const std::uint32_t middle = space.nearest(place_m, 3.0, 1.5, 4.0);
     if (middle == kNothing) return goal;
     const Vec3 centre = space.place_m(middle);
-    // On foot from there, so that no other side of a wall counts.
+    // Spread on foot from there, so that the other side of a wall does not count.
     std::vector<std::uint32_t> open{middle};
     goal[middle] = 1;
     for (std::size_t i = 0; i < open.size(); ++i)

@@ -1,12 +1,13 @@
-// Routes planned for words: a few straight legs in directions of the turning notch, ended where possible by what stops
-// a body (a wall, a shut door, the end of a flight) and else by counted steps, so that somebody who follows them with
-// steps a tenth longer or shorter, turns a few degrees off and a start that is not quite known still gets there.
-// Candidates come from a search over straight walks; each is walked by a handful of bodies with errors at once, and
-// what one of them would not survive is no route. Deterministic. Any thread; immutable after it is made. World metres.
-// A plan costs milliseconds where the way is plain, a few hundred in a house, and up to some seconds where errors are
-// hard to bear: to be asked for beside everything else, and stopped. Source of the search: A*, Hart, Nilsson, Raphael,
-// A formal basis for the heuristic determination of minimum cost paths, 1968; of carrying samples of where one may be:
-// conformant planning, as in Smith, Weld, 1998.
+// Plans routes as spoken directions. A route has a few straight legs in directions of the turning notch. If possible, a
+// leg ends at something that stops the walker: a wall, a shut door or the end of a flight. Otherwise it ends after
+// counted steps. So people still arrive if their steps are a tenth longer or shorter, their turns are a few degrees
+// off, and their start is not known exactly.
+// Candidates come from a search over straight walks. A handful of walkers with errors try each candidate at once. A leg
+// on which one of them gets lost is dropped. Deterministic. Any thread; immutable once made. World metres.
+// A plan costs milliseconds in simple cases, a few hundred in a house, and up to some seconds where errors are hard to
+// tolerate. So request it on a background thread and be ready to stop it.
+// Sources: for the search, A*: Hart, Nilsson, Raphael, A formal basis for the heuristic determination of minimum cost
+// paths, 1968. For carrying samples of possible positions: conformant planning, as in Smith, Weld, 1998.
 #pragma once
 
 #include <cstdint>
@@ -24,59 +25,59 @@ namespace handrail {
 // The turning notch: a sixteenth of a circle.
 inline constexpr int kNotches = 16;
 constexpr double notch_heading_rad(int notch) { return notch * (2.0 * kPi / kNotches); }
-// The nearest one, 0 to 15, clockwise from north.
+// The nearest notch, 0 to 15, clockwise from north.
 int nearest_notch(double heading_rad);
 
-// One instruction: what to do first, then how far, then to what.
+// One instruction: how to turn, then how far to walk, then what ends the leg.
 struct WordLeg {
     int turn_notches = 0;  // clockwise, -7 to 8
-    int steps = 1;         // counted where `end` is Steps, else about how many
+    int steps = 1;         // counted if `end` is Steps, otherwise approximate
     PaceEnd end = PaceEnd::Steps;
-    std::uint32_t door = kNothing;  // of BlindGround::doors(): at its end this door is in reach, shut, and is opened
-    double rise_m = 0.0;            // of a flight
-    Vec3 to_m{0.0};                 // where it ends when all goes as told
+    // Index in BlindGround::doors(): at the end of the leg this door is within reach, shut, and has to be opened.
+    std::uint32_t door = kNothing;
+    double rise_m = 0.0;  // height of a flight
+    Vec3 to_m{0.0};       // where the leg ends if nothing goes wrong
 };
 
 struct WordRoute {
     std::vector<WordLeg> legs;
     double length_m = 0.0;
-    // Of kWordTrials bodies with errors, how many came there when it was tried.
+    // How many of kWordTrials walkers with errors arrived when the route was tried.
     int came = 0;
-    // False: these are its first legs only, and where they end the rest is still to be planned. `came` is 0 then.
+    // False: these are only the first legs, and the rest still has to be planned from their end. `came` is 0 then.
     bool whole = true;
 };
 inline constexpr int kWordTrials = 100;
 
-// How wrong somebody may be who follows words.
+// The greatest errors of a person who follows spoken directions.
 struct WordErrors {
-    double step_part = 0.1;    // of a step's length
+    double step_part = 0.1;    // as a part of a step's length
     double turn_rad = 0.0873;  // at each turn: 5 degrees
     double start_m = 0.3;
 };
 
-// A route in two parts, so that its first legs are known long before the rest.
+// Plans a route in two parts, so that its first legs are known long before the rest.
 struct WordParts {
-    // The first legs of the route, which were planned before from the same place. Planning goes on from their end.
+    // The first legs of the route, planned before from the same place. Planning continues from their end.
     std::span<const WordLeg> begun = {};
-    // Once this many places were looked at, the legs to beyond a door or flight are enough. 0: the whole route is
-    // planned.
+    // After this many expanded nodes, legs that lead beyond a door or flight are enough. 0: the whole route is planned.
     int places = 0;
 };
 
-// Where a route may end: of each span of the space whether it is there.
+// Where a route may end: for each span of the space, whether it is part of the goal.
 using WordGoal = std::vector<std::uint8_t>;
 
 class WordPlanner {
 public:
-    // `ground` outlives it. A look at each span.
+    // `ground` must outlive this object. Costs a look at each span.
     explicit WordPlanner(const BlindGround& ground, double step_m = 0.7);
 
-    // From a place and a heading, rounded to the notch, to the nearest place of the goal. None: there is no way on foot
-    // over floor and stairs, it was stopped, or no route was found on which a body comes there even without errors.
+    // Plans from a place and a heading, which is rounded to the notch, to the nearest place of the goal. Returns
+    // nothing if no way leads there over floor and stairs, if it was stopped, or if no route works even without errors.
     std::optional<WordRoute> plan(const Vec3& from_m, double heading_rad, const WordGoal& goal, const DoorsOpen& open,
                                   const WordErrors& errors = {}, const std::stop_token& stop = {},
                                   const WordParts& parts = {}) const;
-    // How many of so many bodies with errors, drawn from `seed`, come to the goal by the route.
+    // How many of the given number of walkers, with errors drawn from `seed`, reach the goal by the route.
     int try_out(const WordRoute& route, const Vec3& from_m, double heading_rad, const WordGoal& goal,
                 const DoorsOpen& open, const WordErrors& errors, int bodies, std::uint64_t seed) const;
 
@@ -91,17 +92,18 @@ private:
 
     const BlindGround& ground_;
     double step_m_;
-    // Pieces of floor four cells wide, and how far their middles are apart: what distances are flooded over.
+    // Pieces of floor four cells wide, and the distances between their middles. Walking distances are flooded over
+    // them.
     std::vector<std::uint32_t> piece_of_span_, span_of_piece_;
     std::vector<std::uint32_t> first_beside_, beside_;
     std::vector<float> beside_m_;
 };
 
-// The spans of a room that lie a little inside it, and within its outline where the file states one; or all of a room
-// that has no such.
+// The spans a little inside a room, and within its outline if the file states one. If there are none, all spans of the
+// room.
 WordGoal goal_in_room(const WalkSpace& space, std::span<const std::uint32_t> room_of_span, std::uint32_t room,
                       const StatedRoom* outline = nullptr);
-// The spans within so far of a place, on its floor.
+// The spans within that distance of a place, on the same floor.
 WordGoal goal_round(const WalkSpace& space, const Vec3& place_m, double within_m);
 
 }  // namespace handrail
