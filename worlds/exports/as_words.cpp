@@ -15,7 +15,7 @@ namespace handrail {
 namespace {
 
 constexpr double kFinest_m = 1e-4;
-constexpr double kLevel_m = 0.02;  // floors that are that near are level
+constexpr double kLevel_m = 0.02;  // floors with a smaller difference in height are level
 
 bool on_grid(double value) { return std::abs(value / kFinest_m - std::round(value / kFinest_m)) < 1e-3; }
 
@@ -38,7 +38,7 @@ Box box_of(const std::vector<Ring>& rings) {
     return box;
 }
 
-// By the even-odd rule: an odd number of the others lie around it.
+// By the even-odd rule: returns true if an odd number of the other rings surround it.
 bool is_hole(const std::vector<Ring>& rings, std::size_t which) {
     const Vec2 on = 0.5 * (rings[which][0] + rings[which][1]);
     int around = 0;
@@ -121,7 +121,7 @@ private:
         return (german ? kGerman : kEnglish)[static_cast<std::size_t>(side)];
     }
 
-    // "north of Hall, flush with its west end": against one that is written before, where that is exact.
+    // Places a room against one that is written already, if that is exact: "north of Hall, flush with its west end".
     std::string beside(std::size_t r, const std::vector<std::size_t>& before) const {
         const Box& own = boxes_[r];
         const auto exact = [](const Box& box) {
@@ -265,7 +265,7 @@ private:
         text_ += ".\n";
     }
 
-    // Which side of the outline a pane is on: the nearest that it runs along.
+    // The side of the outline that a window pane is on: the nearest side that it runs along.
     struct Side {
         std::size_t ring = 0, corner = 0;
         Vec2 at{0.0};
@@ -295,7 +295,7 @@ private:
         const Side found = side_of_pane(room, window.box_m);
         text_ += words("Window", "Fenster");
         if (box.plain) {
-            // Sides of a rectangle are told by their wall, measured from the west or south.
+            // In a rectangle, the side is named by its wall and measured from the west or south.
             const bool level = std::abs(found.at.y - box.most.y) < 1e-6 || std::abs(found.at.y - box.least.y) < 1e-6;
             const int wall = level ? (std::abs(found.at.y - box.most.y) < 1e-6 ? 0 : 4)
                                    : (std::abs(found.at.x - box.most.x) < 1e-6 ? 2 : 6);

@@ -1,5 +1,5 @@
-// A world as a text that describes its rooms in words, English or German, which the reader of such texts takes again:
-// the same rooms and doors. Pure functions; any thread.
+// Writes a world as a text that describes its rooms in words, English or German. The reader of such texts makes the
+// same rooms and doors from it. Pure functions; any thread.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace handrail {
 
-// What is to be written: rooms as a file states them, or as they were found. World metres.
+// The contents of the text: rooms as a file states them, or as they were found. World metres.
 struct WordsHouse {
     struct Storey {
         std::string name;
@@ -22,69 +22,69 @@ struct WordsHouse {
     struct Room {
         Kind kind = Kind::Room;
         std::string name, floor_material;
-        std::size_t storey = 0, to_storey = 0;  // of stairs and lifts the highest
-        double height_m = 0.0;                  // 0: as the storey is
-        double raised_m = 0.0;                  // its floor, over that of its storey
+        std::size_t storey = 0, to_storey = 0;  // `to_storey`: the highest storey of stairs and lifts
+        double height_m = 0.0;                  // 0: the height of the storey
+        double raised_m = 0.0;                  // height of its floor above that of the storey
         std::vector<std::vector<Vec2>> rings;
     };
     struct Door {
         bool opening = false, sliding = false, by_itself = false;
         std::string name;
-        std::vector<std::size_t> rooms;  // one: it leads outside
+        std::vector<std::size_t> rooms;  // a single room: the door leads outside
         Vec2 at_m{0.0};
         double width_m = 0.9;
-        double drop_m = 0.0;  // of an opening: so far down from the first room to the second
+        double drop_m = 0.0;  // of an opening: how far the second room is below the first
     };
-    // A platform without a shaft.
+    // A lift platform without a shaft.
     struct Lift {
         std::string name;
-        std::size_t from = 0, to = 0;  // rooms, the lower first
+        std::size_t from = 0, to = 0;  // indices of rooms, the lower first
         Vec2 at_m{0.0}, size_m{1.4};
     };
     // Stairs without a room of their own.
     struct Flight {
         std::string name;
-        std::size_t from = 0, to = 0;  // rooms, the lower first
+        std::size_t from = 0, to = 0;  // indices of rooms, the lower first
         Vec2 at_m{0.0}, size_m{1.0};
-        int side = 0;       // of the compass, 0, 2, 4 or 6: where they climb to
-        bool back = false;  // with a landing there, from which they come back
+        int side = 0;       // climbing direction, an eighth of the compass: 0, 2, 4 or 6
+        bool back = false;  // turns back at a landing
     };
-    // A window, or what stands in a room.
+    // A window, or an object in a room.
     struct Thing {
-        std::string name;  // of a window that has none of its own: empty
+        std::string name;  // empty for a window without a name
         std::size_t room = 0;
         Aabb box_m;
-        std::string material;  // of the scene; may be none that words know
+        std::string material;  // material of the scene; may be one that the text has no word for
         bool landmark = false, clue = false;
         bool window = false;
-        bool fixture = false;  // part of the building, no furniture
+        bool fixture = false;  // part of the building, not furniture
     };
     std::string name;
-    double wall_m = 0.0;        // 0: not known
-    std::string wall_material;  // most of its walls are made of it; may be empty
+    double wall_m = 0.0;        // 0: unknown
+    std::string wall_material;  // material of most walls; may be empty
     std::vector<Storey> storeys;
     std::vector<Room> rooms;
     std::vector<Door> doors;
     std::vector<Lift> lifts;
     std::vector<Flight> flights;
     std::vector<Thing> things;
-    std::vector<std::string> lost;  // sentences on what words cannot say, in the language written
+    std::vector<std::string> lost;  // sentences about what the text cannot express, in its language
 };
 
-// Of a world that states its rooms.
+// For a world whose file states its rooms.
 WordsHouse stated_house(const Scene& scene, WordLanguage language);
-// Of any other: outlines by the floor that is free to walk on, as far as the middle of walls. `space` still has its
-// walls. Time goes with its spans.
+// For any other world. The outlines come from the walkable floor, extended to the middle of the walls. `space` must
+// still have its walls. The time is proportional to its spans.
 WordsHouse found_house(const Scene& scene, const RoomGraph& graph, const WalkSpace& space, WordLanguage language);
 
-// Which way stairs go, by their treads; nothing for what has none.
+// The climbing direction of stairs, judged by their treads; nothing if they have none.
 std::optional<WordsHouse::Flight> flight_of(const Scene& scene, FeatureId stairs);
 
-// What the surfaces that one stands on are made of, by place.
+// The materials of walkable surfaces, by place.
 class FloorMaterials {
 public:
     explicit FloorMaterials(const Scene& scene);
-    // As words know it; empty: not known. Looks at the surfaces of that height.
+    // The name used in the text; empty if unknown. Looks at the surfaces at that height.
     std::string at(const Vec3& place) const;
 
 private:
@@ -93,15 +93,15 @@ private:
         std::vector<std::vector<Vec2>> rings;
         std::string material;
     };
-    std::vector<Piece> pieces_;  // by height
+    std::vector<Piece> pieces_;  // sorted by height
 };
-// What most of the walls are made of, by area; empty: not known.
+// The material of most of the wall area; empty if unknown.
 std::string wall_material(const Scene& scene);
 
-// Puts windows and things into the rooms; the two above have done so.
+// Puts windows and objects into the rooms. `stated_house` and `found_house` call this already.
 void furnish(WordsHouse& house, const Scene& scene, WordLanguage language);
 
-// The text. The base is taken from the scene.
+// Returns the text. The base is taken from the scene.
 std::string text_of(const WordsHouse& house, const Scene& scene, WordLanguage language);
 
 }  // namespace handrail

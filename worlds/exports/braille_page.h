@@ -9,16 +9,16 @@
 
 namespace handrail {
 
-// Lays a line of cells with its upper left dot's middle at a place.
+// Lays a line of cells, with the centre of its upper left dot at `first_dot_mm`.
 void lay_braille(SheetPage& page, const BrailleCells& cells, const Vec2& first_dot_mm, int part);
-// What so many cells cover, dots and all.
+// The size of a line of cells, including the dots.
 Vec2 braille_size_mm(std::size_t cells);
 
-// A line of a key: a sign as it stands on the plan, letter by letter, and what it means. Without one: a text alone.
+// A line of a key: a sign as it is on the plan, letter by letter, and its meaning. Without a sign it is plain text.
 struct KeyLine {
     std::string sign, text;
 };
-// They as pages of braille, each beginning a line.
+// Lays the lines out as pages of braille; each begins a new line.
 Result<std::vector<SheetPage>> braille_pages(const std::vector<KeyLine>& lines, BrailleTable table, double width_mm,
                                              double height_mm, const std::string& title);
 

@@ -1,5 +1,5 @@
-// Outlines of rooms that were found by the floor: of each storey a raster of which room lies where, grown to the middle
-// of the walls, and its borders.
+// Outlines of rooms that were found from the floor. For each storey, a raster of its rooms is grown to the middle of
+// the walls, and the borders become outlines.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kHalfWall_m = 0.1, kDoorway_m = 0.65, kStoreyApart_m = 2.2, kNearSpan_m = 0.3, kLeastPiece_m2 = 0.3;
 
-// Of each span without furniture its room: what the walkable space knows, and what lies beside it under furniture.
+// The room of each span without furniture: as in the walkable space, and for floor under furniture the adjoining room.
 std::vector<std::uint32_t> rooms_of_walls(const RoomGraph& graph, const WalkSpace& space) {
     const SpanGrid<WallSpan>& walls = *space.walls;
     std::vector<std::uint32_t> room(walls.spans.size(), kNothing);
@@ -55,7 +55,7 @@ public:
 
     std::uint32_t& at(std::uint32_t cell) { return room_[cell]; }
 
-    // What is narrower than that is nobody's: the floor in doorways. Rooms that are all narrow stay.
+    // Clears areas narrower than `cells`, such as the floor in doorways. Rooms that are mostly narrow stay.
     void open(std::uint32_t cells, std::size_t rooms) {
         const auto depth = static_cast<std::uint32_t>(room_.size() / width_);
         std::vector<std::uint32_t> along(room_.size(), 0), up(room_.size(), 0), kept(room_.size(), kNothing);
@@ -80,7 +80,7 @@ public:
         room_ = std::move(kept);
     }
 
-    // Into what is nobody's, that many cells far, from all rooms at once; corners stay corners.
+    // Grows all rooms at once into unassigned cells, by that many cells. Corners stay corners.
     void grow(int cells) {
         std::vector<std::uint32_t> edge;
         for (std::uint32_t c = 0; c < room_.size(); ++c)
@@ -94,7 +94,7 @@ public:
         }
     }
 
-    // A room that all but fills its rectangle, with hardly anything of others in it, is that rectangle.
+    // Makes a room a rectangle if it nearly fills its bounding box and there is hardly anything of other rooms in it.
     void square(std::size_t rooms) {
         struct Extent {
             std::uint32_t west = kNothing, east = 0, south = kNothing, north = 0;
@@ -113,7 +113,7 @@ public:
             const Extent& e = extents[r];
             if (e.cells == 0) continue;
             const std::size_t all = std::size_t{e.east - e.west + 1} * (e.north - e.south + 1);
-            std::map<std::uint32_t, std::size_t> lost;  // of others
+            std::map<std::uint32_t, std::size_t> lost;  // cells of each other room
             std::size_t others = 0;
             for (std::uint32_t y = e.south; y <= e.north; ++y)
                 for (std::uint32_t x = e.west; x <= e.east; ++x)
@@ -128,7 +128,7 @@ public:
         }
     }
 
-    // The outlines of the largest piece of a room: its outer one first, then holes that other rooms fill. In cells.
+    // The outlines of the largest piece of a room, in cells: the outer one first, then the holes that other rooms fill.
     std::vector<Ring> outline(std::uint32_t r, double cell_m) const {
         std::vector<std::uint32_t> piece_of(room_.size(), kNothing);
         std::vector<std::size_t> sizes;
@@ -150,7 +150,7 @@ public:
         if (sizes.empty()) return {};
         const auto largest = static_cast<std::uint32_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
         if (static_cast<double>(sizes[largest]) * cell_m * cell_m < kLeastPiece_m2) return {};
-        // Edges with the room to their left, by the corner they begin at.
+        // Edges with the room to their left, by the corner where they begin.
         std::map<std::pair<int, int>, std::vector<std::pair<int, int>>> edges;
         const auto own = [&](int x, int y) {
             if (x < 0 || y < 0 || x >= static_cast<int>(width_)) return false;
@@ -173,7 +173,7 @@ public:
             do {
                 auto found = edges.find(now);
                 if (found == edges.end()) break;
-                // Where two meet at a corner, to the left: so that a ring does not cross itself.
+                // If two edges begin at a corner, take the left one, so that no ring crosses itself.
                 std::size_t take = 0;
                 for (std::size_t i = 0; i < found->second.size(); ++i) {
                     const std::pair<int, int> next{found->second[i].first - now.first,
@@ -190,7 +190,7 @@ public:
             } while (now != first);
             if (ring.size() > 3) rings.push_back(std::move(ring));
         }
-        // The first corner may lie on a straight side.
+        // The first corner may be on a straight side.
         for (Ring& ring : rings) {
             const Vec2 before = ring.back(), &here = ring[0], after = ring[1];
             if ((before.x == here.x && here.x == after.x) || (before.y == here.y && here.y == after.y))
@@ -240,8 +240,8 @@ struct DropFound {
     Vec3 place_m{0.0};
 };
 
-// Where one steps down: the lower rooms lie so far below their storey, and the edges are said. Between rooms that an
-// opening on one level joins too, floors cannot be told apart so: there the drop is lost.
+// Describes drops. The lower rooms are set below their storey, and the edge becomes an opening with a drop. If a level
+// opening also joins the two rooms, their floors cannot differ, so the drop is lost.
 void lay_drops(WordsHouse& house, const RoomGraph& graph, const std::vector<DropFound>& drops, bool german) {
     constexpr double kLeastDrop_m = 0.3;
     const auto level = [&](std::uint32_t room) {
@@ -270,8 +270,7 @@ void lay_drops(WordsHouse& house, const RoomGraph& graph, const std::vector<Drop
     }
 }
 
-// Writes the house in the order in which its parts need each other: storeys, rooms, their outlines, and what joins
-// them.
+// Builds the house in the order of dependency: storeys, rooms, their outlines, and what joins them.
 class FoundHouse {
 public:
     FoundHouse(const Scene& scene, const RoomGraph& graph, const WalkSpace& space, bool german)
@@ -292,7 +291,8 @@ public:
     }
 
 private:
-    // By the floors of rooms, stairs left out: the floor that most rooms have between two that are a storey apart.
+    // Finds storeys from the floors of rooms other than stairs. Floors closer than a storey are grouped, and the most
+    // frequent floor of each group counts.
     void add_storeys() {
         std::vector<double> floors;
         for (const Room& room : graph_.rooms)
@@ -347,7 +347,7 @@ private:
         }
     }
 
-    // Of the rooms whose lowest storey it is.
+    // Outlines the rooms whose lowest storey is `storey`.
     void outline_rooms(std::size_t storey) {
         const SpanGrid<WallSpan>& walls = *space_.walls;
         const auto cells = static_cast<int>(std::lround((space_.body.radius_m + kHalfWall_m) / walls.cell_m));
@@ -375,7 +375,7 @@ private:
         }
     }
 
-    // Too small for an outline: a square metre round its middle.
+    // Gives rooms that are too small for an outline a square metre around their middle.
     void outline_small_rooms() {
         for (std::size_t r = 0; r < graph_.rooms.size(); ++r) {
             if (!house_.rooms[r].rings.empty()) continue;

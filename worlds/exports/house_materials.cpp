@@ -1,4 +1,4 @@
-// What floors and walls of a building are made of, as it is written in words.
+// Materials of floors and walls, for a building that is written in words.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -40,7 +40,7 @@ std::string FloorMaterials::at(const Vec3& place) const {
 }
 
 std::string wall_material(const Scene& scene) {
-    std::map<std::string, double> areas;  // also of walls of no material
+    std::map<std::string, double> areas;  // includes walls without a material
     for (const SurfacePolygon& surface : scene.surfaces) {
         const Feature* feature = scene.find(surface.feature);
         if (!feature || feature->kind != FeatureKind::Wall || std::abs(surface.normal.z) > kUpright) continue;

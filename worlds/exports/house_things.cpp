@@ -1,4 +1,5 @@
-// Windows and things of a building that is written in words: each is in the room that holds it, else in the nearest.
+// Windows and objects of a building that is written in words. Each is in the room that contains it, else in the
+// nearest.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,8 +17,9 @@ namespace {
 
 constexpr double kUnderFloor_m = 0.1, kUnderCeiling_m = 0.2;
 constexpr double kThickestPane_m = 0.6;
-constexpr double kBesideRoom_m = 0.5;  // from its outline: still part of it, as shelves along its wall
-// One metre too high or too low counts as this many metres to the side: a thing belongs to its own storey first.
+// Distance outside an outline that still belongs to the room, as for shelves along its wall.
+constexpr double kBesideRoom_m = 0.5;
+// One metre too high or too low counts as this many metres sideways, so that an object stays on its storey.
 constexpr double kStoreyFirst = 100.0;
 
 bool is_called_window(const Feature& feature) {
@@ -26,7 +28,7 @@ bool is_called_window(const Feature& feature) {
     return (name.ends_with("window") || name.ends_with("fenster")) && std::min(size_m.x, size_m.y) < kThickestPane_m;
 }
 
-// Stairs of a map are a room of their own, in which they are laid anew.
+// Stairs of a map become a separate room, in which they are rebuilt.
 bool is_called_stairs(const std::string& of) {
     const std::string name = folded(of);
     return name.starts_with("stair") || name.starts_with("treppe");
@@ -78,7 +80,8 @@ public:
             for (const StatedPortal& portal : scene_.stated->portals)
                 if (portal.feature) told[portal.feature.value] = true;
         }
-        // Named things that stand: no doors, stairs, lifts and walls. If a file counts its furniture, the rest is none.
+        // Collects named objects that stand in the building, except doors, stairs, lifts and walls. If the file counts
+        // its furniture, the others are not furniture.
         const bool counted = scene_.stated && !scene_.stated->furnishings.empty();
         std::vector<bool> solid(scene_.features.size(), false);
         for (const Solid& one : scene_.solids)
@@ -97,7 +100,7 @@ public:
     const std::vector<std::string>& of_stairs() const { return of_stairs_; }
 
 private:
-    // `counted`: by the file, so that it is written wherever it is.
+    // `counted`: the file counts it as furniture or a window, so it is written wherever it is.
     void add(FeatureId id, const Aabb& box, bool window, bool fixture, bool counted) {
         WordsHouse::Thing thing;
         thing.box_m = box;
@@ -123,7 +126,7 @@ private:
         else house_.things.push_back(std::move(thing));
     }
 
-    // Its own, else what most of its faces are made of.
+    // The object's own material, else that of most of its faces.
     std::string material_of(FeatureId id) const {
         if (const std::string& own = scene_.material(scene_.features[id.value].material).name; !own.empty()) return own;
         const auto found = of_faces_.find(id.value);
@@ -147,7 +150,7 @@ private:
         return boxes_.size();
     }
 
-    // By its outline, at the height that is `up` of the thing's own.
+    // The room with the nearest outline, for the height at the fraction `up` of the object.
     std::size_t nearest(const Aabb& box, double up) const {
         std::size_t best = 0;
         double best_m = 1e300;
@@ -156,7 +159,8 @@ private:
         return best;
     }
 
-    // From its outline, and farther by what lies between the storeys. Nothing is looked at beyond `most_m`.
+    // The distance from a room's outline, increased if the object is above or below the room. May return `most_m` as
+    // soon as the distance reaches it.
     double distance_to(std::size_t r, const Aabb& box, double up, double most_m = 1e300) const {
         const Aabb& room = boxes_[r];
         const Vec2 middle(box.centre_m());
@@ -169,9 +173,10 @@ private:
 
     WordsHouse& house_;
     const Scene& scene_;
-    std::vector<Aabb> boxes_;  // of each room, from its floor to the top of its highest storey
-    std::map<std::uint32_t, std::map<std::string, int>> of_faces_;  // of features: materials with how many faces
-    std::vector<std::string> outside_;                              // names of what no room holds
+    std::vector<Aabb> boxes_;  // box of each room, from its floor to the top of its highest storey
+    // For each feature, its materials with the number of faces.
+    std::map<std::uint32_t, std::map<std::string, int>> of_faces_;
+    std::vector<std::string> outside_;  // names of the objects outside every room
     std::vector<std::string> of_stairs_;
     int without_form_ = 0;
 };

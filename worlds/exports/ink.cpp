@@ -11,7 +11,7 @@ namespace {
 constexpr double kStraight_mm = 0.13;
 constexpr float kFar = 1e9F;
 
-// The largest whole square of a distance that is still less than `limit_px`, or as far where that counts too.
+// The largest square of a pixel distance that is less than `limit_px`, or equal to it if `as_far` is set.
 int most_squared(double limit_px, bool as_far) {
     const auto counts = [&](int squared) {
         const auto far = static_cast<double>(static_cast<float>(std::sqrt(static_cast<double>(squared))));
@@ -22,7 +22,7 @@ int most_squared(double limit_px, bool as_far) {
     return squared;
 }
 
-// How far up or down the nearest black pixel of the same column is, at most `most`.
+// The distance to the nearest black pixel in the same column, limited to `most`.
 std::vector<std::uint8_t> heights_to_black(const Ink& ink, std::uint8_t most) {
     std::vector<std::uint8_t> far(ink.black.size());
     const auto wide = static_cast<std::size_t>(ink.wide);
@@ -46,7 +46,8 @@ Ink opposite(const Ink& ink) {
     return other;
 }
 
-// Douglas, Peucker, Algorithms for the reduction of the number of points, 1973; a stack in place of recursion.
+// Source: Douglas, Peucker, Algorithms for the reduction of the number of points, 1973; with a stack instead of
+// recursion.
 void keep_corners(const std::vector<Vec2>& points, std::size_t from, std::size_t to, std::vector<bool>& kept) {
     std::vector<std::pair<std::size_t, std::size_t>> open{{from, to}};
     const auto point = [&](std::size_t i) { return points[i % points.size()]; };
@@ -85,7 +86,8 @@ std::vector<Vec2> straightened(const std::vector<Vec2>& points) {
     return out.size() < 3 ? points : out;
 }
 
-// What lies round a piece of white: whether it is open to where a disc goes, and deeper than the gap that is asked for.
+// Properties of a piece of white: whether it adjoins an area where a disc fits, and whether it is deeper than the
+// requested gap.
 struct Surroundings {
     bool open = false, deep = false;
 };
@@ -112,7 +114,7 @@ void fill_disc(Ink& ink, const Vec2& middle_mm, double radius_mm) {
 std::vector<float> distances_px(const Ink& ink, std::vector<std::uint32_t>* whose) {
     const int wide = ink.wide, high = ink.high;
     std::vector<float> far(ink.black.size(), kFar);
-    std::vector<std::int32_t> row_of(ink.black.size(), -1);  // of the nearest black pixel in the same column
+    std::vector<std::int32_t> row_of(ink.black.size(), -1);  // row of the nearest black pixel in the same column
     for (int y = 0; y < high; ++y)
         for (int x = 0; x < wide; ++x)
             row_of[ink.at(x, y)] = ink.black[ink.at(x, y)] ? y : y > 0 ? row_of[ink.at(x, y - 1)] : -1;
@@ -165,7 +167,7 @@ Ink near_black(const Ink& ink, double limit_px, bool as_far) {
     if (most < 0 || ink.wide == 0) return near;
     const int reach = static_cast<int>(std::sqrt(static_cast<double>(most)));
     const std::vector<std::uint8_t> far = heights_to_black(ink, static_cast<std::uint8_t>(reach + 1));
-    // A column that many pixels to the side may be black so high or low.
+    // For each horizontal distance, how far up or down a black pixel may be.
     std::vector<std::uint8_t> high;
     for (int aside = 0; aside <= reach; ++aside)
         high.push_back(static_cast<std::uint8_t>(std::sqrt(static_cast<double>(most - aside * aside))));
@@ -219,14 +221,14 @@ InkPieces pieces_of(const Ink& ink) {
 
 Ink narrow_white(const Ink& ink, double gap_mm) {
     const double radius = 0.5 * gap_mm / kInkPixel_mm;
-    // Where a disc goes, or black is.
+    // Pixels that a disc can cover, or that are near such a disc; the rest is either black or narrow.
     const Ink reached = near_black(opposite(near_black(ink, radius + 0.5, false)), radius + 0.5, true);
     Ink white = ink;
     for (std::size_t i = 0; i < white.black.size(); ++i) white.black[i] = !ink.black[i] && !reached.black[i] ? 1 : 0;
     const InkPieces pieces = pieces_of(white);
     const Ink near_reached = near_black(reached, gap_mm / kInkPixel_mm, true);
     std::vector<Surroundings> found(pieces.pixels.size());
-    // The black pixels within two of each piece, and how many pieces these make there.
+    // For each piece, the black pixels within two pixels; below, how many separate groups they form.
     std::vector<std::vector<std::uint32_t>> border(pieces.pixels.size());
     for (int y = 0; y < ink.high; ++y)
         for (int x = 0; x < ink.wide; ++x) {
@@ -244,12 +246,12 @@ Ink narrow_white(const Ink& ink, double gap_mm) {
         }
     std::vector<bool> narrow(pieces.pixels.size(), false);
     for (std::size_t piece = 1; piece < narrow.size(); ++piece) {
-        constexpr std::uint32_t kSpeck = 6;  // pixels: the steps of a slanting line
+        constexpr std::uint32_t kSpeck = 6;  // in pixels: smaller pieces are the steps of a slanting line
         if (pieces.pixels[piece] < kSpeck) continue;
         std::vector<std::uint32_t>& around = border[piece];
         std::sort(around.begin(), around.end());
         around.erase(std::unique(around.begin(), around.end()), around.end());
-        // How many of them hang together with the first.
+        // Counts the pixels connected with the first.
         std::vector<bool> seen(around.size(), false);
         std::vector<std::size_t> open;
         if (!around.empty()) open.push_back(0), seen[0] = true;
@@ -308,7 +310,7 @@ void part_corners(Ink& ink) {
 }
 
 std::vector<std::vector<Vec2>> traced_mm(const Ink& ink) {
-    // Sides of pixels with black on their left: 0 east, 1 north, 2 west, 3 south, by the corner where they begin.
+    // Pixel sides with black on their left, by the corner where they begin: 0 east, 1 north, 2 west, 3 south.
     const auto black = [&](int x, int y) { return ink.holds(x, y) && ink.black[ink.at(x, y)] != 0; };
     const auto corner = [&](int x, int y) {
         return static_cast<std::uint64_t>(y) << 32U | static_cast<std::uint32_t>(x);
@@ -338,7 +340,7 @@ std::vector<std::vector<Vec2>> traced_mm(const Ink& ink) {
                 std::uint8_t& there = sides[corner(x, y)];
                 if (there == 0) break;
                 int next = 0;
-                // To the left first, so that pixels that meet in a corner alone stay apart.
+                // Turn left first, so that pixels that meet only at a corner stay separate.
                 if (way < 0)
                     while (!(there >> next & 1)) ++next;
                 else

@@ -1,6 +1,6 @@
-// A page as a picture of black and white pixels, on which distances are exact and cheap whatever the shapes are: where
-// something still fits, where black comes too near to black, where it is too thick. Pure functions; any thread. Lengths
-// in pixels but where they say millimetres.
+// A page as a picture of black and white pixels. Distances on it are exact and cheap for any shapes: where something
+// still fits, where black is too near to black, where it is too thick. Pure functions; any thread. Lengths are in
+// pixels unless the name says millimetres.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ inline constexpr double kInkPixel_mm = 0.1;
 
 struct Ink {
     int wide = 0, high = 0;
-    std::vector<std::uint8_t> black;  // row by row from below; 0 or 1
+    std::vector<std::uint8_t> black;  // row by row from the bottom; 0 or 1
 
     Ink() = default;
     Ink(double width_mm, double height_mm);
@@ -26,7 +26,7 @@ struct Ink {
     bool holds(int x, int y) const { return x >= 0 && y >= 0 && x < wide && y < high; }
 };
 
-// Calls `each(x, y)` for every pixel whose middle lies in an odd number of the loops.
+// Calls `each(x, y)` for every pixel whose centre is inside an odd number of the loops.
 template <class Each>
 void for_pixels_in(const Ink& ink, std::span<const std::vector<Vec2>> loops_mm, Each each) {
     double low = 1e300, high = -1e300;
@@ -56,36 +56,37 @@ void for_pixels_in(const Ink& ink, std::span<const std::vector<Vec2>> loops_mm, 
 void fill(Ink& ink, std::span<const std::vector<Vec2>> loops_mm, bool black);
 void fill_disc(Ink& ink, const Vec2& middle_mm, double radius_mm);
 
-// From each pixel to the nearest black one, middle to middle, 0 on black itself; a large number where nothing is black.
-// Exact, in a time that goes with the pixels. `whose`, where given, receives the place of that black pixel.
-// Source: Felzenszwalb, Huttenlocher, Distance transforms of sampled functions, Theory of Computing 8, 2012.
+// The distance from each pixel to the nearest black one, centre to centre: 0 on black, a large number if nothing is
+// black. Exact, in time proportional to the pixels. `whose`, if given, receives the index of that black pixel. Source:
+// Felzenszwalb, Huttenlocher, Distance transforms of sampled functions, Theory of Computing 8, 2012.
 std::vector<float> distances_px(const Ink& ink, std::vector<std::uint32_t>* whose = nullptr);
 
-// The pixels with a black one nearer than `limit_px`, middle to middle, or as far where `as_far`. At most 250 pixels;
-// much faster than distances.
+// The pixels with a black one nearer than `limit_px`, centre to centre; `as_far` includes that distance. At most 250
+// pixels; much faster than distances_px.
 Ink near_black(const Ink& ink, double limit_px, bool as_far);
 
-// The white pixels where black comes nearer to black than `gap_mm`: gaps and slits through which no disc of that size
-// goes. Inner corners, which no disc fills either, are not among them unless they are deeper than `gap_mm`.
+// The white pixels where the distance between black and black is less than `gap_mm`: gaps and slits through which no
+// disc of that size fits. Inner corners, which no disc fills either, are not included unless they are deeper than
+// `gap_mm`.
 Ink narrow_white(const Ink& ink, double gap_mm);
 
-// Connected pieces of what is black, over sides and corners; 0 is white, pieces count from 1.
+// Connected pieces of black, over sides and corners. Piece 0 is white; pieces count from 1.
 struct InkPieces {
-    std::vector<std::uint32_t> of;      // of each pixel
-    std::vector<std::uint32_t> pixels;  // of each piece, [0] is unused
-    std::vector<int> extent;            // the longer side of its box
+    std::vector<std::uint32_t> of;      // the piece of each pixel
+    std::vector<std::uint32_t> pixels;  // the number of pixels in each piece; [0] is unused
+    std::vector<int> extent;            // the longer side of each piece's bounding box
 };
 InkPieces pieces_of(const Ink& ink);
 
-// Black over `thick_mm` becomes hollow, with a border of `border_mm`. Hollows shorter than `least_mm` stay black unless
-// they are wider than where two walls of that thickness cross, so that none is where walls merely meet. How many there
-// were.
+// Makes black thicker than `thick_mm` hollow, with a border of `border_mm`. Hollows shorter than `least_mm` stay black,
+// unless they are wider than the crossing of two walls of that thickness. So none appears where walls merely meet.
+// Returns the number of hollows.
 int hollow_out(Ink& ink, double thick_mm, double border_mm, double least_mm);
 
-// Fills in where black meets black in a corner alone, so that pieces touch along sides or not at all.
+// Fills in where two black pixels meet only at a corner, so that pieces touch along sides or not at all.
 void part_corners(Ink& ink);
 
-// The borders of what is black as closed lines, to be filled odd and even; straight within 0.13 mm.
+// Traces the borders of black as closed lines, to be filled by the even-odd rule; straight within 0.13 mm.
 std::vector<std::vector<Vec2>> traced_mm(const Ink& ink);
 
 }  // namespace handrail

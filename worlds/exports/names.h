@@ -1,4 +1,4 @@
-// Names in a row, as a sentence lists them. Pure; any thread.
+// Joins names to a list as used in a sentence. Pure; any thread.
 #pragma once
 
 #include <span>
@@ -6,7 +6,7 @@
 
 namespace handrail {
 
-// "Table; 3 of Chair; Stove": in the order in which they first come, those of one name counted.
+// "Table; 3 of Chair; Stove": in the order of first appearance, with equal names counted.
 std::string names_list(std::span<const std::string> names);
 
 }  // namespace handrail

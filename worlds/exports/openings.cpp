@@ -8,10 +8,10 @@
 namespace handrail {
 namespace {
 
-// A finger that passes so near to a portal passes through it: half its width, or half of what a door is on paper, and a
-// little.
+// A finger this close to a portal passes through it: half the portal's width, or half of a door's width on paper, plus
+// a little.
 constexpr double kHalfDoor_mm = 3.3, kBesidePortal_mm = 2.0, kBesidePortal_m = 0.5;
-constexpr double kLeastLeak_mm = 0.3;  // narrower ones are the pixels' own
+constexpr double kLeastLeak_mm = 0.3;  // narrower leaks come from the pixels
 
 Vec2 middle_of(const RoomGrid& grid, std::size_t square) {
     return Vec2(static_cast<double>(square % static_cast<std::size_t>(grid.wide)) + 0.5,
@@ -59,10 +59,10 @@ private:
                kBesidePortal_m * on_paper_.mm_per_m + kBesidePortal_mm;
     }
 
-    // The lines of a flight show its sides, where no wall stands; a line around them would leave them no place.
+    // The lines of a flight show its sides, which have no walls; a line around them would leave no space for them.
     bool is_flight(std::uint32_t room) const { return storey_.rooms[room].kind == RoomKind::Stairs; }
 
-    // The part of a border that no portal explains.
+    // The part of a border that no portal accounts for.
     WrongOpening leak_of(const RoomBorder& border) const {
         WrongOpening leak{border.rooms, Vec2(0.0), {}};
         if (is_flight(border.rooms[0]) || is_flight(border.rooms[1])) return leak;

@@ -85,12 +85,12 @@ std::optional<Vec2> Places::nearest_fit(const Vec2& from_mm, double reach_mm,
     const int reach = static_cast<int>(reach_mm / kStep_mm);
     std::optional<Vec2> best;
     double least = reach_mm;
-    for (int ring = 0; ring <= reach && ring * kStep_mm <= least; ++ring)  // squares, from within
+    for (int ring = 0; ring <= reach && ring * kStep_mm <= least; ++ring)  // square rings, from the inside out
         for (int i = -ring; i <= ring; ++i)
             for (int j = -ring; j <= ring; j += std::abs(i) == ring ? 1 : std::max(1, 2 * ring)) {
                 const Vec2 off = Vec2(i, j) * kStep_mm;
                 const double far = glm::length(off);
-                // First what is cheap: of a hall that is larger than the page most places are off the page.
+                // The cheap tests come first: for a hall larger than the page, most places are off the page.
                 if (far >= least || !is_free(from_mm + off) || !allowed(from_mm + off) || !fits(box_at(from_mm + off)))
                     continue;
                 least = far;

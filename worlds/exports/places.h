@@ -1,5 +1,5 @@
-// Where on a sheet or plate something still fits, as what was drawn before leaves room. Plain state; any one thread.
-// Millimetres.
+// Keeps track of where on a sheet or plate something still fits, given what was drawn before. Plain state; one thread
+// at a time. Millimetres.
 #pragma once
 
 #include <functional>
@@ -13,27 +13,27 @@ namespace handrail {
 
 std::vector<Vec2> corners_of(const PlanBox& box);
 double distance_to_loop_mm(const std::vector<Vec2>& loop, const Vec2& at);
-// Whether no black lies on the straight line from one place to the other.
+// Returns whether the straight line between the two places crosses no black.
 bool clear_between(const Ink& ink, const Vec2& from_mm, const Vec2& to_mm);
 
-// Whether a box comes nearer to one of others than that; all have their sides north and east.
+// Returns whether a box is closer than `gap_mm` to one of the others; all have sides parallel to the axes.
 bool is_near_any(const PlanBox& box, const std::vector<PlanBox>& others, double gap_mm);
 
 class Places {
 public:
     Places() = default;
-    // All within `low` and `high` that is `clear_mm` from what is black.
+    // Everything between `low_mm` and `high_mm` that is at least `clear_mm` from black.
     Places(const Ink& black, double clear_mm, const Vec2& low_mm, const Vec2& high_mm);
 
-    // From now on what is drawn in a closed line keeps others as far away.
+    // From now on, keeps others at the same distance from what was drawn in this closed line.
     void take(const std::vector<Vec2>& loop_mm);
-    // Asked at places half a millimetre apart.
+    // Tests points half a millimetre apart.
     bool fits(const PlanBox& box_mm) const;
-    // The nearest place to `from` at which a box fits, of those that are allowed; on a grid of half a millimetre.
+    // The nearest allowed place to `from_mm` at which a box fits, on a grid of half a millimetre.
     std::optional<Vec2> nearest_fit(const Vec2& from_mm, double reach_mm,
                                     const std::function<PlanBox(const Vec2&)>& box_at,
                                     const std::function<bool(const Vec2&)>& allowed) const;
-    // The largest part of a box that is free, each half side at least `least_half_mm`.
+    // The largest free part of a box, with half sides of at least `least_half_mm`.
     std::optional<PlanBox> largest_fit(const PlanBox& box_mm, double least_half_mm) const;
 
 private:

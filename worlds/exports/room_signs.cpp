@@ -8,7 +8,7 @@
 namespace handrail {
 namespace {
 
-// Those of a name that every alphabet has, in lower case; "x" if it has none.
+// The ASCII letters of a name, in lower case; "x" if it has none.
 std::string letters_of(const std::string& name) {
     std::string letters;
     for (const char c : name)
@@ -17,7 +17,7 @@ std::string letters_of(const std::string& name) {
     return letters.empty() ? "x" : letters;
 }
 
-// The name without the storey at its end, as in "Hall, west, storey 4" or "Stairs, Level -1".
+// Removes the storey at the end of a name, as in "Hall, west, storey 4" or "Stairs, Level -1".
 std::string without_storey(const std::string& name, const Storey& storey) {
     const std::string made = phrase("room_name.level", {{"room", ""}, {"level", storey.number}});
     for (const std::string& end : {made, storey.name})
@@ -36,7 +36,7 @@ std::string free_letters(const std::string& name, const std::set<std::string>& u
     for (std::string stem = "a";;) {
         for (const char last : all)
             if (std::string sign = stem + last; !used.contains(sign)) return sign;
-        // The stem after this one: b after a, aa after z.
+        // Go on to the next stem: b after a, aa after z.
         std::size_t digit = stem.size();
         while (digit > 0 && stem[digit - 1] == 'z') stem[--digit] = 'a';
         if (digit > 0) ++stem[digit - 1];
@@ -52,7 +52,7 @@ std::vector<RoomSign> room_signs(const Storey& storey) {
         std::string number;
         for (std::size_t i = name.size(); i > 0 && std::isdigit(static_cast<unsigned char>(name[i - 1])); --i)
             number.insert(number.begin(), name[i - 1]);
-        // "Cellar 4-1" is neither 1 nor 4.
+        // "Cellar 4-1" has two numbers, so neither 1 nor 4 is its sign.
         const bool other_numbers = std::any_of(name.begin(), name.end() - std::ptrdiff_t(number.size()),
                                                [](char c) { return std::isdigit(static_cast<unsigned char>(c)); });
         std::string sign = number.size() == name.size() ? number : letters_of(name).substr(0, 1) + number;

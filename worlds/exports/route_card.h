@@ -1,5 +1,5 @@
-// Ways in words on a card to take along: as text, or as a BRF file for braille displays and embossers, 40 cells by 25
-// lines to a page. Pure functions; any thread.
+// Spoken directions on a card to take along: as text, or as a BRF file for braille displays and embossers, 40 cells by
+// 25 lines to a page. Pure functions; any thread.
 #pragma once
 
 #include <string>
@@ -11,14 +11,14 @@ namespace handrail {
 
 inline constexpr std::size_t kCardCells = 40, kCardLines = 25;
 
-// One way: each sentence begins a line.
+// The directions of one route; each sentence begins a line.
 using CardWay = std::vector<std::string>;
 
-// UTF-8, lines at most `kCardCells` characters wide, a blank line between ways, LF.
+// UTF-8 with LF, lines of at most `kCardCells` characters, and a blank line between routes.
 std::string card_text(const std::vector<CardWay>& ways);
 
-// North American braille ASCII, each way on a page of its own, form feed between pages, CR LF. Fails with one sentence
-// where braille cannot be had.
+// North American braille ASCII with CR LF, each route on a new page, with form feeds between pages. Fails with one
+// sentence if braille is not available.
 Result<std::string> card_brf(const std::vector<CardWay>& ways, BrailleTable table);
 
 }  // namespace handrail

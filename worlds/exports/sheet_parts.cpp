@@ -12,17 +12,17 @@
 namespace handrail {
 namespace {
 
-// What is shown around the floor, as around a storey: its walls.
+// How far the part shown extends beyond the floor, to include its walls; as for a whole storey.
 constexpr double kAroundFloor_m = 0.9, kAroundBase_m = 1.0;
-constexpr double kLeastProgress_m = 0.5;  // that a cut takes off
-constexpr double kUneven = 0.15;          // that a cut may cross more floor where both sides are as large as each other
-constexpr double kLeastSide_mm = 10.0;    // of a strip that makes two sheets neighbours
+constexpr double kLeastProgress_m = 0.5;  // least size that a cut must remove from each side
+constexpr double kUneven = 0.15;  // cost, in metres of crossed floor, for each metre by which the two sides differ
+constexpr double kLeastSide_mm = 10.0;  // least length of a common strip that makes two sheets neighbours
 
 struct Area {
     Vec2 low{0.0}, high{0.0};
 };
 
-// How many squares of the floor are in any rectangle of it.
+// Counts the floor squares in any rectangle in constant time.
 class FloorSums {
 public:
     explicit FloorSums(const Storey& storey) : storey_(storey), floor_(storey.floor) {
@@ -37,7 +37,7 @@ public:
             }
     }
 
-    // An area made as small as what it shows allows; nothing where there is no floor in it.
+    // Shrinks an area to the floor in it and its surroundings; nothing if there is no floor in it.
     std::optional<Area> fitted(const Area& area) const {
         int x0 = cell(area.low.x, 0), x1 = cell(area.high.x, 0) + 1, y0 = cell(area.low.y, 1),
             y1 = cell(area.high.y, 1) + 1;
@@ -52,7 +52,7 @@ public:
                     glm::min(area.high, storey_.min_m + Vec2(x1, y1) * floor_.cell_m + around)};
     }
 
-    // Of a line across an area, how many metres cross the floor of one room.
+    // Length over which a line across the area divides the floor of a room, in metres.
     double crossed_m(const Area& area, int axis, double at) const {
         const int other = 1 - axis, here = cell(at, axis);
         double crossed = 0.0;
@@ -64,7 +64,7 @@ public:
         return crossed;
     }
 
-    // Whether the strip that two sheets share shows floor.
+    // Returns whether the strip that two sheets share contains floor.
     bool has_floor(const Area& area) const { return fitted(area).has_value(); }
 
 private:
@@ -120,7 +120,7 @@ private:
         Area before, behind;
     };
 
-    // How many sheets cover a rectangle.
+    // The number of sheets that cover a rectangle.
     int sheets_for(const Area& area) const {
         const Vec2 size = area.high - area.low;
         int least = std::numeric_limits<int>::max();
@@ -164,7 +164,7 @@ private:
         return best;
     }
 
-    // North comes before south, as one reads.
+    // North comes before south, in reading order.
     bool divide(const Area& area) {
         if (sheets_for(area) == 1) {
             if (static_cast<int>(parts_.size()) == kMostSheets) return false;
@@ -190,7 +190,7 @@ private:
         return true;
     }
 
-    // `before` is to the west or south.
+    // Makes two sheets neighbours. `before` is to the west or south.
     void meet(SheetPart& before, SheetPart& behind, int axis, double at) const {
         const int other = 1 - axis;
         Area strip;
@@ -213,7 +213,7 @@ private:
     std::vector<SheetPart> parts_;
 };
 
-// Whether a box of so many pixels is somewhere in a room alone.
+// Returns whether a box of that many pixels fits somewhere into the room.
 bool has_free_box(const std::vector<std::int32_t>& sums, int wide, int high, int box_x, int box_y) {
     const auto of = [&](int x, int y) {
         return sums[static_cast<std::size_t>(y) * static_cast<std::size_t>(wide + 1) + static_cast<std::size_t>(x)];
@@ -224,7 +224,7 @@ bool has_free_box(const std::vector<std::int32_t>& sums, int wide, int high, int
     return false;
 }
 
-// The walls as they are, none thinner than a pixel.
+// The walls without changes, except that none is thinner than a pixel.
 Ink plain_walls(const Storey& storey, const OnPaper& on_paper) {
     const Vec2 size_mm = (storey.max_m - storey.min_m) * on_paper.mm_per_m;
     Ink ink(size_mm.x, size_mm.y);
@@ -258,7 +258,7 @@ std::vector<SheetPart> parts_of(const Storey& storey, const PaperSize& paper, do
 }
 
 std::vector<double> scales_needed(const Storey& storey, const std::vector<double>& scales, const Vec2& box_mm) {
-    // A picture with 10 cm of the world to a pixel.
+    // A picture in which a pixel is 10 cm of the world.
     const OnPaper on_paper{storey.min_m, Vec2(0.0), 1.0};
     const double pixel_m = kInkPixel_mm / on_paper.mm_per_m;
     const RoomGrid grid = rooms_on(plain_walls(storey, on_paper), storey, on_paper);

@@ -1,5 +1,6 @@
-// Where a storey that does not fit on one sheet is cut into several, and which scale their rooms need. Pure functions
-// over plain values; any thread. Time goes with the floor's squares, below 0.1 s for a large building.
+// Divides a storey that does not fit on one sheet into several, and finds the scales that its rooms need. Pure
+// functions over plain values; any thread. The time is proportional to the floor's squares, below 0.1 s for a large
+// building.
 #pragma once
 
 #include <array>
@@ -16,39 +17,40 @@ struct PaperSize {
 inline constexpr PaperSize kA4{210.0, 297.0}, kA3{297.0, 420.0};
 
 inline constexpr double kSheetMargin_mm = 12.0, kSheetHead_mm = 14.0, kSheetFoot_mm = 12.0;
-// More of them: the title may have a second line, and there are marks and numbers of sheets.
+// Extra head and foot on one of several sheets: the title may have a second line, and there are marks and sheet
+// numbers.
 inline constexpr double kPartHead_mm = 17.0, kPartFoot_mm = 8.0;
-inline constexpr double kShared_mm = 35.0;  // of neighbouring sheets: more than a sign needs
+inline constexpr double kShared_mm = 35.0;  // strip shared by neighbouring sheets: wider than a sign needs
 inline constexpr int kMostSheets = 40;
 inline constexpr std::array kSheetScales{20.0,  25.0,  30.0,  40.0,  50.0,  60.0,  75.0,  90.0,  100.0,
                                          110.0, 125.0, 150.0, 175.0, 200.0, 225.0, 250.0, 275.0, 300.0,
                                          350.0, 400.0, 450.0, 500.0, 600.0, 700.0, 800.0, 900.0, 1000.0};
 
-// Room for the plan on a page; of one of several sheets: `part`.
+// The space for the plan on a page. `part`: the page is one of several sheets.
 Vec2 room_on_page(const PaperSize& paper, bool across, bool part);
 
-// The sheet on which it goes on.
+// The sheet on which the plan continues.
 struct NextSheet {
     int number = 0;
-    double shared_m = 0.0;  // the middle of the strip that both show: a place east, or north
-    double along_m = 0.0;   // the middle of the side that they share: a place north, or east
+    double shared_m = 0.0;  // the middle of the strip that both show: coordinate to the east or north
+    double along_m = 0.0;   // the middle of their common side: coordinate to the north or east
 };
 
-// One of several sheets of a storey. Neighbours share a strip.
+// One of several sheets of a storey. Neighbouring sheets share a strip.
 struct SheetPart {
-    Vec2 min_m{0.0}, max_m{0.0};  // what it shows
+    Vec2 min_m{0.0}, max_m{0.0};  // the area shown
     double one_to = 0.0;
-    int number = 1, count = 1;                     // from 1
-    std::array<std::vector<NextSheet>, 4> next{};  // its neighbours to the west, east, north, south
-    bool larger = false;  // shows once more what others show, at a scale at which small rooms have their sign
+    int number = 1, count = 1;                     // `number` counts from 1
+    std::array<std::vector<NextSheet>, 4> next{};  // neighbours to the west, east, north, south
+    bool larger = false;  // repeats a part of other sheets at a larger scale, so that small rooms get their signs
 };
 
-// Sheets of one scale that cover the storey, as few as reach. They are cut where the cut crosses least floor, along
-// walls and between wings, and none shows empty corners. Empty where there would be more than kMostSheets.
+// Covers the storey with as few sheets as possible at one scale. Cuts go where they cross the least floor: along walls
+// and between wings. No sheet shows empty corners. Empty if more than kMostSheets would be needed.
 std::vector<SheetPart> parts_of(const Storey& storey, const PaperSize& paper, double one_to);
 
-// Of every room the coarsest of `scales` (which grow) at which a box of that size is free in it, as if nothing stood
-// there; 0: at none.
+// For every room, the coarsest of `scales` (in rising order) at which a box of that size fits into the empty room; 0 if
+// it fits at none.
 std::vector<double> scales_needed(const Storey& storey, const std::vector<double>& scales, const Vec2& box_mm);
 
 }  // namespace handrail

@@ -11,7 +11,7 @@ namespace handrail {
 namespace {
 
 constexpr std::size_t kTitleLines = 2;
-constexpr double kNorth_mm = 20.0;  // for the triangle to the right of the title
+constexpr double kNorth_mm = 20.0;  // width of the triangle to the right of the title
 
 std::string storey_text(const Storey& storey, bool with_number) {
     return phrase(storey.name.empty() ? "export.storey_numbered"
@@ -30,7 +30,7 @@ std::string title_of(const std::string& world, const std::string& storey, std::o
                  : phrase("export.sheet_title", {{"world", world}, {"storey", storey}});
 }
 
-// Without its last word; without its last letter if it is a single word.
+// Removes the last word, or the last letter if there is only one word.
 std::string shortened(std::string name) {
     std::size_t end = name.find_last_of(' ');
     if (end == std::string::npos) end = name.size() - 1;

@@ -10,11 +10,12 @@
 
 namespace handrail {
 
-// The world, what its file calls the storey, and which one that is of how many. `sheet`: which of several.
+// The world, the file's name for the storey, and its number among the storeys. `sheet`: number of the sheet if there
+// are several.
 std::string sheet_title(const Storey& storey, std::optional<int> sheet);
 
-// One or two lines for the head of a page that is so wide. A world with a long name keeps the first words of it, and
-// the title always keeps its storey, without the number if the storey has a name.
+// One or two lines for the head of a page of that width. A long name of the world is cut after its first words. The
+// storey is always kept, without its number if it has a name.
 Result<std::vector<BrailleCells>> title_lines(const Storey& storey, std::optional<int> sheet, BrailleTable table,
                                               double page_mm);
 

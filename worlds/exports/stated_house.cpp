@@ -1,4 +1,4 @@
-// A building whose file states its rooms, as it is written in words.
+// Describes a building whose file states its rooms, to be written in words.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,11 +15,11 @@ namespace handrail {
 namespace {
 
 constexpr double kStatedFinest_m = 1e-4, kSlabs_m = 0.3, kLeastStorey_m = 2.3;
-constexpr double kStepDown_m = 0.3;   // from there on an opening is a drop
-constexpr double kMostRaise_m = 1.5;  // of what is said to be raised or sunk
+constexpr double kStepDown_m = 0.3;   // an opening with at least this difference in height is a drop
+constexpr double kMostRaise_m = 1.5;  // greatest height by which a room is described as raised or sunk
 constexpr double kStatedLevel_m = 0.02;
 
-// "Stairs, Level 1" without the level that was put behind it.
+// Removes the level that was appended to a name, as in "Stairs, Level 1".
 std::string without_level(const std::string& name, const std::string& level) {
     const std::string end = phrase("plan.on_level", {{"name", ""}, {"level", level}});
     return name.size() > end.size() && name.ends_with(end) ? name.substr(0, name.size() - end.size()) : name;
@@ -35,21 +35,21 @@ bool same_outline(const StatedRoom& a, const StatedRoom& b) {
     return true;
 }
 
-// A lift without a shaft, which the file states by itself: one with a shaft has the name of that.
+// A lift without a shaft, which the file states separately. A lift with a shaft has the guid of the shaft.
 bool is_platform(const Scene& scene, const StatedPortal& portal) {
     const Feature* feature = scene.find(portal.feature);
     if (!feature || feature->bounds_m.empty() || portal.rooms.size() != 2 || !portal.guid.empty()) return false;
     return scene.stated->rooms[portal.rooms[0]].storey != scene.stated->rooms[portal.rooms[1]].storey;
 }
 
-// Stairs from one room to another that can be written as they stand.
+// Stairs from one room to another that can be written as they are.
 bool takes_flight(const Scene& scene, const StatedPortal& portal) {
     return portal.kind == StatedPortalKind::Stairs && portal.rooms.size() == 2 &&
            scene.stated->rooms[portal.rooms[0]].storey != scene.stated->rooms[portal.rooms[1]].storey &&
            flight_of(scene, portal.feature);
 }
 
-// An opening between floors of which one lies a step below the other.
+// Marks an opening as a drop if one floor is a step below the other.
 void note_drop(const WordsHouse& house, WordsHouse::Door& door) {
     const WordsHouse::Room &one = house.rooms[door.rooms[0]], &other = house.rooms[door.rooms[1]];
     if (one.kind != WordsHouse::Kind::Room || other.kind != WordsHouse::Kind::Room || one.storey != other.storey)
@@ -60,7 +60,7 @@ void note_drop(const WordsHouse& house, WordsHouse::Door& door) {
     door.drop_m = std::abs(down_m);
 }
 
-// The storey that a room lies on. One without a storey lies on the one whose floor is nearest.
+// The storey of a room. If the file states none, it is the one with the nearest floor.
 std::uint32_t storey_of(const StatedBuilding& stated, const StatedRoom& room) {
     if (room.storey < stated.storeys.size()) return room.storey;
     std::uint32_t best = 0;
@@ -70,8 +70,7 @@ std::uint32_t storey_of(const StatedBuilding& stated, const StatedRoom& room) {
     return best;
 }
 
-// Writes the house in the order in which its parts need each other: storeys, which rooms are one, rooms, doors, lifts
-// and flights.
+// Builds the house in the order of dependency: storeys, which rooms are one, rooms, doors, lifts and flights.
 class StatedHouse {
 public:
     StatedHouse(const Scene& scene, bool german) : scene_(scene), stated_(*scene.stated), german_(german) {
@@ -92,7 +91,7 @@ public:
     }
 
 private:
-    // Storeys that rooms lie on, from below.
+    // Adds the storeys that have rooms, from the bottom up.
     void add_storeys() {
         std::map<std::uint32_t, double> heights;
         for (const StatedRoom& room : stated_.rooms) {
@@ -120,7 +119,7 @@ private:
         return r;
     }
 
-    // Stairs and lifts that have one outline on all their storeys are one.
+    // Joins stairs and lifts that have the same outline on all their storeys into one room.
     void part_stairs_and_lifts() {
         parent_.resize(stated_.rooms.size());
         for (std::size_t r = 0; r < parent_.size(); ++r) parent_[r] = r;
@@ -134,7 +133,7 @@ private:
         bool one = portal.rooms.size() > 1;
         for (const std::uint32_t r : portal.rooms)
             one &= same_outline(stated_.rooms[r], stated_.rooms[portal.rooms[0]]);
-        // Stairs that fill their room on all its storeys are that room; others stand in one.
+        // Stairs that fill their room on all storeys are that room; other stairs are in a room.
         const bool fill = one && (lift || std::all_of(portal.rooms.begin(), portal.rooms.end(),
                                                       [&](std::uint32_t r) { return stated_.rooms[r].holds_stairs; }));
         if (!fill && takes_flight(scene_, portal)) return flights_.push_back(&portal);
@@ -190,7 +189,7 @@ private:
         for (const std::uint32_t r : portal.rooms)
             if (door.rooms.size() < 2) door.rooms.push_back(room_of_[r]);
         if (door.rooms.empty()) return lose("Eine Tür ohne Raum: {}.", "A door of no room: {}.", portal.name);
-        // Of stairs and a room the room tells the storey.
+        // Of stairs and a room, the room comes first, because it determines the storey.
         if (door.rooms.size() > 1 && house_.rooms[door.rooms[0]].kind != WordsHouse::Kind::Room)
             std::swap(door.rooms[0], door.rooms[1]);
         if (door.opening && door.rooms.size() > 1) note_drop(house_, door);
@@ -234,10 +233,10 @@ private:
     const bool german_;
     const FloorMaterials floors_{scene_};
     WordsHouse house_;
-    std::map<std::uint32_t, std::size_t> number_;    // of a stated storey, in the house
-    std::vector<std::size_t> parent_;                // of a stated room: another that is one with it
-    std::map<std::size_t, WordsHouse::Kind> kinds_;  // of a root that is no room
-    std::vector<std::size_t> room_of_;               // of a stated room, in the house
+    std::map<std::uint32_t, std::size_t> number_;    // index in the house of each stated storey
+    std::vector<std::size_t> parent_;                // union-find: another stated room that is part of the same room
+    std::map<std::size_t, WordsHouse::Kind> kinds_;  // kinds of roots that are not plain rooms
+    std::vector<std::size_t> room_of_;               // index in the house of each stated room
     std::vector<const StatedPortal*> platforms_, flights_;
 };
 

@@ -33,7 +33,7 @@ double area_of(const std::vector<Vec2>& loop) {
     return 0.5 * twice;
 }
 
-// Lines around black, some around holes in it, as areas that neither touch nor overlap: their union on whole
+// Turns lines around black, and around holes in it, into areas that neither touch nor overlap: their union in whole
 // micrometres.
 std::vector<PlateArea> areas_of(const Loops& loops_mm) {
     namespace bp = boost::polygon;
@@ -112,14 +112,14 @@ private:
         for (const StoreyThing& thing : storey_.things) beside_things_.take(corners_of(on_plate_(thing.box)));
     }
 
-    // Where nobody can walk between walls, as between two leaves of one, the plate is solid: that is one wall under the
-    // fingers, and stronger.
+    // Fills cavities where nobody can walk, such as between the two leaves of a wall. Fingers then feel one wall, and
+    // the plate is stronger.
     void fill_cavities() {
         for (std::size_t i = 0; i < rooms_.room.size(); ++i)
             if (rooms_.room[i] == kNothing) walls_.ink.black[i] = 1;
     }
 
-    // A wall that is made thicker where the plan is cut off must not reach over the plate's rim.
+    // A wall that was thickened where the plan is cut off must not reach over the plate's rim.
     void keep_off_the_rim() {
         const int rim = static_cast<int>(1.0 / kInkPixel_mm);
         Ink& ink = walls_.ink;

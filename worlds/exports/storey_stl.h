@@ -1,8 +1,9 @@
-// A storey as a plate to be printed in plastic and read by both hands: walls 4 mm high, things and stairs 1.5 mm, the
-// signs of rooms in braille. Pure functions; any thread.
+// A storey as a plate to be printed in plastic and read with both hands: walls 4 mm high, objects and stairs 1.5 mm,
+// the signs of rooms in braille. Pure functions; any thread.
 //
-// Numbers: plate 2 mm, walls at least 1.2 mm thick, 200 mm the longer side, as touch-mapper prints its maps; dots 1.6
-// mm wide and 0.8 mm high, which 48 readers preferred in plastic. 1 mm is free between what is raised, for a printer.
+// Numbers: the plate is 2 mm thick, walls at least 1.2 mm, and the longer side 200 mm, as touch-mapper prints its maps.
+// Dots are 1.6 mm wide and 0.8 mm high, which 48 readers preferred in plastic. Raised parts are 1 mm apart, as a
+// printer needs.
 #pragma once
 
 #include <string>
@@ -17,12 +18,12 @@ struct StoreyPlate {
     std::vector<SolidTriangle> triangles;
     double one_to = 0.0, wide_mm = 0.0, deep_mm = 0.0;
     std::vector<RoomSign> signs;
-    std::vector<std::string> drawn;       // names of the things on it
-    std::vector<std::string> simplified;  // sentences
+    std::vector<std::string> drawn;       // names of the objects on it
+    std::vector<std::string> simplified;  // sentences for the report
 };
 
-// Fails with one sentence where the storey is too large, braille cannot be had, or what came out is not closed, which
-// is checked each time.
+// Fails with one sentence if the storey is too large, braille is not available, or the solid is not closed, which is
+// checked each time.
 Result<StoreyPlate> storey_plate(const Storey& storey, BrailleTable table, double longer_side_mm = 200.0);
 
 }  // namespace handrail

@@ -23,12 +23,12 @@ namespace {
 using Loops = std::vector<std::vector<Vec2>>;
 
 constexpr double kMargin_mm = kSheetMargin_mm;
-// Kept a little over what is promised, for lines are traced to a tenth of a millimetre.
+// A little more than promised, because lines are traced to a tenth of a millimetre.
 constexpr double kClear_mm = kLeastGap_mm + 0.2;
 constexpr double kHollowFrom_mm = 6.0, kHollowLong_mm = 9.0, kLeastPiece_mm = 4.0, kLeastStair_mm = 3.0;
 
 constexpr double kMark_mm = 4.0;
-constexpr double kLeastEdge_m = 2.0;  // of a floor without a wall that is worth a word
+constexpr double kLeastEdge_m = 2.0;  // shorter floor edges without a wall are not reported
 
 double whole_scale(const Vec2& size_m, const Vec2& room_mm) {
     for (const double one_to : kSheetScales)
@@ -36,7 +36,7 @@ double whole_scale(const Vec2& size_m, const Vec2& room_mm) {
     return 0.0;
 }
 
-// What is made of one sheet, in the order in which things take their places: walls, stairs, base, signs, things.
+// Makes one sheet, in the order in which things take their space: walls, stairs, base, signs, objects.
 class SheetMaker {
 public:
     SheetMaker(const Storey& storey, const SheetWish& wish, std::optional<SheetPart> part,
@@ -68,7 +68,7 @@ public:
 private:
     Result<void> lay_out(const PaperSize& paper) {
         const Vec2 size_m = storey_.max_m - storey_.min_m;
-        // A title of two lines takes its place from the plan.
+        // A title of two lines takes space from the plan.
         const auto room_below_title = [&](bool across) {
             const auto title = title_lines(storey_, std::nullopt, table_, across ? paper.long_mm : paper.short_mm);
             const double more_mm = title && title->size() > 1 ? kBrailleLine_mm : 0.0;
@@ -117,7 +117,7 @@ private:
         return {};
     }
 
-    // Walls end where the part ends, and those of other parts of the building before the title.
+    // Cuts walls off at the edge of the part shown, and walls of other parts of the building below the title.
     void cut_to_sheet() {
         Ink& ink = walls_.ink;
         for (int y = 0; y < ink.high; ++y)
@@ -129,7 +129,8 @@ private:
         return at.x < low_mm_.x || at.y < low_mm_.y || at.x > high_mm_.x || at.y > high_mm_.y;
     }
 
-    // A finger that leaves the part is on another sheet: beyond it walls end, and rooms are not joined there.
+    // Beyond the part shown, everything counts as wall. A finger that leaves the part is on another sheet, so rooms
+    // must not be joined there.
     Ink walls_within_part() const {
         Ink walls = walls_.ink;
         if (!made_.part) return walls;
@@ -170,8 +171,6 @@ private:
         beside_things_.take(loops.front());
         made_.plan.shapes.push_back({std::move(loops), ++parts_});
     }
-
-    // --- what is drawn in them
 
     void draw_stairs() {
         stairs_ = stair_lines(storey_, on_paper_, rooms_, places_, kThinLine_mm, kClear_mm, kLeastStair_mm);
@@ -218,7 +217,7 @@ private:
         lay_braille(made_.plan, cells, place + Vec2(-half.x, half.y) + Vec2(0.5, -0.5) * kBrailleDot_mm, ++parts_);
     }
 
-    // Calls `each` for every room that needs a sign and has none, with the cells of the sign.
+    // Calls `each`, with the cells of the sign, for every room that needs a sign and has none yet.
     template <class Each>
     Result<void> for_unsigned(Each each) {
         for (std::size_t i = 0; i < storey_.rooms.size(); ++i) {
@@ -230,8 +229,8 @@ private:
         return {};
     }
 
-    // In a small room stairs or the base may leave no place for its sign: there the sign comes first, since lines can
-    // be shorter and the arrow can stand a little off.
+    // In a small room, stairs or the base may leave no space for its sign. There the sign comes first, because lines
+    // can be shorter and the arrow can be a little off.
     Result<void> draw_signs_of_tight_rooms() {
         Places others = places_;
         const StairInk stairs =
@@ -256,15 +255,15 @@ private:
         });
     }
 
-    // A sign with a number has three cells or more. Two letters may fit instead, which no room of the storey has.
+    // A sign with a number needs at least three cells. Two letters that no room of the storey uses may fit instead.
     std::string free_pair(std::size_t room) const {
         std::set<std::string> used(letters_.begin(), letters_.end());
         for (const RoomSign& sign : room_signs(storey_)) used.insert(sign.sign);
         return letters_[room].size() == 2 ? letters_[room] : free_letters(storey_.rooms[room].name, used);
     }
 
-    // If two cells have no room one may have: a letter of the name, else another that no room of the sheet has. Its
-    // letter on a sheet made before comes first. "a" is a single dot, and no sign.
+    // If two cells do not fit, one may: the room's letter on an earlier sheet, else a letter of its name, else any that
+    // no room of the sheet uses. "a" is a single dot, so it is not used.
     std::string free_letter(std::size_t room) const {
         std::string wished = letters_[room].size() == 1 ? letters_[room] : std::string();
         for (const char c : storey_.rooms[room].name)
@@ -275,7 +274,7 @@ private:
         return free == std::string::npos ? std::string() : wished.substr(free, 1);
     }
 
-    // Draws a shorter sign than the room's own if there is room for it.
+    // Draws a shorter sign than the room's own if there is space for it. Returns whether it did.
     Result<bool> draw_short(std::size_t room, const std::string& sign) {
         const Result<BrailleCells> cells = braille_signs(sign, table_);
         if (!cells) return tl::unexpected(cells.error());
@@ -303,13 +302,12 @@ private:
         return {};
     }
 
-    // Pieces of stairs that lead to the same room are next to each other, and are one staircase under a finger.
+    // Pieces of stairs that lead to the same room are adjacent, and feel like one staircase.
     bool are_flights(std::size_t a, std::size_t b) const {
         return storey_.rooms[a].kind == RoomKind::Stairs && storey_.rooms[b].kind == RoomKind::Stairs;
     }
 
-    // A corridor may be too narrow for any sign. The key then names the rooms that it leads to, if that says which it
-    // is.
+    // A corridor may be too narrow for any sign. Then the key names the rooms to which it leads, if that identifies it.
     void find_by_doors() {
         for (const std::uint32_t flight : stairs_.drawn) made_.signs[flight].by_lines = true;
         std::vector<std::set<std::string>> leads_to(storey_.rooms.size()), all(storey_.rooms.size());
@@ -359,7 +357,7 @@ private:
 
     std::optional<int> number() const { return made_.part ? std::optional(made_.part->number) : std::nullopt; }
 
-    // Name of the sheet, north, and a bar to measure by.
+    // Draws the title of the sheet, an arrow to the north, and a scale bar.
     Result<void> draw_frame() {
         SheetPage& page = made_.plan;
         page.title = sheet_title(storey_, number());
@@ -398,8 +396,8 @@ private:
         return made_.part ? draw_marks() : Result<void>{};
     }
 
-    // Short lines at the edges, in the middle of what neighbours share, and beside the plan the numbers of the sheets
-    // on which it goes on.
+    // Draws short lines at the edges, in the middle of shared strips, and the numbers of the neighbouring sheets next
+    // to the plan.
     Result<void> draw_marks() {
         const SheetPart& part = *made_.part;
         const double off = kClear_mm + 0.5 * kMark_mm;
@@ -408,7 +406,7 @@ private:
             const Vec2 half =
                 upright ? Vec2(0.5 * kThinLine_mm, 0.5 * kMark_mm) : Vec2(0.5 * kMark_mm, 0.5 * kThinLine_mm);
             const PlanBox box{at, {1.0, 0.0}, half};
-            if (is_near_any(box, taken, kClear_mm)) return;  // it is there already, of another neighbour
+            if (is_near_any(box, taken, kClear_mm)) return;  // another neighbour has drawn it already
             taken.push_back(box);
             made_.plan.shapes.push_back({{corners_of(box)}, ++parts_});
         };
@@ -429,8 +427,9 @@ private:
         return {};
     }
 
-    // West and east: at the outer side of the mark, above the plan for the northern half of it and below for the
-    // southern. North and south: above and below. Where others stand there already, the key alone says it.
+    // Places the number of a neighbouring sheet. West and east: on the outer side of the mark, above the plan for
+    // neighbours of its northern half and below for the southern. North and south: above and below. If there is no
+    // space, only the key names the sheet.
     Result<void> draw_number(std::size_t side, const NextSheet& next, std::vector<PlanBox>& taken) {
         const Result<BrailleCells> cells = braille_of(std::to_string(next.number), table_);
         if (!cells) return tl::unexpected(cells.error());
@@ -456,7 +455,7 @@ private:
         return {};
     }
 
-    // A coarse plan has no signs of small rooms, and stairs are read by their lines.
+    // A coarse plan has no signs in small rooms; stairs are recognised by their lines.
     bool is_left_to_key(std::size_t room) const { return wish_.coarse && storey_.rooms[room].area_m2 < kCoarseRoom_m2; }
     bool needs_sign(std::size_t room) const {
         return present_[room] && !is_left_to_key(room) && !storey_.rooms[room].shut && !storey_.rooms[room].elsewhere;
@@ -490,8 +489,8 @@ private:
         if (storey_.moving > 0) said.push_back(phrase("export.moving", {{"count", storey_.moving}}));
     }
 
-    // Flights on the sheet that have no line and no sign, each by the room in which it is. Flights above each other
-    // share their lines.
+    // The names of flights on the sheet that have neither a line nor a sign; for flights of other storeys the room that
+    // they lead to. Flights above each other share their lines.
     std::vector<std::string> undrawn_flights() const {
         std::vector<std::string> names;
         for (std::size_t i = 0; i < storey_.rooms.size(); ++i)
@@ -513,7 +512,7 @@ private:
         return names;
     }
 
-    // Routes to other storeys that are neither a flight with lines nor a fall.
+    // Routes to other storeys, except flights with lines and drops.
     std::vector<std::string> exits() const {
         std::vector<std::string> names;
         for (const StoreyExit& exit : storey_.exits)
@@ -529,12 +528,12 @@ private:
                       {{"one", storey_.rooms[rooms[0]].name}, {"other", storey_.rooms[rooms[1]].name}});
     }
 
-    // What a sheet promises, looked at on the sheet that came out.
+    // Checks on the finished sheet what every sheet promises.
     void keep_promises() {
         std::vector<std::string> unsigned_rooms;
         for (std::size_t i = 0; i < made_.signs.size(); ++i)
             if (needs_sign(i) && !made_.signs[i].is_known()) unsigned_rooms.push_back(made_.signs[i].name);
-        // Of several sheets another one may have the sign: see swell_sheets.
+        // If there are several sheets, another one may have the sign: see swell_sheets.
         if (!unsigned_rooms.empty() && !made_.part)
             made_.broken.push_back(
                 phrase("export.no_sign", {{"count", unsigned_rooms.size()}, {"names", names_list(unsigned_rooms)}}));
@@ -553,7 +552,7 @@ private:
         if (!leaking.empty()) made_.broken.push_back(phrase("export.leaking", {{"names", names_list(leaking)}}));
     }
 
-    // The room that a finger is in at a place of the sheet; kNothing outside.
+    // The room at a place of the sheet; kNothing outside.
     std::uint32_t room_at_mm(const Vec2& at_mm) const {
         const int x = static_cast<int>(at_mm.x / kInkPixel_mm), y = static_cast<int>(at_mm.y / kInkPixel_mm);
         const std::uint32_t room = rooms_.holds(x, y) ? rooms_.room[rooms_.at(x, y)] : kNothing;
@@ -633,27 +632,27 @@ private:
     const SheetWish& wish_;
     BrailleTable table_;
     std::vector<std::string>& letters_;  // see swell_sheet
-    std::string taken_letters_;          // by signs of one letter on this sheet
+    std::string taken_letters_;          // used by one-letter signs on this sheet
     std::vector<PlanBox> sign_boxes_;
-    Vec2 low_mm_{0.0}, high_mm_{0.0};  // of the plan on the page
-    std::vector<bool> present_;        // rooms with floor on it
+    Vec2 low_mm_{0.0}, high_mm_{0.0};  // corners of the plan on the page
+    std::vector<bool> present_;        // rooms with floor on the sheet
     SwellSheet made_;
     OnPaper on_paper_;
     double bar_m_ = 5.0;
     int parts_ = kWallPart;
     WallInk walls_;
     Places places_;         // where something may be drawn
-    Places beside_things_;  // and where no thing will stand
+    Places beside_things_;  // the same, without the space of objects
     int hollow_ = 0;
     MendedOpenings mended_;
-    std::vector<std::string> edges_;  // rooms that end in the open
+    std::vector<std::string> edges_;  // rooms whose floor ends without a wall
     RoomGrid rooms_;
-    StairInk stairs_, rungs_;  // in the end all of them; those that reach into walls
+    StairInk stairs_, rungs_;  // stairs_ contains all lines in the end; rungs_ those that reach into walls
     bool base_drawn_ = false;
     std::uint32_t base_room_ = kNothing;
     std::string base_;
     std::vector<bool> thing_drawn_;
-    std::vector<std::uint32_t> thing_room_;  // that it is drawn in
+    std::vector<std::uint32_t> thing_room_;  // room in which each object is drawn
     std::vector<std::string> shrunk_, left_out_;
 };
 

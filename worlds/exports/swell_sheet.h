@@ -1,11 +1,11 @@
-// A storey for swell paper: black rises under heat, so walls are thick lines, things thin ones, stairs lines side by
-// side, and rooms have two cells of braille that a key explains. What a finger cannot part is kept 3 mm apart, made
-// wider, made smaller or left out, and each of these is told in a sentence. Pure functions over plain values; any
-// thread. A sheet of A4 takes about a second.
+// A storey for swell paper, on which black rises under heat. Walls are thick lines, objects thin ones, and stairs
+// parallel lines; rooms have two cells of braille that a key explains. What a finger cannot tell apart is kept 3 mm
+// apart, widened, shrunk or left out, and each such change is reported in a sentence. Pure functions over plain values;
+// any thread. A sheet of A4 takes about a second.
 //
-// Numbers: 3 mm between what is not joined (1/8 inch) and 6.4 mm (1/4 inch) for the smallest symbol and doorway, as the
-// American Printing House advises for tactile graphics; braille 2.5 / 6.0 / 10.0 mm with dots of 1.5 mm, DIN 32976
-// medium. Widths of lines are our own choice, two that differ by half.
+// Numbers: 3 mm between separate things (1/8 inch) and 6.4 mm (1/4 inch) for the smallest symbol and doorway, as the
+// American Printing House advises for tactile graphics. Braille 2.5 / 6.0 / 10.0 mm with dots of 1.5 mm, DIN 32976
+// medium. The widths of lines are our own choice: two that differ by half.
 #pragma once
 
 #include <array>
@@ -27,55 +27,57 @@ namespace handrail {
 inline constexpr double kLeastGap_mm = 3.0, kLeastSymbol_mm = 6.4, kWallLine_mm = 1.5, kThinLine_mm = 1.0;
 inline constexpr double kBrailleDot_mm = 1.5, kBraillePitch_mm = 2.5, kBrailleCell_mm = 6.0, kBrailleLine_mm = 10.0;
 
-// What somebody wants of a sheet.
+// What is requested of a sheet.
 struct SheetWish {
     PaperSize paper = kA4;
     BrailleTable table = BrailleTable::EnUebG1;
-    bool coarse = false;  // no things, and no signs of rooms under kCoarseRoom_m2: the key alone names those
-    std::vector<std::string> plate_signs = {};  // of a plate whose key this is, by place in Storey::rooms; may be empty
+    bool coarse = false;  // no objects, and no signs for rooms under kCoarseRoom_m2, which only the key names
+    // Signs on the plate that this key belongs to, by index in Storey::rooms; may be empty.
+    std::vector<std::string> plate_signs = {};
 };
 inline constexpr double kCoarseRoom_m2 = 6.0;
 
 inline constexpr int kWallPart = 1;  // SheetShape::part of all walls
 
-// The rooms that the storey's second plan shows; see Storey::hidden.
+// The names of the rooms that the storey's second plan shows; see Storey::hidden.
 std::string hidden_names(const Storey& storey);
 
 struct SwellSheet {
     SheetPage plan;
-    std::vector<SheetPage> key;           // pages of braille: what signs and lines mean, and what was simplified
-    std::vector<std::string> key_text;    // the same in print, a line each
-    std::vector<std::string> simplified;  // sentences
-    std::vector<RoomSign> signs;          // see room_signs; two letters or one where these have no room
-    double one_to = 0.0;                  // 75: a scale of 1 to 75
-    OnPaper on_paper;                     // where a place of the world is on the plan
-    std::vector<std::string> drawn;       // names of the things that stand on it
-    // Sentences on what every sheet promises and this one does not keep: 3 mm between what is not joined, a sign in
-    // every room or its doors in the key, doors of 6.4 mm, openings where the route graph has them. Empty: it keeps
-    // all.
+    std::vector<SheetPage> key;           // pages of braille: meaning of signs and lines, and what was simplified
+    std::vector<std::string> key_text;    // the same in print, one line each
+    std::vector<std::string> simplified;  // sentences for the report
+    std::vector<RoomSign> signs;          // see room_signs; two letters or one if there is no space for these
+    double one_to = 0.0;                  // 75 means a scale of 1 to 75
+    OnPaper on_paper;                     // converts places of the world to places on the plan
+    std::vector<std::string> drawn;       // names of the objects on it
+    // Sentences about promises that this sheet does not keep; empty: it keeps all. The promises: 3 mm between separate
+    // things, a sign in every room or its doors in the key, doors of 6.4 mm, and openings where the route graph has
+    // them.
     std::vector<std::string> broken;
-    std::optional<SheetPart> part;              // of several sheets
-    std::vector<KeyLine> key_lines;             // of which `key`, `key_text` and the text of the plan are made
-    std::vector<std::size_t> key_line_of_room;  // its place there; kNoKeyLine where it is on another sheet
+    std::optional<SheetPart> part;              // if there are several sheets
+    std::vector<KeyLine> key_lines;             // the source of `key`, `key_text` and the text of the plan
+    std::vector<std::size_t> key_line_of_room;  // index in key_lines; kNoKeyLine: the room is on another sheet
 };
 inline constexpr std::size_t kNoKeyLine = static_cast<std::size_t>(-1);
 
-// Upright or across, whichever is larger. Fails with one sentence where the storey is larger than a sheet at 1 to 1000,
-// where there is nothing to draw, and where braille cannot be had.
+// In portrait or landscape, whichever gives the larger scale. Fails with one sentence if the storey is larger than a
+// sheet at 1 to 1000, if there is nothing to draw, or if braille is not available.
 Result<SwellSheet> swell_sheet(const Storey& storey, const SheetWish& wish);
-// One of several. `letters`: of every room the shorter sign that it has on sheets made before, or none; those of this
-// sheet are added.
+// Makes one of several sheets. `letters`: for every room, the shorter sign that it has on earlier sheets, or nothing;
+// the signs of this sheet are added.
 Result<SwellSheet> swell_sheet(const Storey& storey, const SheetWish& wish, const SheetPart& part,
                                std::vector<std::string>& letters);
-// Makes the pages of the key of its lines, simplifications and broken promises.
+// Makes the pages of the key from its lines, simplifications and broken promises.
 Result<void> write_key(SwellSheet& sheet, BrailleTable table);
-// The same on several sheets where one does not keep its promises: at the coarsest scale that gives most rooms their
-// sign, at most kMostSheets. Rooms that are too small for it come on more sheets that show their surroundings larger,
-// and each key says on which. Where no scale keeps all, the one that keeps most. Takes half a second a sheet.
+// The same on several sheets, if a single one does not keep its promises. The sheets have the coarsest scale that gives
+// most rooms their sign, and there are at most kMostSheets. Rooms that are too small at that scale appear on more
+// sheets, which show their surroundings larger, and each key says on which. If no scale keeps all promises, the one
+// that keeps the most is used. Takes half a second for each sheet.
 Result<std::vector<SwellSheet>> swell_sheets(const Storey& storey, const SheetWish& wish);
 
-// A page to be printed and swollen first, and chosen from by touch: dots of 1.2 to 1.8 mm, lines of 0.5 to 2 mm and
-// gaps of 2 to 6 mm, each with its size in braille.
+// A page to be printed and swollen first, to choose from by touch: dots of 1.2 to 1.8 mm, lines of 0.5 to 2 mm and gaps
+// of 2 to 6 mm, each with its size in braille.
 Result<SheetPage> calibration_strip(const PaperSize& paper, BrailleTable table);
 
 }  // namespace handrail

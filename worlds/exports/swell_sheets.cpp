@@ -9,19 +9,20 @@
 namespace handrail {
 namespace {
 
-// At the scale that is chosen so many rooms have room for one cell at least; and of one sheet so many have a letter,
-// for there are 25.
+// At the chosen scale, this share of the rooms has space for at least one cell. At most this many rooms of a sheet have
+// a single letter, because there are 25.
 constexpr double kWithOneCell = 0.7;
 constexpr std::size_t kMostLetters = 20;
-constexpr int kScalesTried = 2;         // if a coarser one breaks other promises than that of signs
-constexpr int kMostLarger = 10;         // sheets tried for rooms that are too small on the others
-constexpr double kFinestLarger = 50.0;  // at a finer scale a shaft of half a metre would have a sheet of its own
-constexpr double kAroundSmall_m = 2.0;  // that a larger sheet shows around its rooms
-constexpr double kBesideSign_mm = 3.7;  // what a sign needs on either side: its clearance and walls that became thicker
+constexpr int kScalesTried = 2;         // tries a finer scale if the first breaks promises other than signs
+constexpr int kMostLarger = 10;         // sheets tried for rooms that are too small on the other sheets
+constexpr double kFinestLarger = 50.0;  // at a finer scale, a shaft of half a metre would get a sheet to itself
+constexpr double kAroundSmall_m = 2.0;  // margin around the rooms on a larger sheet
+constexpr double kBesideSign_mm = 3.7;  // space on either side of a sign: its clearance and thickened walls
 
 Vec2 needed_mm(std::size_t cells) { return braille_size_mm(cells) + Vec2(2.0 * kBesideSign_mm); }
 
-// What is made of one storey: sheets of one scale that cover it, then larger ones of what is too small there.
+// Makes the sheets of one storey: sheets of one scale that cover it, then larger ones of the rooms that are too small
+// there.
 class SheetsMaker {
 public:
     SheetsMaker(const Storey& storey, const SheetWish& wish)
@@ -31,7 +32,7 @@ public:
           for_one_cell_(scales_needed(storey, scales_, needed_mm(1))),
           for_sign_(for_whole_signs()) {}
 
-    // Empty where it takes too many sheets at any scale.
+    // Empty if every scale needs too many sheets.
     Result<std::vector<SwellSheet>> make() {
         std::size_t least = std::numeric_limits<std::size_t>::max();
         std::vector<SwellSheet> best;
@@ -62,14 +63,14 @@ private:
                !(wish_.coarse && storey_.rooms[room].area_m2 < kCoarseRoom_m2);
     }
 
-    // Two letters stand in for a sign with a number, which has more cells.
+    // Two letters replace a sign with a number, which has more cells.
     std::vector<double> for_whole_signs() const {
         std::vector<double> needed(storey_.rooms.size(), 0.0);
         std::map<std::size_t, std::vector<double>> of_cells;
         const std::vector<RoomSign> signs = room_signs(storey_);
         for (std::size_t i = 0; i < needed.size(); ++i) {
             const Result<BrailleCells> cells = braille_signs(signs[i].sign, wish_.table);
-            if (!cells) continue;  // the sheets say so
+            if (!cells) continue;  // the sheets report this
             const std::size_t most = std::min<std::size_t>(cells->size(), 2);
             std::vector<double>& known = of_cells[most];
             if (known.empty()) known = scales_needed(storey_, scales_, needed_mm(most));
@@ -78,7 +79,7 @@ private:
         return needed;
     }
 
-    // How many rooms have room for a letter alone.
+    // The number of rooms with space for only one letter.
     std::size_t letters_at(std::size_t scale) const {
         std::size_t letters = 0;
         for (std::size_t i = 0; i < storey_.rooms.size(); ++i)
@@ -86,7 +87,7 @@ private:
         return letters;
     }
 
-    // The coarsest scale at which so many of the rooms have room for it.
+    // The coarsest scale at which this share of the rooms has enough space.
     double needed_by(const std::vector<double>& of_room, double share) const {
         std::vector<double> needed;
         for (std::size_t i = 0; i < storey_.rooms.size(); ++i)
@@ -97,8 +98,8 @@ private:
         return needed.empty() ? scales_.back() : needed[static_cast<std::size_t>(last * (1.0 - share))];
     }
 
-    // The coarsest scale that most rooms need and that takes no more than kMostSheets, and from there the finest that
-    // takes no more sheets than it.
+    // The coarsest scale that most rooms need and that takes no more than kMostSheets. From there, the finest scale
+    // with the same number of sheets.
     std::size_t first_scale() const {
         const double most = needed_by(for_one_cell_, kWithOneCell);
         std::size_t scale = 0;
@@ -111,7 +112,7 @@ private:
         return scale;
     }
 
-    // How many promises they break; no more are drawn once these are as many as `most`.
+    // Draws the sheets and returns how many promises they break. Stops as soon as these reach `most`.
     Result<std::size_t> draw(const std::vector<SheetPart>& parts, std::size_t most) {
         sheets_.clear();
         letters_.clear();
@@ -138,8 +139,8 @@ private:
         return rooms;
     }
 
-    // Rooms next to each other that need about the same scale share a larger sheet. Where a sign did not fit after all,
-    // a finer scale is tried once more.
+    // Adds larger sheets. Neighbouring rooms that need about the same scale share one. If a sign still does not fit, a
+    // finer scale is tried once more.
     Result<void> add_larger() {
         std::vector<std::size_t> at_scale(storey_.rooms.size(), 0), tried(storey_.rooms.size(), 0);
         for (std::size_t i = 0; i < at_scale.size(); ++i)
@@ -186,7 +187,7 @@ private:
         LargerPart made;
         Vec2 low = storey_.rooms[first].min_m - around, high = storey_.rooms[first].max_m + around;
         const Vec2 page = room_on_page(wish_.paper, high.x - low.x > high.y - low.y, true) * (one_to / 1000.0);
-        // A room that is longer than a page is shown around its middle.
+        // If a room is longer than a page, show its middle.
         low = glm::max(low, middle - 0.5 * page);
         high = glm::min(high, middle + 0.5 * page);
         made.rooms.push_back(first);
@@ -205,7 +206,7 @@ private:
         return made;
     }
 
-    // What a sheet leaves to others, and what none of them shows, is known only now.
+    // Only now is it known which rooms are named on other sheets, and which on none.
     Result<void> write_keys() {
         for (SwellSheet& sheet : sheets_) {
             sheet.part->count = static_cast<int>(sheets_.size());
@@ -247,7 +248,7 @@ private:
 
     const Storey& storey_;
     const SheetWish& wish_;
-    std::vector<double> scales_, for_one_cell_, for_sign_;  // of every room, see scales_needed
+    std::vector<double> scales_, for_one_cell_, for_sign_;  // for every room, see scales_needed
     std::vector<SwellSheet> sheets_;
     std::vector<std::string> letters_, best_letters_;
 };

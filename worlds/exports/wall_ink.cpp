@@ -53,7 +53,7 @@ private:
         return made_.ink.holds(x, y) && made_.ink.black[made_.ink.at(x, y)];
     }
 
-    // How thick the wall is at a place beside a jamb; -1 where a wall goes on across there, which is not cut.
+    // The thickness of the wall next to a jamb; -1 if a wall continues across there, which must not be cut.
     double thickness(const Vec2& at, const Vec2& across) const {
         const double most = 0.7 * on_paper_.mm_per_m;
         double deepest = 0.0;
@@ -66,7 +66,7 @@ private:
         return deepest;
     }
 
-    // A door must stay as wide as a finger needs, and no line that was made thicker may stand in it.
+    // Opens a door gap. It must be wide enough for a finger, and no thickened line may block it.
     void open_gap(const StoreyGap& gap) {
         const Vec2 middle = on_paper_(gap.place_m), along = gap.along, across(-along.y, along.x);
         const double width = gap.width_m * on_paper_.mm_per_m;
@@ -81,7 +81,7 @@ private:
             if (can_before || can_behind) ++made_.wider;
             else made_.narrow_doors.push_back(gap.name.empty() ? phrase("export.opening") : gap.name);
         }
-        // What was made thicker and ends at a jamb may stay as it is where the gap is wide.
+        // If the gap is wide, a thickened wall that ends at a jamb may stay as it is.
         if (width > look_.door_mm + look_.line_mm) low += 0.5 * look_.line_mm, high -= 0.5 * look_.line_mm;
         const double deep = std::max({before, behind, look_.line_mm, gap.deep_m * on_paper_.mm_per_m}) + 0.3;
         fill(made_.ink, Loops{corners_of({middle + along * (0.5 * (low + high)), along, {0.5 * (high - low), deep}})},
@@ -143,7 +143,7 @@ std::uint32_t room_on(const RoomGrid& rooms, const Vec2& at_mm) {
     return rooms.holds(x, y) ? rooms.room[rooms.at(x, y)] : kNothing;
 }
 
-// Where the lines across a flight could be, each as long as the flight is wide.
+// Possible places of the lines across a flight, each as long as the flight is wide.
 std::vector<PlanBox> lines_across(const std::vector<std::vector<Vec2>>& loops_m, const OnPaper& on_paper,
                                   double line_mm, double clear_mm) {
     std::vector<Vec2> all;
@@ -152,7 +152,7 @@ std::vector<PlanBox> lines_across(const std::vector<std::vector<Vec2>>& loops_m,
     const PlanOutline hull = convex_hull(std::move(all));
     if (hull.empty()) return lines;
     const PlanBox box = box_around(hull);
-    const double pitch_mm = line_mm + clear_mm + 0.2;  // a little over, or a line would not fit next to the last
+    const double pitch_mm = line_mm + clear_mm + 0.2;  // a little more, or the next line would not fit
     for (double at = -box.half_m.x; at <= box.half_m.x + 1e-9; at += pitch_mm)
         lines.push_back({box.middle_m + box.along * at,
                          Vec2(-box.along.y, box.along.x),
@@ -160,7 +160,7 @@ std::vector<PlanBox> lines_across(const std::vector<std::vector<Vec2>>& loops_m,
     return lines;
 }
 
-// Calls `draw(line)` for the lines of every flight. It returns whether it drew the line.
+// Calls `draw(line)` for the lines of every flight. `draw` returns whether it drew the line.
 template <class Draw>
 StairInk lines_of_flights(const Storey& storey, const OnPaper& on_paper, const RoomGrid& rooms, double line_mm,
                           double clear_mm, Draw draw) {
@@ -191,8 +191,8 @@ bool black_at(const Ink& ink, const Vec2& mm) {
     return ink.holds(x, y) && ink.black[ink.at(x, y)];
 }
 
-// Makes a line that has no room between walls reach into them; false if it is too short then, or too near to something
-// before or behind it.
+// If a line has no space between walls, extends it into them. Returns false if it is then too short, or too near to
+// something before or behind it.
 bool reaches_walls(PlanBox& line, const Ink& walls, double clear_mm, double least_mm) {
     if (black_at(walls, line.middle_m)) return false;
     const double half = line.half_m.x;
@@ -208,7 +208,7 @@ bool reaches_walls(PlanBox& line, const Ink& walls, double clear_mm, double leas
     line.half_m.x = 0.5 * (end[0] + end[1]);
     if (2.0 * line.half_m.x < least_mm) return false;
     const Vec2 across(-line.along.y, line.along.x);
-    constexpr double kBesideWall_mm = 0.8;  // the walls that it reaches into may slant
+    constexpr double kBesideWall_mm = 0.8;  // the walls at its ends may be slanted
     for (double aside = -line.half_m.y - clear_mm; aside <= line.half_m.y + clear_mm; aside += kInkPixel_mm)
         for (double at = -line.half_m.x + kBesideWall_mm; at <= line.half_m.x - kBesideWall_mm; at += kInkPixel_mm)
             if (black_at(walls, line.middle_m + line.along * at + across * aside)) return false;
@@ -274,10 +274,10 @@ std::optional<BaseArrow> arrow_of_base(const StoreyBase& base, const OnPaper& on
 
 namespace {
 
-// The sign of the ground outside keeps away from a door: it has all the ground to stand on.
+// The sign of the ground outside keeps a larger distance from doors, because it has plenty of space.
 constexpr double kBeforeDoor_mm = 2.0, kBeforeHouse_mm = 12.0;
 
-// `clear_mm`: so far from the middle of a doorway's wall is its own.
+// `clear_mm`: half depth of the area that belongs to a doorway, from the middle of its wall.
 bool in_doorway(const Storey& storey, const OnPaper& on_paper, const PlanBox& box, double clear_mm) {
     return std::any_of(storey.gaps.begin(), storey.gaps.end(), [&](const StoreyGap& gap) {
         const Vec2 off = box.middle_m - on_paper(gap.place_m), across(-gap.along.y, gap.along.x);
@@ -297,7 +297,8 @@ std::optional<Vec2> place_of_sign(const Storey& storey, std::size_t room, const 
     const StoreyRoom& mine = storey.rooms[room];
     const double reach = glm::distance(on_paper(mine.min_m), on_paper(mine.max_m)) + 5.0;
     const auto box_at = [&](const Vec2& p) { return PlanBox{p, {1.0, 0.0}, half_mm}; };
-    // The floor begins a body's radius inside the walls. Beyond that nobody finds the room, though no wall ends it.
+    // The floor begins a walker's radius inside the walls. Beyond that, nobody would recognise the room, although no
+    // wall ends it.
     constexpr double kBesideFloor_m = 0.35;
     const Vec2 low = on_paper(mine.min_m - Vec2(kBesideFloor_m)), high = on_paper(mine.max_m + Vec2(kBesideFloor_m));
     const auto is_mine = [&](const Vec2& p) {
