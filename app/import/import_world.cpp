@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The file as it is now.
+// Identifies the contents of a file at a certain time.
 struct FileState {
     std::uint64_t size = 0;
     timespec changed{};
@@ -32,7 +32,8 @@ struct FileState {
     }
 };
 
-// Nothing if it is smaller than that, no ordinary file, cannot be read or is not wanted any more: reading it says so.
+// Returns nothing if the file is smaller than `least_bytes`, is not a regular file or cannot be read, or if `stop` was
+// requested. Reading the file reports the reason.
 std::optional<FileState> state_of(const fs::path& path, std::uint64_t least_bytes, const std::stop_token& stop) {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     struct stat of {};
@@ -53,8 +54,8 @@ std::optional<FileState> state_of(const fs::path& path, std::uint64_t least_byte
     return state;
 }
 
-// Everything but the files next to it that decides what becomes of a file. A person's own words may change between two
-// starts.
+// The cache key: everything that affects the result, except the files next to it. That includes the person's own
+// language files, which may change between two starts.
 std::string name_in_cache(const FileState& file, const ReadOptions& options, const fs::path& path) {
     Sha256 sum;
     sum.add_counted(fmt::format("{:x} {} {} {} {} {} {}", kWorldsVersion, file.sha256, options.map_metres_per_unit,
@@ -92,7 +93,7 @@ Result<ImportedWorld> import_world(const fs::path& path, const ReadOptions& opti
     Result<Scene> scene = scene_from(read->scene);
     if (!scene) return tl::unexpected(scene.error());
     if (read->kept && options.progress) options.progress(1.0);
-    // What changed while it was read is not kept.
+    // A file that changed while it was read is not cached.
     if (before && !read->kept)
         if (const auto after = state_of(path, 0, options.stop); after && after->same_as(*before))
             how.cache.keep(name, kept_scene(read->beside, read->scene));

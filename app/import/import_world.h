@@ -1,6 +1,5 @@
-// How the program comes to a world from a file: a process of its own reads it (reader_process). The cache keeps what
-// comes of it, so that the next start is as fast as a .map's, of which nothing is kept. Any thread but the app's,
-// because it waits.
+// Gets a world from a file. A separate process reads it (see reader_process). The result is cached, so that the next
+// start is as fast as with a small .map, which is not cached. Any thread except the app's, because it waits.
 #pragma once
 
 #include "app/import/reader_process.h"
@@ -9,26 +8,26 @@
 namespace handrail {
 
 struct ImportHow {
-    // Where what was read is kept, and looked for first.
+    // The cache where results are looked up and kept.
     Cache cache{{}};
     std::filesystem::path program = find_reader_program();  // empty: the file is read in this process
     ReaderLimits limits;
 };
 
-// A small file is read sooner than what would be kept of it.
+// Smaller files are read faster than the cached result.
 inline constexpr std::uintmax_t kLeastKept_bytes = 65'536;
-// A smaller .map is read faster than it would be taken from the cache.
+// Smaller .map files are read faster than the cached result.
 inline constexpr std::uintmax_t kLeastKeptMap_bytes = 4'194'304;
 
 struct ImportedWorld {
     Scene scene;
-    bool kept = false;          // taken from what was kept
-    bool kept_damaged = false;  // what was kept could not be understood, so the file was read anew
+    bool kept = false;          // taken from the cache
+    bool kept_damaged = false;  // the cached result was damaged, so the file was read again
 };
 
-// As read_world. What was kept counts only for the same bytes of the file and of those it needs next to it, the same
-// options, language and build: all but the files next to it are in the key, by SHA-256, and the digests of those are
-// kept with the scene.
+// Fails as read_world does. A cached result is used only for the same bytes of the file and of the files that it needs
+// next to it, and for the same options, language and build. The cache key is the SHA-256 of all of these except the
+// files next to it, whose digests are kept with the scene.
 Result<ImportedWorld> import_world(const std::filesystem::path& path, const ReadOptions& options, const ImportHow& how);
 
 }  // namespace handrail

@@ -1,4 +1,4 @@
-// What read_apart and the process it starts agree on. Private to this folder.
+// The protocol between read_apart and the process that it starts. Private to this folder.
 #pragma once
 
 #include "app/import/reader_process.h"
@@ -9,13 +9,14 @@
 namespace handrail {
 
 inline constexpr int kAnswerFd = 3, kTellFd = 4, kFilesFd = 5, kKeptFd = 6;
-inline constexpr int kReaderWords = 12;  // with the program's own name
+inline constexpr int kReaderWords = 12;  // number of arguments, including the program's name
 inline constexpr int kWrongUse = 2, kNoMemory = 3, kNoRoom = 4, kCutMeanwhile = 5;
-// In place of the name of a world and of what is kept: the text at kKeptFd is TOML. No file of the cache has that name.
+// Passed in place of the names of a world and of a cached file: the text at kKeptFd is TOML. No cached file has this
+// name.
 inline constexpr const char* kTomlText = "toml";
 inline constexpr std::size_t kMostHandedOver_bytes = std::size_t{1} << 30;
 
-// Before the bytes of the scene or of the ways, which follow if `read`.
+// Comes before the bytes of the scene or of the routes, which follow if `read` is true.
 struct ReaderAnswer {
     bool read = false, kept = false, kept_damaged = false;
     Error error;
@@ -38,7 +39,7 @@ void fields(A& a, T& v) {
     a(read, kept, kept_damaged, error, beside);
 }
 
-// After the answer to kTomlText. A fault has a line; else there are values.
+// Comes after the answer to kTomlText. A fault has a line; otherwise there are values.
 struct TomlAnswer {
     Error fault;
     TomlValue values;

@@ -1,4 +1,4 @@
-// The other side of read_apart: what runs in handrail-reader.
+// The other side of read_apart, which runs in handrail-reader.
 #include <fmt/format.h>
 #include <signal.h>
 #include <sys/prctl.h>
@@ -26,7 +26,7 @@ namespace {
 
 void limit(int what, rlim_t most) {
     rlimit both{most, most};
-    if (what == RLIMIT_CPU) ++both.rlim_max;  // first a signal that tells why, then the end
+    if (what == RLIMIT_CPU) ++both.rlim_max;  // first a signal that explains the reason, then the end
     ::setrlimit(static_cast<__rlimit_resource_t>(what), &both);
 }
 
@@ -53,12 +53,12 @@ double metres(const char* word) {
     return parse_finite(word, value) ? value : 0.0;
 }
 
-// What is looked at in a mapped file that ends before by now.
+// Ends the process if it reads a part of a mapped file that has been cut off meanwhile.
 void end_where_the_file_was_cut() {
     struct sigaction act {};
     act.sa_sigaction = [](int, siginfo_t* info, void*) {
         if (info->si_code == BUS_ADRERR) ::_exit(kCutMeanwhile);
-        ::signal(SIGBUS, SIG_DFL);  // anything else is met again, and told as what it is
+        ::signal(SIGBUS, SIG_DFL);  // other faults happen again, and are then reported correctly
     };
     act.sa_flags = SA_SIGINFO;
     ::sigaction(SIGBUS, &act, nullptr);
@@ -82,7 +82,7 @@ Result<Scene> read_requested(const std::string& name, const ReadOptions& options
     return mapped ? read_world_bytes(name, mapped->bytes(), options) : tl::unexpected(mapped.error());
 }
 
-// True if the files that were needed next to the world's are as they were, and those that were missing are missing.
+// Returns true if the files needed next to the world are unchanged, and those that were missing still are.
 bool same_beside(const std::vector<BesideFile>& beside) {
     return std::all_of(beside.begin(), beside.end(), [](const BesideFile& file) {
         const Result<std::string> bytes = read_requested_beside(file.name);
@@ -90,7 +90,8 @@ bool same_beside(const std::vector<BesideFile>& beside) {
     });
 }
 
-// The scene that was kept under that name; nothing if it is out of date or, as `damaged` then says, not to be believed.
+// Returns the cached scene with that name. Returns nothing if it is out of date, or if it cannot be trusted, which
+// `damaged` then indicates.
 std::optional<Scene> scene_kept(const std::string& name, bool& damaged) {
     const std::optional<std::string> kept = kept_content(kKeptFd, name);
     Result<std::optional<Scene>> scene = fail("");
@@ -143,11 +144,11 @@ int answer_with_toml() {
 int reader_process(int argc, char** argv) {
     if (argc != kReaderWords) return kWrongUse;
     const auto parent = number<pid_t>(argv[3]);
-    // Whoever started this process may have ended before the kernel was asked.
+    // The parent may have ended before the kernel was told to end this process with it.
     if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || ::getppid() != parent) return kWrongUse;
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, kMostHandedOver_bytes);
-    ::signal(SIGXFSZ, SIG_IGN);  // writing fails instead
+    ::signal(SIGXFSZ, SIG_IGN);  // so that writing fails instead
     limit(RLIMIT_CPU, number<rlim_t>(argv[5]));
 #ifndef HANDRAIL_SANITIZED
     limit(RLIMIT_AS, number<rlim_t>(argv[4]));
@@ -156,15 +157,15 @@ int reader_process(int argc, char** argv) {
     std::set_new_handler([] { ::_exit(kNoMemory); });
     const std::string name = argv[6];
     const bool reads_toml = name.empty() && std::string_view(argv[11]) == kTomlText;
-    if (!reads_toml) {  // which needs neither, and is waited for
+    if (!reads_toml) {  // TOML needs neither, and someone waits for it
         (void)speak_language(argv[1], argv[2]);
-        (void)sha256_of("");  // libgcrypt looks at the system when it is first used
+        (void)sha256_of("");  // libgcrypt inspects the system when it is first used
     }
     Permissions permissions;
 #if defined(HANDRAIL_SANITIZED)
-    permissions.read.emplace_back("/proc");  // where a sanitizer looks for leaks
+    permissions.read.emplace_back("/proc");  // needed by the leak check of a sanitizer
 #endif
-    (void)confine(permissions);  // what the kernel lacks, `handrail devices` reports
+    (void)confine(permissions);  // `handrail devices` reports what the kernel lacks
 
     ReadOptions options;
     options.map_metres_per_unit = metres(argv[7]);
@@ -173,7 +174,7 @@ int reader_process(int argc, char** argv) {
     options.guess_materials = argv[9][1] == '1';
     options.solid_meshes = argv[9][2] == '1';
     options.building = argv[10];
-    // Lines on the pipe; a reader that calls often is heard at every hundredth.
+    // Progress goes through the pipe as lines. However often the reader calls, only whole hundredths are sent.
     int told = -1;
     options.progress = [&](double fraction) {
         const int percent = static_cast<int>(100.0 * std::clamp(fraction, 0.0, 1.0));

@@ -32,22 +32,22 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kReaderProgram = "handrail-reader";
-constexpr int kLookEvery_ms = 50;  // at whether it is still wanted
+constexpr int kLookEvery_ms = 50;  // interval for checking whether the result is still wanted
 
-// Nothing that a reader writes reaches the person's terminal, which obeys what is written to it.
+// The reader must not write to the person's terminal, because a terminal obeys what is written to it.
 #if defined(HANDRAIL_SANITIZED)
-constexpr bool kSanitized = true;  // it reports there
+constexpr bool kSanitized = true;  // a sanitizer reports there
 #else
 constexpr bool kSanitized = false;
 #endif
 
-// A process that is gone with its owner.
+// Owns a process, and ends it in the destructor.
 class Reading {
 public:
     explicit Reading(pid_t process) : process_(process) {}
     ~Reading() {
         if (ended_) return;
-        ::kill(-process_, SIGKILL);  // with whatever it may have started: it leads a group of its own
+        ::kill(-process_, SIGKILL);  // with everything that it may have started: it leads its own process group
         wait();
     }
     Reading(const Reading&) = delete;
@@ -66,7 +66,7 @@ private:
     bool ended_ = false;
 };
 
-// "p57": percent; "stext.key": what it is at.
+// Handles a line of progress. "p57": percent; "stext.key": the current stage.
 void tell(const ReadOptions& options, std::string_view line) {
     if (line.starts_with('p') && options.progress) {
         int percent = 0;
@@ -100,7 +100,7 @@ std::string end_words(int status, const ReaderLimits& limits, double cpu_s) {
     if (WIFSIGNALED(status)) {
         const int signal = WTERMSIG(status);
         if (signal == SIGXCPU) return too_long();
-        // The kernel's own end: of one whose time is over, else of one for which the machine has no memory left.
+        // The kernel killed it: either its time was over, or the machine had no memory left.
         if (signal == SIGKILL) return cpu_s >= limits.cpu_s ? too_long() : too_much();
         return phrase("import.broke_down", {{"reason", ::strsignal(signal)}});
     }
@@ -110,7 +110,7 @@ std::string end_words(int status, const ReaderLimits& limits, double cpu_s) {
     return phrase("import.broke_down", {{"reason", phrase("import.status", {{"status", WEXITSTATUS(status)}})}});
 }
 
-// What the process has used of the processor so far; 0 if it has ended.
+// The processor time that the process has used; 0 if it has ended.
 double processor_s(pid_t process) {
     clockid_t its{};
     timespec used{};
@@ -137,9 +137,9 @@ Result<ReadApart> read_answer(int fd, std::size_t most_bytes) {
     return ReadApart{std::move(*bytes), answer.kept, answer.kept_damaged, std::move(answer.beside)};
 }
 
-// The descriptors become 3, 4 and so on there.
+// Starts the program. The descriptors become 3, 4 and so on there.
 Result<pid_t> start(const fs::path& program, std::vector<std::string> words, const std::vector<int>& passed) {
-    // Numbers out of the way of those first, so that none is overwritten before it is passed on.
+    // First moves the descriptors to high numbers, so that none is overwritten before it is passed on.
     std::vector<Descriptor> high;
     for (const int fd : passed) high.emplace_back(::fcntl(fd, F_DUPFD_CLOEXEC, 64));
     for (const Descriptor& fd : high)
@@ -154,7 +154,7 @@ Result<pid_t> start(const fs::path& program, std::vector<std::string> words, con
     posix_spawn_file_actions_addclosefrom_np(&actions, next);
     posix_spawnattr_t how;
     posix_spawnattr_init(&how);
-    // A group of its own: what a terminal's keys send is for the program, which then ends this one.
+    // A separate process group: a terminal's keys signal only the program, which then ends this process.
     sigset_t none, all;
     sigemptyset(&none);
     sigfillset(&all);
@@ -219,10 +219,10 @@ Result<ReadApart> read_apart(const fs::path& path, const ReadOptions& options, c
     }
     Reading reading(process);
     const SteadyClock clock;
-    // A busy machine makes reading slow, so only a process that does nothing at all is given up by the clock.
+    // A busy machine makes reading slow. So the clock ends only a process that uses no processor time at all.
     double worked_s = 0.0, idle_since_s = clock.now_s();
     std::string line;
-    bool asks = !path.empty();  // what unpacks ways or parses TOML has no world, so it gets no file
+    bool asks = !path.empty();  // unpacking routes and parsing TOML need no world, so these get no file
     for (bool open = true; open;) {
         if (options.stop.stop_requested()) return fail(phrase("files.stopped"), name);
         if (const double now_worked_s = processor_s(process); now_worked_s > worked_s) {
@@ -254,7 +254,7 @@ std::string unpack_ways_apart(const KeptForReader& kept, const fs::path& program
                               const ReaderLimits& limits) {
     ReadOptions options;
     options.stop = stop;
-    Result<ReadApart> read = read_apart({}, options, program, limits, kept);  // no file: the ways that are kept
+    Result<ReadApart> read = read_apart({}, options, program, limits, kept);  // no file: the routes come from the cache
     return read ? std::move(read->scene) : std::string();
 }
 

@@ -13,9 +13,9 @@ namespace handrail {
 namespace {
 
 constexpr std::size_t kLongestRequest_bytes = 4096, kLongestAnswer_bytes = 16'384;
-constexpr char kWorld = 'w', kBeside = 'b';  // the first byte of a request; the name follows
+constexpr char kWorld = 'w', kBeside = 'b';  // first byte of a request; the name follows
 
-// Before the descriptor, which follows if the file is open.
+// Comes before the descriptor, which follows if the file is open.
 struct FileAnswer {
     bool opened = false;
     std::uint64_t size = 0;
@@ -31,7 +31,7 @@ void fields(A& a, T& v) {
     a(name, error);
 }
 
-// A message with room for one descriptor.
+// A socket message with room for one descriptor.
 struct Parcel {
     explicit Parcel(std::string& bytes) : part{bytes.data(), bytes.size()} {
         head.msg_iov = &part;
@@ -118,7 +118,7 @@ bool answer_request(int socket, const std::filesystem::path& world) {
     std::string bytes = pack.take();
     Parcel parcel(bytes);
     if (file) parcel.put(file->file.get());
-    // A reader that fills the socket instead of waiting for its answer gets none.
+    // If the reader fills the socket instead of waiting for answers, it gets none.
     return ::sendmsg(socket, &parcel.head, MSG_DONTWAIT | MSG_NOSIGNAL) >= 0;
 }
 

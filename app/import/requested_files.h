@@ -1,5 +1,6 @@
-// The files that a confined reader needs. It may open none itself, so it requests each by name over a socket, and the
-// program opens it there, if it belongs to the world, and passes the descriptor. Private to this folder, but for tests.
+// Gives a confined reader the files that it needs. It cannot open files, so it requests each by name over a socket. The
+// program opens the file if it belongs to the world, and passes the descriptor. Private to this folder, except for
+// tests.
 #pragma once
 
 #include <filesystem>
@@ -9,11 +10,11 @@
 
 namespace handrail {
 
-// The reader's end, which waits for the program. The name is relative to the world's own.
+// Called by the reader; waits for the program. The name is relative to the world's file.
 Result<OpenFile> request_world(int socket);
 Result<OpenFile> request_beside(int socket, const std::string& name);
 
-// The program's end: answers one request that is waiting. False if no more will come.
+// Called by the program: answers one waiting request. Returns false if no more will come.
 bool answer_request(int socket, const std::filesystem::path& world);
 
 }  // namespace handrail

@@ -1,8 +1,8 @@
-// TOML that others may have made, parsed in a process of its own (reader_process), which hands over plain values: a
-// file that brings the parser down ends that process and nothing else. Of the answer nothing is trusted: every kind,
-// count and depth is checked, keys must be in order, and texts must be UTF-8. Copies share what they know; any thread.
-// Cost: about 5 ms of the processor for a text that is new, and a copy for one that was read before, also if reading it
-// failed: read a world's files where nobody waits, and the app's thread finds the same bytes known.
+// Parses TOML from untrusted sources in a separate process (reader_process), which returns plain values. A file that
+// crashes the parser ends only that process. The answer is not trusted: every kind, count and depth is checked, keys
+// must be in order, and texts must be UTF-8. Copies share their cache; any thread. Cost: about 5 ms of processor time
+// for a new text, and a copy for one that was parsed before, even if that failed. So parse a world's files in the
+// background first; the app thread then finds the result in the cache.
 #pragma once
 
 #include <filesystem>
@@ -20,10 +20,11 @@ inline constexpr std::size_t kLargestToml_bytes = std::size_t{16} << 20;
 class TomlApart {
 public:
     static constexpr std::size_t kMostKnown = 128;
-    static constexpr std::size_t kMostKnown_bytes = std::size_t{4} << 20;  // of text; the last one is known anyway
+    // Total size of cached texts; the last text is always cached.
+    static constexpr std::size_t kMostKnown_bytes = std::size_t{4} << 20;
 
     explicit TomlApart(std::filesystem::path program, ReaderLimits limits = {1'000'000'000, 5, 10.0});
-    // A TomlReader. Whatever the process does but answer in time makes one sentence.
+    // Serves as a TomlReader. If the process does anything except answer in time, the result is one sentence.
     Result<TomlValue> operator()(const std::string& text) const;
 
 private:
@@ -34,8 +35,8 @@ private:
     std::shared_ptr<Known> known_;
 };
 
-// What such a process answered, as toml_of would have said it, or one sentence if it cannot be that. Private to this
-// folder, but for tests.
+// The answer of such a process in the form that toml_of would return, or one sentence if it is invalid. Private to this
+// folder, except for tests.
 Result<TomlValue> toml_in_answer(std::string_view bytes);
 
 }  // namespace handrail

@@ -22,9 +22,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kLost_s = 0.6;  // so much of the end of a recording that was cut off is not in all its files
+// How much of the end of a recording that was cut off may be missing from some of its files.
+constexpr double kLost_s = 0.6;
 
-// A folder of its own for what the session saves meanwhile; gone with it.
+// A temporary folder for what the session saves meanwhile; the destructor deletes it.
 class Aside {
 public:
     Aside() {
@@ -39,7 +40,7 @@ public:
     Aside& operator=(const Aside&) = delete;
     const fs::path& path() const { return path_; }
 
-    // What the person had added to the world, as a file beside a link to it.
+    // Writes what the person had added to the world to a file, next to a link to the world.
     SideFile additions_of(const RecordedWorld& world) {
         const fs::path folder = path_ / std::to_string(++worlds_);
         std::error_code ec;
@@ -139,7 +140,7 @@ private:
         return options;
     }
 
-    // False where it cannot go on.
+    // Returns false if the computation cannot go on.
     Result<bool> take(const RecordedLine& line) {
         const bool of_ears = line.is == "ears_settings" || line.is == "ears_two_hands" || line.is == "ears_stand_in";
         const bool is_one =
@@ -175,7 +176,7 @@ private:
         return true;
     }
 
-    // What is missing is told where it ought to be there. False.
+    // Reports missing rows, if the recording should have them. Always returns false.
     bool stop() {
         if (recording_.ended) again_.remarks.push_back(phrase("replay.rows_missing"));
         stopped_ = true;
@@ -198,8 +199,8 @@ private:
         return {};
     }
 
-    // One tick of the session; what it hands over follows with flush. False where the recording has no such tick, or
-    // not what it read.
+    // Computes one tick of the session; `flush` hands over its results afterwards. Returns false if the recording has
+    // no such tick, or lacks what it read.
     bool frame() {
         flush();
         if (frames_ >= recording_.frames.size()) return false;
@@ -218,7 +219,7 @@ private:
         if (std::exchange(to_hand_over_, false)) driver_.hand_over();
     }
 
-    // All steps of the ears for which everything is there.
+    // Computes all steps of the ears for which everything is available.
     void hear() {
         while (cues_ < recording_.cues.size()) {
             const CueRow& row = recording_.cues[cues_];
@@ -241,7 +242,7 @@ private:
     Session app_;
     PlayedHand right_, left_;
     PlayedEars ears_;
-    // The recording says when the ears were given the settings.
+    // `take_settings` does nothing, because the recording says when the ears were given the settings.
     SessionDriver driver_{
         app_, ears_, {.ticked = {}, .take_settings = [](auto) { return false; }, .hands_over = {}, .look_at_cues = {}}};
     ComputedAgain again_;
@@ -274,7 +275,8 @@ std::optional<LineDifference> first_difference(const Recording& recording, const
         if (both && said[i].text == again.said[i].text && said[i].speech_class == again.said[i].speech_class &&
             said[i].voiced == again.said[i].voiced)
             continue;
-        // Behind what all files of a recording that was cut off hold, one may know more than another.
+        // Near the end of a recording that was cut off, one file may contain more than another, so lines there are not
+        // compared.
         if ((i < said.size() ? said[i].t_s : again.said[i].t_s) > sure_s) break;
         return LineDifference{i, i < said.size() ? said[i].text : "", i < again.said.size() ? again.said[i].text : ""};
     }

@@ -1,6 +1,6 @@
-// Computes a recorded session again: all that reached it goes into another one, and each of its three loops reads of
-// the others exactly what it read then. The lines that are said must come out alike, in order: a test of the program,
-// and how a report of a fault is looked into. One thread, in no time of its own.
+// Computes a recorded session again. Everything that reached it is given to a new session, and each of the three loops
+// reads exactly what it read from the others then. The new session must say the same lines in the same order. This
+// tests the program, and helps to investigate a reported fault. One thread; it runs as fast as it can.
 #pragma once
 
 #include <memory>
@@ -15,28 +15,29 @@
 
 namespace handrail {
 
-// Reads a world that a recording names, as its file has it. Fails with a sentence, also where the file is another one
-// by now.
+// Reads a world that a recording names from its file. Fails with a sentence, also if the file has changed since.
 Result<std::shared_ptr<const Scene>> read_recorded_scene(const RecordedWorld& world, const WorldReader& read);
 
 struct ComputedAgain {
     std::vector<SaidLine> said;
-    double until_s = 0.0;  // so far it could be computed, since the recording began
-    bool cut = false;  // what was said later is not to be compared: the recording or what can be computed ends there
-    // Ticks of the hands, and those of them whose force came out otherwise than it is written, to a millinewton.
+    double until_s = 0.0;  // how far the session could be computed, since the recording began
+    // Lines after `until_s` must not be compared, because the recording or the computation ends there.
+    bool cut = false;
+    // Ticks of the hands, and how many of them gave a force that differs from the recorded one by more than rounding to
+    // a millinewton.
     std::size_t ticks = 0, other_forces = 0;
-    // Why that is not all of it, or why lines may differ: whole sentences.
+    // Whole sentences: why the computation is not complete, or why lines may differ.
     std::vector<std::string> remarks;
 };
 
-// Fails with a sentence where a world cannot be read or a line makes no sense. The words of the language that is spoken
-// now are compared with those of the recording, so that has to be the same.
+// Fails with a sentence if a world cannot be read or a line is invalid. Computed lines are compared with recorded ones
+// as text, so the language spoken now must be that of the recording.
 Result<ComputedAgain> compute_again(const Recording& recording, const WorldReader& read);
 
-// The first line that is not as it was; of two recordings of one session none is.
+// The first line that differs; two recordings of the same session have none.
 struct LineDifference {
-    std::size_t line = 0;            // counted from 0, of all that were said
-    std::string recorded, computed;  // empty: there is none
+    std::size_t line = 0;            // counted from 0, among all lines that were said
+    std::string recorded, computed;  // empty: there is no such line
 };
 std::optional<LineDifference> first_difference(const Recording& recording, const ComputedAgain& again);
 

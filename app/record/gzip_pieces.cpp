@@ -12,7 +12,7 @@
 namespace handrail {
 namespace {
 
-constexpr int kGzip = 15 + 16;  // the largest window, as gzip
+constexpr int kGzip = 15 + 16;  // the largest window; 16 selects the gzip format
 
 Bytef* bytes_of(std::string_view text) { return reinterpret_cast<Bytef*>(const_cast<char*>(text.data())); }
 
@@ -51,7 +51,7 @@ GzipText gunzip_pieces(std::string_view bytes, std::size_t most_bytes) {
             result = inflate(&stream, Z_NO_FLUSH);
             read.text.append(part.data(), part.size() - stream.avail_out);
             read.huge = read.text.size() > most_bytes;
-            if (result == Z_OK && stream.avail_in == 0 && stream.avail_out != 0) break;  // cut off
+            if (result == Z_OK && stream.avail_in == 0 && stream.avail_out != 0) break;  // the input is cut off
         }
         read.whole = result == Z_STREAM_END;
         bytes.remove_prefix(given - stream.avail_in);

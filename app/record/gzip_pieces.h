@@ -1,5 +1,5 @@
-// Text in pieces of gzip, one behind the other in one file: each is whole by itself, so what was written is never lost
-// by how the rest ends, and the whole file is what `zcat` reads. Any thread.
+// Text as a series of gzip pieces in one file. Each piece is complete, so nothing already written is lost if the rest
+// is cut off, and `zcat` reads the whole file. Any thread.
 #pragma once
 
 #include <optional>
@@ -8,15 +8,15 @@
 
 namespace handrail {
 
-// One piece. Of nothing: nothing. Throws std::bad_alloc where memory does not suffice.
+// Packs one piece; an empty text gives an empty result. Throws std::bad_alloc if memory does not suffice.
 std::string gzip_piece(std::string_view text);
 
 struct GzipText {
     std::string text;   // as much as could be read
-    bool whole = true;  // false: the file is cut off or damaged behind it
-    bool huge = false;  // more than the most one wants to have: cut there
+    bool whole = true;  // false: the file is cut off or damaged after `text`
+    bool huge = false;  // the text was cut at `most_bytes`
 };
-// All pieces. Never fails: what is no gzip at all is an empty text that is not whole.
+// Unpacks all pieces. Never fails: if the bytes are not gzip at all, the text is empty and not whole.
 GzipText gunzip_pieces(std::string_view bytes, std::size_t most_bytes);
 
 }  // namespace handrail

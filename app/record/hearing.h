@@ -1,5 +1,6 @@
-// A recording heard again: its lines and knocks at their times, faster or slower, stopped, and to and fro. Time stands
-// still while the voice of today needs longer than there was. Pure logic; whoever has the voice asks it on.
+// Plays a recording back to the listener: its lines and knocks at their times, faster or slower, with pause and jumps.
+// Its time stops while today's voice needs longer than the recorded one did. Pure logic; the owner of the voice calls
+// `go_on`.
 #pragma once
 
 #include <vector>
@@ -17,24 +18,25 @@ public:
         double force_n = 0.0;
     };
     struct Heard {
-        std::vector<SaidLine> lines;  // at most one of them is to be voiced, the last
+        std::vector<SaidLine> lines;  // at most one of them has to be spoken, the last
         std::vector<Knock> knocks;
     };
 
-    // The recording outlives it. speed: kSlowest to kFastest.
+    // `recording` must outlive this object. `speed` is from kSlowest to kFastest.
     Hearing(const Recording& recording, double speed);
 
-    // dt_s of real time have passed; speaking: what was given before is still being said. What is heard now.
+    // Returns what is heard now, after `dt_s` of real time. `speaking`: the lines returned before are still being
+    // spoken.
     Heard go_on(double dt_s, bool speaking);
     void stop_or_go_on() { stopped_ = !stopped_; }
     bool stopped() const { return stopped_; }
-    // To another moment, not beyond the ends.
+    // Jumps to another time, limited to the ends.
     void jump(double by_s);
 
     double at_s() const { return at_s_; }  // since the recording began
     double length_s() const { return length_s_; }
     bool over() const { return at_s_ >= length_s_ && next_ >= events_.size(); }
-    // Where the body was then; null: before the first tick.
+    // Where the walker was then; null before the first tick.
     const FrameRow* place() const;
 
 private:

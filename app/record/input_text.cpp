@@ -37,7 +37,7 @@ Json json_of(const HandFacts& hand) {
     json["simulated"] = hand.simulated;
     json["device"] = std::string(spec.name);
     json["serial"] = hand.serial;
-    // JSON knows no infinity, which stands for a device without a limit.
+    // JSON has no infinity, which stands for a device without a limit.
     if (std::isfinite(spec.peak_force_n)) json["peak_force_n"] = spec.peak_force_n;
     json["rated_stiffness_n_per_m"] = spec.rated_stiffness_n_per_m;
     json["workspace_radius_m"] = spec.workspace_radius_m;
@@ -99,7 +99,7 @@ LastPlace last_place_of(const Json& json) {
     return {world, vec_of(json.at("feet_m")), json.at("heading_rad").get<double>()};
 }
 
-// How it was read stands in the readers' words.
+// The reading options are written in the terms of the world readers.
 Json json_of(const WorldEntered& in) {
     const ReadOptions read = read_options(in.request);
     Json json{{"world", in.request.file.string()},

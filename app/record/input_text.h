@@ -1,4 +1,4 @@
-// Everything that reaches a session, and what it tells of, as lines of JSON and back. Pure functions, app thread.
+// Converts all inputs and events of a session to lines of JSON and back. Pure functions; app thread.
 #pragma once
 
 #include <cstdint>
@@ -10,32 +10,32 @@
 
 namespace handrail {
 
-// Times in the session's clock; begun_s is what "t" counts from, in whole milliseconds.
+// Times are in the session's clock. "t" is written in whole milliseconds since `begun_s`.
 std::string input_line(const SessionInput& input, double now_s, std::uint64_t frame, double begun_s);
-// Where a feature has a name in `scene` it stands beside its number; null: none has.
+// If a feature has a name in `scene`, the name is written next to its number. Null: no feature has a name.
 std::string event_line(const SessionEvent& event, const Scene* scene, double begun_s);
 
-// What the settings are where they are not the defaults, as JSON.
+// The settings that differ from the defaults, as JSON.
 std::string settings_text(const Settings& settings);
-// Fails with a sentence, naming the key.
+// Fails with a sentence that names the key.
 Result<Settings> read_settings_text(const std::string& json);
 
-// A world as a recording names it: to be read again by who computes it again.
+// A world as a recording names it, so that it can be read again for computing the session again.
 struct RecordedWorld {
     WorldRequest request;
-    std::string checksum;  // of the file's bytes; empty: unknown
+    std::string checksum;  // of the file's bytes; empty if unknown
     bool has_additions = false;
-    std::string additions;  // the text of its side file; empty: there was none
+    std::string additions;  // text of its side file; empty if there was none
 };
 struct RecordedInput {
-    std::uint64_t frame = 0;  // it came before this one, counted from 0
+    std::uint64_t frame = 0;  // number of the frame that it came before, counted from 0
     double now_s = 0.0;
-    SessionInput input;   // a WorldEntered without its world
-    RecordedWorld world;  // of a WorldEntered
+    SessionInput input;   // a WorldEntered lacks its world
+    RecordedWorld world;  // only for a WorldEntered
 };
-// One line that input_line made. Fails where it is none.
+// Reads one line written by input_line. Fails if it is anything else.
 Result<RecordedInput> read_input_line(const std::string& line);
-// True where "is" names an input.
+// Returns true if "is" names an input.
 bool is_input(const std::string& is);
 
 }  // namespace handrail

@@ -1,4 +1,5 @@
-// What one line of events.jsonl holds as plain values; JSON itself stays in the sources of this folder. Private to it.
+// Converts between the fields in a line of events.jsonl and plain values. Private to this folder, so that JSON stays
+// inside it.
 #pragma once
 
 #include <array>
@@ -13,16 +14,16 @@ namespace handrail {
 
 using Json = nlohmann::ordered_json;
 
-// Of SpeechClass, in its order.
+// Words for SpeechClass, in its order.
 inline constexpr std::array<const char*, 5> kClassWords = {"alarm", "warning", "answer", "contact", "ambient"};
 
 inline Json json_of_vec(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
-// Throws Json::exception where it is no array of three numbers.
+// Throws Json::exception if it is not an array of three numbers.
 inline Vec3 vec_of(const Json& json) {
     return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
 }
-// Throws Json::exception unless it is a whole number that fits. The library's get<int>() converts whatever number is
-// there, and converting one that does not fit is undefined.
+// Throws Json::exception unless it is a whole number that fits. The library's get<int>() converts any number, and
+// converting one that does not fit is undefined.
 template <class Whole>
 Whole whole_of(const Json& json) {
     if (json.is_number_unsigned()) {
@@ -34,7 +35,7 @@ Whole whole_of(const Json& json) {
     }
     throw Json::out_of_range::create(401, "range", &json);
 }
-// One line without its end; what is no UTF-8 is replaced.
+// One line without its line break; invalid UTF-8 is replaced.
 inline std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 }  // namespace handrail

@@ -10,7 +10,7 @@
 namespace handrail {
 namespace {
 
-// The frames that one reader had, of all that there were.
+// Keeps the frames that one reader read, out of all frames.
 class FramesRead {
 public:
     void will_read(std::uint64_t number) {
@@ -22,7 +22,7 @@ public:
         wanted_.pop_front();
         there_.push_back(frame);
     }
-    // Null: it is not there. Good until the next call.
+    // Returns null if the frame is not available. Valid until the next call.
     const DynamicsFrame* take(std::uint64_t number) {
         while (!there_.empty() && there_.front().number < number) there_.pop_front();
         if (there_.empty() || there_.front().number != number) return nullptr;
@@ -32,25 +32,25 @@ public:
     }
 
 private:
-    std::deque<std::uint64_t> wanted_;  // rising
+    std::deque<std::uint64_t> wanted_;  // in rising order
     std::deque<DynamicsFrame> there_;
     DynamicsFrame taken_;
 };
 
-constexpr std::size_t kSession = 2;  // beside the hands
+constexpr std::size_t kSession = 2;  // index after the two hands
 
 }  // namespace
 
-// What there is of one engine, also after its end.
+// The data of one engine, kept also after the engine has ended.
 struct PlayedBodies::Book {
     std::vector<EngineRow> rows;
-    std::array<FramesRead, 3> frames;  // of the hands and the session
+    std::array<FramesRead, 3> frames;  // read by the two hands and the session
     std::array<std::shared_ptr<HandChannel>, 2> hands;
-    std::array<std::uint64_t, 2> published{};  // to the hands, last
-    // Of the hands, that no step has taken yet.
+    std::array<std::uint64_t, 2> published{};  // last frame published to each hand
+    // From each hand, those that no step has taken yet.
     std::array<std::deque<HandPush>, 2> pushes;
     std::array<std::deque<HandPlace>, 2> places;
-    Engine* engine = nullptr;  // while it lives
+    Engine* engine = nullptr;  // null after it has ended
 };
 
 class PlayedBodies::Engine : public BodyEngine {
@@ -65,7 +65,7 @@ public:
             hand->engine = number;
         }
     }
-    // What it still did before it ended, a hand may have read.
+    // A hand may have read what the engine did before it ended, so compute the remaining rows.
     ~Engine() override {
         while (!all_.closed_ && next_ < book_.rows.size() && step()) {
         }
@@ -127,7 +127,8 @@ private:
         return true;
     }
 
-    // All that the step took of a hand; its ticks are made up to there.
+    // Returns whether everything that the step took from a hand is available, after computing the hand's ticks up to
+    // it.
     bool hand_is_there(std::size_t which, const EngineRow& row) {
         while (book_.pushes[which].size() < row.pushes[which])
             if (!all_.step_hand_(which)) return false;
@@ -140,7 +141,7 @@ private:
         return places.front().time_s == place_s;
     }
 
-    // In the order of DynamicsLoop.
+    // Does the same as DynamicsLoop, in the same order.
     void make(const EngineRow& row) {
         if (row.skipped > 0) dynamics_.skip(static_cast<double>(row.skipped) * Dynamics::kStep_s);
         for (std::uint32_t i = 0; i < row.orders; ++i) {
@@ -171,16 +172,16 @@ private:
     Book& book_;
     const std::uint32_t number_;
     Dynamics dynamics_;
-    std::size_t next_ = 0;  // of the rows
+    std::size_t next_ = 0;  // index of the next row
     bool stepping_ = false;
-    DynamicsFrame now_, frame_;  // of the last step, and as the session read it last
+    DynamicsFrame now_, frame_;  // of the last step, and as the session last read it
     std::vector<BodyEvent> heard_;
     std::deque<BodyEvent> events_;
     std::uint64_t events_taken_ = 0;
     std::deque<Order> orders_;
     std::deque<DrivenPoses> driven_;
     std::uint32_t drives_ = 0, driven_taken_ = 0;
-    std::array<double, 2> places_s_{};  // as EngineRow has it, of the last step
+    std::array<double, 2> places_s_{};  // as in EngineRow, of the last step
 };
 
 PlayedBodies::PlayedBodies(const Recording& recording, std::function<bool(std::size_t which)> step_hand)

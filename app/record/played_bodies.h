@@ -1,6 +1,6 @@
-// The engines of a recording, of what was free to move, step by step as they were: each step takes what it took then of
-// the app and of both hands, and the others read of it what they read then. Whatever a step or a reader needs that is
-// not there yet is computed first; what cannot be computed so fails, once and for all. One thread.
+// Computes the recorded engines of free bodies again, step by step. Each step takes what it took then from the app and
+// from both hands, and the others read from it what they read then. If a step or a reader needs something that is not
+// there yet, it is computed first. If that is impossible, everything has failed for good. One thread.
 #pragma once
 
 #include <array>
@@ -18,24 +18,25 @@ namespace handrail {
 
 class PlayedBodies {
 public:
-    // step_hand: one more tick of a hand, 0 or 1; false where it cannot be made. The recording outlives it.
+    // `step_hand` computes one more tick of hand 0 or 1, and returns false if it cannot. The recording must outlive
+    // this object.
     PlayedBodies(const Recording& recording, std::function<bool(std::size_t which)> step_hand);
     ~PlayedBodies();
 
-    // Recordings of other worlds, and older ones, have none.
+    // False for worlds without free bodies and for older recordings.
     bool recorded() const { return !recording_.bodies.empty(); }
-    // The next one that the session had. No longer than this.
+    // Makes the next engine that the session had. This object must outlive it.
     std::unique_ptr<BodyEngine> make(std::shared_ptr<const DynamicsScene> scene, double begin_s);
 
-    // Before a tick of the session: what it read.
+    // Call before a tick of the session, with what it read.
     void session_reads(const FrameRow& row);
-    // Before and after a tick of a hand's servo. False: what it read cannot be there.
+    // Call before and after a tick of a hand's servo. Returns false if what the tick read cannot be computed.
     bool before_tick(std::size_t which, const HandRow& row);
     void after_tick(std::size_t which, const HandRow& row, HandEngine* engine);
 
-    // Something could not be computed.
+    // Returns true if something could not be computed.
     bool failed() const { return failed_; }
-    // Nothing more is to be computed.
+    // Stops computing.
     void close() { closed_ = true; }
 
 private:
@@ -48,9 +49,9 @@ private:
     const std::function<bool(std::size_t which)> step_hand_;
     std::map<std::uint32_t, std::unique_ptr<Book>> books_;  // by EngineRow::engine
     std::uint32_t made_ = 0;
-    std::uint64_t orders_ = 0;         // asked for so far
-    std::set<std::uint64_t> refused_;  // which of them found no room
-    FrameRow due_;                     // what the session's tick reads
+    std::uint64_t orders_ = 0;         // number of orders given
+    std::set<std::uint64_t> refused_;  // numbers of the orders for which there was no room
+    FrameRow due_;                     // what the session's next tick reads
     bool failed_ = false, closed_ = false;
 };
 

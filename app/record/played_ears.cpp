@@ -77,7 +77,7 @@ void PlayedEars::hear_of(std::uint64_t step, bool from_voice, std::string text) 
     (from_voice ? told.first : told.second) = std::move(text);
 }
 
-// As AudioThread::step takes its inbox.
+// Takes the posts as AudioThread::step takes its inbox.
 void PlayedEars::step(const CueRow& row, std::vector<ContactEvent> contacts) {
     std::vector<CueRequest> requests;
     std::shared_ptr<const Scene> entered, edited;

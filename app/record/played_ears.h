@@ -1,5 +1,5 @@
-// The ears of a recording, step by step: what the app hands over, what the hands met, and a voice that answers as the
-// recorded one did. One thread.
+// Computes the ears of a recording again, step by step, with what the app hands over, the contacts of the hands, and a
+// voice that answers as the recorded one did. One thread.
 #pragma once
 
 #include <deque>
@@ -17,7 +17,7 @@ class PlayedEars final : public EarsInbox {
 public:
     PlayedEars(const Settings& settings, double begun_s);
 
-    // What the app hands over, each one counted.
+    // What the app hands over; each item is counted.
     void post(CueRequest request) override;
     void set_settings(const Settings& settings) override;
     void set_two_hands(bool two) override;
@@ -26,12 +26,12 @@ public:
     void follow_edit(std::shared_ptr<const Scene> scene) override;
     void set_listener(const Listener& listener) override { listener_ = listener; }
     std::size_t posted() const { return posts_.size(); }
-    // What a sink told of itself, in which step.
+    // Notes what a sink reported about itself, and in which step.
     void hear_of(std::uint64_t step, bool from_voice, std::string text);
 
-    // row.posts <= posted().
+    // Requires row.posts <= posted().
     void step(const CueRow& row, std::vector<ContactEvent> contacts);
-    // At the end: what still waits is written.
+    // Call at the end: writes the lines that are still waiting.
     void finish();
     const std::vector<SaidLine>& said() const { return voice_.said; }
 
@@ -42,7 +42,7 @@ private:
         int answers_left = 0;
         bool last = false;
         std::vector<SaidLine> said;
-        std::string told;  // of itself, in this step
+        std::string told;  // what the voice reported about itself in this step
 
         void begin(std::uint64_t speaking);
         void end();
@@ -50,7 +50,7 @@ private:
         void say(const Utterance& utterance) override { keep(utterance, true); }
         void write(const Utterance& utterance) override { keep(utterance, false); }
         void stop() override {}
-        // The recorded voice answered in an order, so each question takes the next answer.
+        // The recorded voice answered in a fixed order, so each call returns the next recorded answer.
         bool speaking() const override { return const_cast<Voice*>(this)->answer(); }
         std::optional<std::string> news() override;
         void keep(const Utterance& utterance, bool voiced);
@@ -78,7 +78,8 @@ private:
     Voice voice_;
     Silence sound_;
     std::deque<Post> posts_;
-    std::map<std::uint64_t, std::pair<std::string, std::string>> news_;  // by step: of the voice, of the sounds
+    // By step: news of the voice, and of the sounds.
+    std::map<std::uint64_t, std::pair<std::string, std::string>> news_;
     Listener listener_;
     std::uint64_t steps_ = 0;
     double last_s_ = 0.0;

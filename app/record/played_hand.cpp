@@ -7,7 +7,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kAsWritten_n = 0.501e-3;  // forces are written as whole millinewtons
+constexpr double kAsWritten_n = 0.501e-3;  // tolerance, because forces are written as whole millinewtons
 
 }  // namespace
 

@@ -1,5 +1,5 @@
-// A hand of a recording, tick by tick as its servo had it: the same samples and the same values of the app, by their
-// numbers. One thread.
+// Computes a recorded hand again, tick by tick as its servo did, with the same samples and the same values from the
+// app, identified by their numbers. One thread.
 #pragma once
 
 #include <deque>
@@ -15,13 +15,13 @@
 
 namespace handrail {
 
-// What was handed over, by how many came before it and itself.
+// The values that were handed over, numbered from 1 in order.
 template <class T>
 class NumberedValues {
 public:
     void give(T value) { values_.push_back(std::move(value)); }
     std::uint32_t given() const { return let_go_ + static_cast<std::uint32_t>(values_.size()); }
-    // number <= given(); what came before it is not asked for again. 0: as if nothing had been given.
+    // Requires number <= given(). Earlier values must not be requested again. 0 means that no value had been given.
     const T& at(std::uint32_t number) {
         if (number == 0) return none_;
         while (let_go_ + 1 < number) {
@@ -48,11 +48,11 @@ public:
     void set_pose(const WorkspacePose& pose) override { poses_.give(pose); }
     void set_bodies(const BodyFrame& bodies) override { bodies_.give(bodies); }
     void set_guidance(const GuidancePath& guidance) override { guidances_.give(guidance); }
-    // All that the tick read has been given.
+    // Returns whether everything that the tick read has been given.
     bool can(const ServoReads& reads) const;
-    // Gives the force.
+    // Returns the force.
     ForceCommand tick(const HandRow& row);
-    // Its side of what is free to move, of the last tick; null: none.
+    // The hand's side of the engine of free bodies at the last tick; null: none.
     HandEngine* engine() const { return engine_; }
     const ServoState& state() const { return *state_; }
 
@@ -67,29 +67,29 @@ private:
     NumberedValues<WorkspacePose> poses_;
     NumberedValues<BodyFrame> bodies_;
     NumberedValues<GuidancePath> guidances_;
-    Scenes given_;  // last
+    Scenes given_;  // the latest values
     HandEngine* engine_ = nullptr;
 };
 
 class PlayedHand {
 public:
-    // Rows and bodies outlive it.
+    // Rows and bodies must outlive this object.
     PlayedHand(const std::vector<HandRow>& rows, std::size_t which, PlayedBodies& bodies)
         : rows_(rows), which_(which), bodies_(bodies) {}
 
-    // The session was given this hand. Its servo; null: the hand has none.
+    // Called if the session is given another hand. Returns its servo; null if the hand has none.
     ServoInbox* change(const HandFacts& facts);
-    // Until the newest servo has done that many ticks; false where the rows do not go so far. Others may have needed
-    // more of them already.
+    // Computes ticks until the newest servo has done that many. Returns false if the rows end before. Other readers may
+    // already have needed more ticks.
     bool run_to(std::uint64_t tick);
-    // Until so many events wait; false where that is not yet known.
+    // Computes ticks until that many events wait. Returns false if the rows do not contain them yet.
     bool run_to_events(std::size_t count);
-    // What the newest servo told with the tick that was run to.
+    // The state that the newest servo reported after the tick given to run_to.
     const ToolState& tool() const { return tool_; }
     std::vector<ContactEvent> take_events(std::size_t count);
-    // One more tick; false where it has not all that it read.
+    // Computes one more tick. Returns false if something that it read is missing.
     bool step();
-    // Ticks until now, and those of them whose force is not the one that was recorded.
+    // The ticks computed so far, and how many of them gave another force than the recorded one.
     std::size_t ticks() const { return next_; }
     std::size_t other_forces() const { return other_forces_; }
 
@@ -100,9 +100,9 @@ private:
     std::size_t next_ = 0, other_forces_ = 0;
     bool stepping_ = false;
     std::vector<std::unique_ptr<PlayedServo>> servos_;
-    bool driven_ = false;  // there is a hand now
+    bool driven_ = false;  // true while there is a hand
     ToolState tool_;
-    std::deque<ToolState> told_;  // by the newest servo since
+    std::deque<ToolState> told_;  // states that the newest servo has reported since
     std::deque<ContactEvent> events_;
 };
 

@@ -12,7 +12,7 @@ public:
         for (const RecordedLine& line : recording.lines) {
             if (events_.more_worlds) break;
             const Json json = Json::parse(line.json, nullptr, false);
-            // What is damaged was told when it was read; a line that says less than it should tells nothing here.
+            // Damage was reported when the recording was read. Lines with missing fields are skipped here.
             if (!json.is_object()) continue;
             try {
                 take(line, json);
@@ -30,7 +30,8 @@ public:
     }
 
 private:
-    // From the ears' own answers to whether somebody speaks. The last answer of a step holds until the next.
+    // Derived from the ears' own queries whether the voice is speaking. The last answer of a step is valid until the
+    // next.
     void add_speaking(const Recording& recording) {
         std::optional<double> since_s;
         for (const CueRow& row : recording.cues) {
@@ -64,7 +65,7 @@ private:
         if (line.is == "teacher") teacher(line, json);
         if (line.is == "led") {
             const std::string goal = json.at("goal").get<std::string>();
-            // Going on to the same goal is the same way.
+            // Resumed guidance to the same goal counts as the same route.
             if (events_.ways.empty() || events_.ways.back().goal != goal || events_.ways.back().arrived_s)
                 events_.ways.push_back({goal, line.t_s, {}});
         }

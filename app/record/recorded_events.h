@@ -1,5 +1,4 @@
-// What happened in a recorded session, as plain values out of the lines of its events: what a report is made of. Any
-// thread.
+// The events of a recorded session as plain values, taken from its lines. Reports are made from them. Any thread.
 #pragma once
 
 #include <cstdint>
@@ -14,53 +13,54 @@
 namespace handrail {
 
 struct RecordedContact {
-    double t_s = 0.0;  // since the recording began, as all times here
+    double t_s = 0.0;  // since the recording began, like all times here
     std::uint32_t feature = kNoFeature.value;
-    std::string thing;  // its name in the file of the world; empty: it has none
+    std::string thing;  // name in the world's file; empty: none
     Vec3 at_m{0.0};
 };
 struct RecordedVisit {
     double t_s = 0.0;
     std::uint32_t feature = kNoFeature.value;
 };
-// Being led to a goal, from when on, and how it ended.
+// Guidance to a goal: when it began, and when the walker arrived.
 struct RecordedWay {
     std::string goal;
     double from_s = 0.0;
-    std::optional<double> arrived_s;  // none: it never was
+    std::optional<double> arrived_s;  // nothing: the walker never arrived
 };
 
-// What was measured of a task of a lesson.
+// The measures of one task of a lesson.
 struct RecordedTask {
-    double t_s = 0.0;  // its end
-    std::string kind;  // "go", as lesson files have it
+    double t_s = 0.0;  // end of the task
+    std::string kind;  // as in lesson files, such as "go"
     std::string name;
     std::map<std::string, double> measures;
 };
 
-// What whoever taught did: a note, or an order and what came of it.
+// What the instructor did: a note, or an order and its result.
 struct RecordedNote {
     double t_s = 0.0;
     std::string text;
 };
-// From one time to another.
+// A time span.
 struct RecordedSpan {
     double from_s = 0.0, to_s = 0.0;
 };
 
-// Of the first world that was entered.
+// The events in the first world that was entered.
 struct RecordedEvents {
-    std::string lesson;  // title; empty: none
+    std::string lesson;  // title; empty: no lesson
     std::vector<RecordedTask> tasks;
     std::optional<RecordedWorld> world;
-    double from_s = 0.0, to_s = 0.0;  // while it was that world
-    bool more_worlds = false;         // another one was entered after it
+    double from_s = 0.0, to_s = 0.0;  // time in that world
+    bool more_worlds = false;         // another world was entered later
     std::vector<RecordedContact> contacts;
     std::vector<RecordedVisit> visits;
     std::vector<RecordedWay> ways;
-    std::vector<double> help_s, home_s, leaps_s;  // help asked; back to the base by its key; put elsewhere
+    // Help requested; back to the base by its key; put somewhere else.
+    std::vector<double> help_s, home_s, leaps_s;
     std::vector<RecordedNote> notes;
-    std::vector<RecordedSpan> busy;   // a list was open, or somebody spoke
+    std::vector<RecordedSpan> busy;   // a list was open, or the voice was speaking
     std::vector<RecordedSpan> lists;  // a list was open
 };
 RecordedEvents events_of(const Recording& recording);

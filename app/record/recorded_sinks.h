@@ -1,5 +1,5 @@
-// Voice and sounds as before, with what they say and answer noted by a recorder. For AudioThread, which owns them;
-// every function on its thread.
+// Wraps the voice and the sounds, so that a recorder notes what they say and answer. AudioThread owns them, and every
+// function runs on its thread.
 #pragma once
 
 #include <memory>
@@ -10,22 +10,22 @@
 
 namespace handrail {
 
-// What both sinks of one session share.
+// Data that both sinks of a session share.
 struct StepNotes {
     double now_s = 0.0;
     std::uint64_t step = 0;  // counted from 0
     bool in_step = false;
-    std::uint64_t answers = 1;  // of speaking() in this step, behind a leading 1
+    std::uint64_t answers = 1;  // answers of speaking() in this step, after a leading 1
     bool last_answer = false, changed = false;
 
     void begin(double at_s);
-    // CueRow::speaking of the step.
+    // Ends the step and returns CueRow::speaking for it.
     std::uint64_t end();
 };
 
 class RecordedVoice final : public SpeechSink {
 public:
-    // The recorder outlives it.
+    // `recorder` must outlive this object.
     RecordedVoice(std::unique_ptr<SpeechSink> voice, Recorder& recorder, std::shared_ptr<StepNotes> notes)
         : voice_(std::move(voice)), recorder_(recorder), notes_(std::move(notes)) {}
 

@@ -32,8 +32,8 @@ namespace {
 namespace fs = std::filesystem;
 using SteadyTime = std::chrono::steady_clock::time_point;
 
-constexpr std::size_t kMostWaiting_bytes = std::size_t{64} << 20;  // of lines that the disk has not taken
-constexpr std::size_t kMostWaitingRows = 200'000;                  // of each table, likewise
+constexpr std::size_t kMostWaiting_bytes = std::size_t{64} << 20;  // lines waiting to be written
+constexpr std::size_t kMostWaitingRows = 200'000;                  // rows of each table waiting to be written
 
 double seconds_since(SteadyTime then) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
@@ -47,7 +47,7 @@ std::string name_by_time_and_chance(std::time_t now) {
     return name;
 }
 
-// A file that only grows.
+// A file that is only appended to.
 class Growing {
 public:
     explicit Growing(fs::path path) : path_(std::move(path)) {}
@@ -57,7 +57,7 @@ public:
     Growing(const Growing&) = delete;
     Growing& operator=(const Growing&) = delete;
 
-    // The errno of what went wrong; 0: nothing. The file is made with the first text.
+    // Returns 0, or the errno of the failure. The file is created with the first text.
     int append(std::string_view text) {
         if (text.empty()) return 0;
         if (file_ < 0) file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0600);
@@ -79,7 +79,7 @@ private:
     int file_ = -1;
 };
 
-// Rows become a piece of a table.
+// Collects rows and writes them as pieces of a table.
 template <class Numbers>
 class Table {
 public:
@@ -136,15 +136,15 @@ struct Recorder::State {
     std::array<HandRing, 2> rings;
     struct {
         EngineRecording recording;
-        Table<EngineNumbers> table;  // the writing thread's, and what follows
+        Table<EngineNumbers> table;  // this and what follows belongs to the writing thread
         std::uint64_t told_lost = 0;
     } bodies;
-    std::atomic<bool> over{false};  // nothing is taken any more
+    std::atomic<bool> over{false};  // nothing is recorded any more
 
-    // App thread.
+    // Used by the app thread.
     std::uint64_t frames_told = 0;
     std::uint32_t stops = 0;
-    bool fresh_frame = false;  // nothing came since the last frame
+    bool fresh_frame = false;  // nothing has come since the last frame
     bool problem_told = false, ended = false;
 
     std::mutex mutex;  // guards what follows
@@ -155,7 +155,7 @@ struct Recorder::State {
     std::vector<CueRow> cues;
     std::string problem;
 
-    // The writing thread.
+    // Used by the writing thread.
     Growing events;
     std::array<Table<HandNumbers>, 2> hands;
     Table<FrameNumbers> frame_table;
@@ -185,7 +185,7 @@ struct Recorder::State {
     int write_round(bool last);
 };
 
-// One round of the writing thread; the errno of what went wrong.
+// One round of the writing thread. Returns 0, or the errno of the failure.
 int Recorder::State::write_round(bool last) {
     std::string text;
     std::vector<FrameRow> more_frames;
@@ -287,7 +287,7 @@ EngineRecording& Recorder::bodies() { return state_->bodies.recording; }
 
 void Recorder::input(const SessionInput& input, double now_s) {
     if (state_->over) return;
-    // The count of stops is told each frame; only a new one says something.
+    // The number of stops is reported in each frame; only a new number matters.
     if (const auto* stopped = std::get_if<Stopped>(&input);
         stopped && std::exchange(state_->stops, stopped->count) == stopped->count)
         return;
@@ -308,7 +308,7 @@ void Recorder::frame(const FrameRow& row) {
 }
 
 void Recorder::handed_over() {
-    // After a frame it goes without saying.
+    // After a frame, handing over is implied.
     if (std::exchange(state_->fresh_frame, false) || state_->over) return;
     state_->add(line_of({{"is", "handed_over"}, {"frame", state_->frames_told}}));
 }

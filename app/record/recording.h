@@ -1,4 +1,4 @@
-// A recording as it is read back: as much of it as is whole, whatever ended it. Any thread.
+// Reads a recording: everything in it that is intact, whatever ended it. Any thread.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace handrail {
 
-// One line of events.jsonl; what it says more stands in `json`. Words that nobody here knows come along.
+// One line of events.jsonl; `json` contains its other fields. Unknown fields are kept.
 struct RecordedLine {
     double t_s = 0.0;  // since the recording began
     std::string is;
@@ -24,22 +24,22 @@ struct RecordedLine {
 
 struct Recording {
     RecordingHead head;
-    std::vector<RecordedLine> lines;  // without the head
+    std::vector<RecordedLine> lines;  // without the first line, the head
     std::vector<HandRow> hands[2];
     std::vector<FrameRow> frames;
     std::vector<CueRow> cues;
-    std::vector<EngineRow> bodies;  // of the engine of what is free to move
-    bool ended = false;             // it holds its last line
-    std::vector<Error> problems;    // one a file that is cut off or damaged: where, and why
+    std::vector<EngineRow> bodies;  // of the engine of free bodies
+    bool ended = false;             // the last line is present
+    std::vector<Error> problems;    // one for each file that is cut off or damaged: where and why
 };
 
-// Fails with a sentence where the folder is none of a recording or its head cannot be understood. Everything behind
-// that is read up to its first damage.
+// Fails with a sentence if the folder is not a recording or its head is invalid. Everything else is read up to the
+// first damage.
 Result<Recording> read_recording(const std::filesystem::path& folder);
-// events.jsonl alone, from its text; `file` is what sentences call it.
+// Reads the text of events.jsonl alone; `file` is its name in error messages.
 Result<Recording> read_events(std::string_view text, const std::string& file);
 
-// What "said" lines said, in order.
+// The text of the "said" lines, in order.
 struct SaidLine {
     double t_s = 0.0;
     std::string text, speech_class;

@@ -1,7 +1,7 @@
-// The tables of a recording as text: whole numbers, each row the differences to the one before, a column that did
-// not change left empty, and empty columns at the end left out. A row that begins with "=" holds the numbers
-// themselves; each gzip piece begins with one. The first line names the columns; those that an older recording does not
-// have yet are 0 in all its rows. Pure functions, any thread.
+// The tables of a recording as text. All values are whole numbers. Each row contains the differences from the row
+// before; an unchanged column is empty, and empty columns at the end are left out. A row that begins with "=" contains
+// the numbers themselves, and each gzip piece begins with one. The first line names the columns. Columns that an older
+// recording lacks are 0 in all its rows. Pure functions; any thread.
 #pragma once
 
 #include <array>
@@ -19,22 +19,22 @@ namespace handrail {
 
 // One tick of the session.
 struct FrameRow {
-    double now_s = 0.0;                     // whole microseconds
-    std::uint64_t tick = 0, left_tick = 0;  // ToolState::ticks of each hand, as read; 0: none
+    double now_s = 0.0;                     // in whole microseconds
+    std::uint64_t tick = 0, left_tick = 0;  // ToolState::ticks of each hand, as read; 0: no hand
     Vec3 feet_m{0.0};
     double heading_rad = 0.0;
-    // Which engine of what is free to move there is (EngineRow::engine), and what had been read of it by the end: the
-    // newest frame, and how many events. 0: none.
+    // The number of the current engine of free bodies (EngineRow::engine), and what was read from it by the end of the
+    // tick: the newest frame, and how many events. 0: none.
     std::uint32_t engine = 0;
     std::uint64_t engine_frame = 0, engine_events = 0;
 };
-// One step of the ears: what it took, in whole microseconds of the session's clock.
+// One step of the ears: what it took. Times in whole microseconds of the session's clock.
 struct CueRow {
     double now_s = 0.0;
     std::uint32_t contacts = 0, left_contacts = 0;  // taken in this step
-    std::uint32_t posts = 0;                        // of what the app had handed over, likewise
-    // Each answer to SpeechSink::speaking(): a leading 1, then a binary digit for each answer; 0: all as the last one
-    // of the steps before.
+    std::uint32_t posts = 0;  // number of items handed over by the app that were taken in this step
+    // The answers of SpeechSink::speaking() in binary: a leading 1, then a digit for each answer. 0: all answers equal
+    // the last one before.
     std::uint64_t speaking = 0;
 };
 
@@ -44,7 +44,7 @@ using FrameNumbers = std::array<std::int64_t, kFrameColumns>;
 using CueNumbers = std::array<std::int64_t, kCueColumns>;
 using EngineNumbers = std::array<std::int64_t, kEngineColumns>;
 
-// The columns' names, in order; the file's first line.
+// The names of the columns in order, which is the first line of the file.
 std::string_view hand_header();
 std::string_view frame_header();
 std::string_view cue_header();
@@ -54,18 +54,19 @@ HandNumbers numbers_of(const HandRow& row);
 FrameNumbers numbers_of(const FrameRow& row);
 CueNumbers numbers_of(const CueRow& row);
 EngineNumbers numbers_of(const EngineRow& row);
-// Exactly what numbers_of was given where that was in whole steps; heading and feet are as coarse as they are kept.
+// Restores exactly what numbers_of was given if that was in whole steps. Heading and feet are rounded to the stored
+// precision.
 HandRow row_of(const HandNumbers& numbers);
 FrameRow row_of(const FrameNumbers& numbers);
 CueRow row_of(const CueNumbers& numbers);
 EngineRow row_of(const EngineNumbers& numbers);
 
-// One line with its end. absolute: it begins with "=" and owes nothing to `before`.
+// One line with its line break. `absolute`: begins with "=" and does not depend on `before`.
 template <std::size_t N>
 std::string row_text(const std::array<std::int64_t, N>& row, const std::array<std::int64_t, N>& before, bool absolute);
 
-// All rows of a table's text up to the first that is none. `problem`: why it ends there, with file and line; nothing
-// where all was read. A last line without its end is no row, and a problem too.
+// All rows of a table's text up to the first that is invalid. `problem`: why it ends there, with file and line; nothing
+// if all was read. A last line without a line break is not a row, and is a problem too.
 template <std::size_t N>
 struct TableRows {
     std::vector<std::array<std::int64_t, N>> rows;

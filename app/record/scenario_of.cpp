@@ -18,17 +18,17 @@
 namespace handrail {
 namespace {
 
-constexpr double kHandEvery_s = 0.1;   // one move of the hand
-constexpr double kHandMoved_m = 1e-3;  // less is none
-constexpr double kTail_s = 5.0;        // for what is still to be said
+constexpr double kHandEvery_s = 0.1;   // interval between moves of the hand
+constexpr double kHandMoved_m = 1e-3;  // smaller movements are ignored
+constexpr double kTail_s = 5.0;        // time for the last lines to be spoken
 constexpr std::size_t kMostExpected = 40;
 
-// A TOML string is a JSON string, but for the slash.
+// A TOML string is written like a JSON string, except that JSON may escape the slash.
 std::string in_quotes(const std::string& text) {
     return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-// A setting's value as TOML has it: a number and yes or no plainly, else in quotes.
+// A setting's value in TOML: numbers and booleans plain, everything else in quotes.
 std::string as_value(const std::string& text) {
     double number = 0.0;
     return text == "true" || text == "false" || text.starts_with('"') || parse_finite(text, number) ? text
@@ -37,7 +37,7 @@ std::string as_value(const std::string& text) {
 
 struct Writer {
     const Recording& recording;
-    double begun_s = 0.0;  // of the world
+    double begun_s = 0.0;  // when the world was entered
     std::string actions;
     std::vector<std::string> left_out;
     std::vector<RecordedInput> inputs;
@@ -95,7 +95,7 @@ struct Writer {
     }
 };
 
-// Where the hand went, as moves between its places each tenth of a second.
+// The movements of the hand, as moves between its positions every tenth of a second.
 std::vector<std::pair<double, std::string>> moves_of(const Recording& recording, double begun_s) {
     std::vector<std::pair<double, std::string>> moves;
     Vec3 was_m(0.0);
@@ -116,7 +116,7 @@ std::vector<std::pair<double, std::string>> moves_of(const Recording& recording,
     return moves;
 }
 
-// The text without the tables that begin at these lines. A table ends at the next blank line.
+// Removes the tables that begin at these lines. A table ends at the next blank line.
 std::string without_actions(const std::string& toml, const std::vector<int>& lines) {
     std::string kept;
     bool leaves = false;
@@ -131,12 +131,12 @@ std::string without_actions(const std::string& toml, const std::vector<int>& lin
     return kept;
 }
 
-// Reads a recording line by line: which world was entered with what, what was done in it, and what it answered.
+// Reads a recording line by line: which world was entered and how, what the person did in it, and what was answered.
 class RecordingReader {
 public:
     explicit RecordingReader(const Recording& recording)
         : recording_(recording), writer_{recording, 0.0, {}, {}, {}}, settings_(recording.head.settings) {
-        // A scenario has the rooms of its world at once: what was answered before they were found it answers otherwise.
+        // A scenario knows the rooms of its world at once, so answers given before the rooms were found would differ.
         rooms_known_ = std::none_of(recording.lines.begin(), recording.lines.end(), enters_room);
     }
 
@@ -165,7 +165,7 @@ private:
             acts_by_ = who == 1 ? "terminal-keys" : who == 2 ? "lines" : "window-keys";
         }
         if (line.is == "said") take_said(line);
-        // What no list took is followed by its command.
+        // A key that no list took is followed by its command, so the key is dropped.
         if (line.is == "not_taken" && !writer_.inputs.empty()) writer_.inputs.pop_back();
         if (!is_input(line.is)) return {};
         auto input = read_input_line(line.json);
@@ -174,7 +174,8 @@ private:
         return {};
     }
 
-    // An answer is expected if it was voiced in the world, and not cut from what went before.
+    // Expects an answer if it was spoken at least half a second after the world was entered. Earlier answers may belong
+    // to what came before.
     void take_said(const RecordedLine& line) {
         if (!entered() || !expects_ || !rooms_known_) return;
         const Json json = Json::parse(line.json, nullptr, false);
@@ -188,7 +189,7 @@ private:
     void take_input(RecordedInput input) {
         if (const auto* hand = std::get_if<HandChanged>(&input.input); hand && hand->hand.present && !entered())
             device_ = std::string(hand->hand.spec.name) == "sim-f" ? "sim-f" : "sim-t";
-        // What the program itself told is not what the world answers.
+        // Announcements by the program itself are not answers of the world.
         if (const auto* told = std::get_if<Told>(&input.input)) told_by_program_.insert(told->text);
         if (const auto* world = std::get_if<WorldEntered>(&input.input)) {
             if (!entered()) {
@@ -201,7 +202,7 @@ private:
             over_ = true;
         }
         if (!entered()) return;
-        // It ends by itself.
+        // A scenario ends without a Leave command.
         if (const auto* down = std::get_if<CommandDown>(&input.input)) {
             expects_ = down->command != Command::Leave;
             if (!expects_) return;
@@ -227,7 +228,7 @@ private:
         return toml;
     }
 
-    // Writes keys and moves of the hand in the order of time: the hand moves while keys are held.
+    // Writes keys and moves of the hand in order of time, because the hand moves while keys are held.
     void write_actions() {
         const auto moves = moves_of(recording_, writer_.begun_s);
         std::size_t next = 0;
@@ -245,7 +246,7 @@ private:
     const Recording& recording_;
     Writer writer_;
     WorldRequest world_;
-    Settings settings_;  // with what the world brings
+    Settings settings_;  // including those that the world brings
     std::string device_ = "none", acts_by_ = "window-keys";
     double last_s_ = 0.0;
     std::vector<std::string> expected_;
@@ -267,7 +268,7 @@ std::string with_expectations(const ScenarioText& scenario) {
 }
 
 std::vector<std::string> said_by_both(const std::vector<std::string>& a, const std::vector<std::string>& b) {
-    // longest[i][j]: of what is common to a from i on and b from j on.
+    // longest[i][j]: length of the longest common part of a from i on and b from j on.
     std::vector<std::vector<std::size_t>> longest(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
     for (std::size_t i = a.size(); i-- > 0;)
         for (std::size_t j = b.size(); j-- > 0;)

@@ -1,5 +1,6 @@
-// A recording as a scenario file: what the person did becomes its actions, and what was answered is what it expects.
-// What a scenario cannot do (two worlds, plugging in, a set-up, a lesson) is left out and told. Any thread.
+// Turns a recording into a scenario file: the person's actions become its actions, and the answers become its
+// expectations. Whatever a scenario cannot do (two worlds, plugging in, a set-up, a lesson) is left out and reported.
+// Any thread.
 #pragma once
 
 #include <string>
@@ -14,21 +15,22 @@ namespace handrail {
 struct ScenarioText {
     std::string toml;                   // without expectations
     std::vector<std::string> expected;  // answers, in order
-    std::vector<std::string> left_out;  // sentences
+    std::vector<std::string> left_out;  // sentences for the report
 };
-// From the first world on, to the second. Fails with a sentence where no world was entered or nothing answered.
+// Covers the time from the first world to the second. Fails with a sentence if no world was entered or nothing was
+// answered.
 Result<ScenarioText> scenario_of(const Recording& recording, const std::string& title);
 
-// The same as far as it comes true when it is run: without actions that cannot be done there, and without answers that
-// come otherwise, because the program has changed since, or something was left out, or came later in the session than
-// in a scenario, where rooms and ways are known at once. How many these are is told in left_out. Fails with a sentence
-// where the world cannot be read or no answer comes as it was recorded. Takes about as long as the scenario does.
+// Runs the scenario and keeps what works: removes actions that are impossible, and answers that come out differently.
+// Answers can differ because the program has changed, something was left out, or they came later in the session than in
+// a scenario, where rooms and routes are known at once. `left_out` reports their numbers. Fails with a sentence if the
+// world cannot be read or no answer comes out as recorded. Takes about as long as the scenario.
 Result<ScenarioText> as_it_runs(ScenarioText scenario, const WorldReader& read);
 
-// The text of the file. Of many answers the first are expected.
+// The text of the file. If there are many answers, only the first are expected.
 std::string with_expectations(const ScenarioText& scenario);
 
-// What is in both, in this order; as many as there can be.
+// The longest common sequence of both lists.
 std::vector<std::string> said_by_both(const std::vector<std::string>& a, const std::vector<std::string>& b);
 
 }  // namespace handrail

@@ -22,7 +22,7 @@ Json json_of(const Settings::Workspace::Override& of) {
     return json;
 }
 
-// What a profile may hold in numbers, each under its name in the file.
+// The numbers that a profile can contain, each with its name in the file.
 struct ProfileNumber {
     const char* key;
     std::optional<double> DeviceProfile::*value;
@@ -50,7 +50,7 @@ DeviceProfile profile_of(const Json& json) {
     return profile;
 }
 
-// Of the table alone: [workspace.device], [profile] and [keys] come by themselves.
+// The keys of the settings table. [workspace.device], [profile] and [keys] are handled separately.
 const std::vector<std::string>& table_keys() {
     static const std::vector<std::string> keys = [] {
         std::vector<std::string> all;
