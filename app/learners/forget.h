@@ -1,5 +1,5 @@
-// Deleting a learner: what would go, going, and the search afterwards that shows that nothing is left. What a disk
-// keeps of deleted blocks is not promised. Any thread; may take long on large folders.
+// Deletes a learner: lists what would be deleted, deletes it, and afterwards searches to show that nothing is left.
+// What a disk keeps of deleted blocks is not covered. Any thread; large folders may take long.
 #pragma once
 
 #include <filesystem>
@@ -12,24 +12,24 @@
 namespace handrail {
 
 struct Holdings {
-    std::size_t recordings = 0, worlds = 0;             // folders of sessions; worlds with marks or memories
-    std::vector<std::filesystem::path> exported;        // written elsewhere, and still as they were
-    std::vector<std::filesystem::path> exported_other;  // changed since, and still there
+    std::size_t recordings = 0, worlds = 0;             // folders of sessions; worlds with marks or learnt knowledge
+    std::vector<std::filesystem::path> exported;        // written elsewhere and still unchanged
+    std::vector<std::filesystem::path> exported_other;  // written elsewhere, changed since, and still there
     std::vector<Error> faults;
 };
 Holdings holdings_of(const std::filesystem::path& learner_folder);
 
-// The learner's folder, and what of the exported files is still as it was. Fails with what could not be deleted; what
-// could be is gone then.
+// Deletes the learner's folder and the exported files that are unchanged. If something could not be deleted, fails with
+// its name; everything else is gone then.
 Result<void> delete_learner(const std::filesystem::path& learner_folder, const Holdings& holdings);
 
 struct Search {
-    std::vector<std::filesystem::path> hits;    // files and folders whose name or content has one of the words
-    std::vector<std::filesystem::path> unread;  // that could not be looked into
-    std::size_t files = 0;                      // looked into
+    std::vector<std::filesystem::path> hits;    // files and folders with one of the words in their name or content
+    std::vector<std::filesystem::path> unread;  // could not be read
+    std::size_t files = 0;                      // number of files searched
 };
-// Looks into every file below the folders, into those packed by gzip as well, links not followed. A word counts where
-// it stands by itself, not inside another. Folders that are not there are empty.
+// Searches every file below the folders, also gzip files, without following links. A word counts only as a whole word,
+// not as part of another. Missing folders count as empty.
 Search search_for(std::span<const std::string> words, std::span<const std::filesystem::path> folders);
 
 }  // namespace handrail

@@ -1,4 +1,4 @@
-// The files of a learner that are a list of lines, each an entry of its own. Any thread.
+// Reads the files of a learner that are lists of lines, with one entry for each line. Any thread.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace handrail {
 
-// Gives `take` each line of the file and its number, from 1; none where there is no such file. A file that cannot be
-// read, or is longer than that, is added to `faults`.
+// Calls `take` for each line of the file with its number, from 1. Does nothing if the file does not exist. A file that
+// cannot be read, or is longer than `longest_bytes`, is added to `faults`.
 void each_kept_line(const std::filesystem::path& file, std::size_t longest_bytes, std::vector<Error>& faults,
                     const std::function<void(std::string_view line, int number)>& take);
 

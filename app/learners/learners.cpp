@@ -27,7 +27,8 @@ bool is_id(std::string_view text) {
 }
 
 std::string id_by_chance() {
-    constexpr std::string_view kLetters = "abcdefghijkmnpqrstuvwxyz23456789";  // none that is taken for another
+    // Without letters that can be mistaken for others.
+    constexpr std::string_view kLetters = "abcdefghijkmnpqrstuvwxyz23456789";
     std::random_device chance;
     std::string id;
     for (std::size_t i = 0; i < kLetters_in_id; ++i) id += kLetters[chance() % kLetters.size()];
@@ -38,7 +39,7 @@ tl::unexpected<Error> no_folder(const fs::path& folder, int error) {
     return fail(phrase("learner.no_folder", {{"folder", folder.string()}, {"reason", reason_of(error)}}));
 }
 
-// For nobody but the person, whatever the mask says.
+// Creates a folder that only the person can access, whatever the umask is.
 Result<void> make_private(const fs::path& folder) {
     if (::mkdir(folder.c_str(), 0700) == 0 || errno == EEXIST) return {};
     return no_folder(folder, errno);
@@ -82,7 +83,7 @@ Result<Learner> Learners::find(const std::string& name_or_id) const {
     }
     std::error_code ec;
     if (!folder_.empty() && is_id(name_or_id) && fs::is_directory(folder_of(name_or_id), ec))
-        return read(name_or_id);  // says what is wrong
+        return read(name_or_id);  // explains what is wrong
     if (names.empty()) return fail(phrase("learner.nobody", {{"name", one_line(name_or_id)}}));
     return fail(
         phrase("learner.unknown", {{"name", one_line(name_or_id)}, {"nearest", nearest_name(name_or_id, names)}}));
@@ -100,7 +101,7 @@ Result<Learner> Learners::make(const std::string& name, const std::string& setti
     if (!good) return tl::unexpected(good.error());
     if (folder_.empty()) return fail(phrase("files.no_home"));
     std::error_code ec;
-    fs::create_directories(folder_.parent_path(), ec);  // what is wrong with it the next line tells
+    fs::create_directories(folder_.parent_path(), ec);  // the next line reports errors
     if (auto made = make_private(folder_); !made) return tl::unexpected(made.error());
     const FolderLock lock(folder_, kLockWait_s);
     if (lock.held_elsewhere()) return fail(phrase("side_file.locked", {{"file", folder_.filename().string()}}));

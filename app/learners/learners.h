@@ -1,7 +1,10 @@
-// The learners of one data folder: below learners/ each has a folder of their own, named by chance, that holds
-// learner.toml, settings.toml, recordings/, what they added to worlds (worlds/) and what they know of them (learnt/),
-// and exports.jsonl, which says what was written elsewhere. Only the person may read them (0700, 0600). Any thread;
-// what changes a file holds a lock on its folder and replaces the file atomically.
+// The learners of one data folder. Below learners/, each has a folder with a random name, which contains:
+// - learner.toml and settings.toml
+// - recordings/
+// - worlds/: what the learner added to worlds
+// - learnt/: what the learner knows about worlds
+// - exports.jsonl: what was written elsewhere
+// Only the person may read them (0700, 0600). Any thread. Changes lock the folder and replace files atomically.
 #pragma once
 
 #include <filesystem>
@@ -20,20 +23,20 @@ public:
     explicit Learners(const std::filesystem::path& data_folder);
 
     struct Found {
-        std::vector<Learner> learners;  // by name
+        std::vector<Learner> learners;  // sorted by name
         std::vector<Error> faults;      // one for each folder whose learner.toml cannot be read
     };
     Found all() const;
-    // By chosen name (case of ASCII letters ignored) or id. Fails with the nearest name, or with what is wrong with the
-    // file.
+    // Finds a learner by the chosen name (ignoring the case of ASCII letters) or by id. Fails with the nearest name, or
+    // with what is wrong with the file.
     Result<Learner> find(const std::string& name_or_id) const;
-    // The folder's name of whoever that is, also where learner.toml is damaged and only the id says it; empty: nobody.
+    // The folder name of that learner; empty if there is none. If learner.toml is damaged, only the id is recognised.
     std::string id_of(const std::string& name_or_id) const;
-    // A new one with a folder; `settings` is what settings.toml begins as. Fails where the name is taken.
+    // Creates a learner with a folder. `settings` is the initial text of settings.toml. Fails if the name is taken.
     Result<Learner> make(const std::string& name, const std::string& settings) const;
-    // Reads the file, lets `change` change the learner, and writes it.
+    // Reads the file, calls `to` to change the learner, and writes the file.
     Result<Learner> change(const std::string& id, const std::function<void(Learner&)>& to) const;
-    // A name from the two lists that nobody has yet.
+    // Offers a name from the two lists that no learner has yet.
     std::string offer() const;
 
     const std::filesystem::path& folder() const { return folder_; }

@@ -16,7 +16,7 @@ fs::path real_path(const fs::path& path) {
     return fs::weakly_canonical(fs::absolute(path, ec), ec);
 }
 
-// What of `inside` is below `whole`; empty: it is elsewhere.
+// The path of `inside` relative to `whole`; empty if it is elsewhere.
 fs::path below(const fs::path& inside, const fs::path& whole) {
     const auto [of_whole, of_inside] = std::mismatch(whole.begin(), whole.end(), inside.begin(), inside.end());
     fs::path rest;

@@ -1,4 +1,4 @@
-// The plan of a page: where one walked and what was touched, with the same in words.
+// The plan of a page: where the learner walked and what was touched, with the same in words.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace handrail {
 namespace {
 
-// A box on the plan that no other text may lie on.
+// A box on the plan that no other text may overlap.
 struct Box {
     double left, top, right, bottom;
     bool meets(const Box& other) const {
@@ -22,15 +22,14 @@ struct Box {
     }
 };
 
-// Room for a name in letters of this height, its middle at a place; a letter is taken for as wide as the widest ones
-// are in the mean.
+// The space for a name in letters of this height, centred at a point. Its width assumes a generous mean letter width.
 Box box_of(const std::string& name, double x, double y, double letter) {
     const double half = 0.32 * letter * static_cast<double>(characters_of(name).size());
     return {x - half, y - letter, x + half, y + 0.3 * letter};
 }
 
-// Where a name can be read: at its place, else as near above or below it as nothing lies, within the picture. None: it
-// has no room, and stands only in the words below.
+// The line on which a name can be read: at its place, or as little above or below as is free, within the picture.
+// Nothing if there is no space; then the name appears only in the words below.
 std::optional<double> free_line(const std::string& name, double x, double y, double letter, double wide, double high,
                                 const std::vector<Box>& taken) {
     for (const double lines : {0.0, 1.4, -1.4, 2.8, -2.8}) {
@@ -42,8 +41,8 @@ std::optional<double> free_line(const std::string& name, double x, double y, dou
     return std::nullopt;
 }
 
-// Lines of the plan in tenths of a metre, north up. Its texts are hidden from screen readers, which else read them in
-// the middle of the page; the words below say them in order.
+// The plan in tenths of a metre, north up. Its texts are hidden from screen readers, which would otherwise read them in
+// the middle of the page. The words below contain them in order.
 std::string plan_svg(const SessionReport& report, std::string_view id) {
     const Storey& storey = *report.storey;
     const auto x = [&](const Vec2& p) { return (p.x - storey.min_m.x) * 10.0; };
@@ -68,7 +67,8 @@ std::string plan_svg(const SessionReport& report, std::string_view id) {
         if (way.size() >= 2)
             svg += fmt::format("<path class=\"way\" stroke-width=\"{:.2f}\" d=\"{}\"/>\n", stroke, path(way));
     svg += fmt::format("<g aria-hidden=\"true\" text-anchor=\"middle\" font-size=\"{:.1f}\">\n", letter);
-    // Numbers first, then names round them. Of what was touched in one place the more frequent has its number there.
+    // Numbers first, then names around them. If several things were touched in one place, the most frequent gets its
+    // number there.
     std::vector<Box> taken;
     std::string numbers;
     for (std::size_t i = 0; i < report.contacts.size(); ++i) {

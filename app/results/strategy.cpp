@@ -16,7 +16,7 @@ double turn_between(double a_rad, double b_rad) {
     return std::abs(std::remainder(b_rad - a_rad, 2.0 * std::numbers::pi));
 }
 
-// How far `p` is from the straight line between two places.
+// The distance of `p` from the straight line between two points.
 double off_line(const Vec3& a, const Vec3& b, const Vec3& p) {
     const double ux = b.x - a.x, uy = b.y - a.y, square = ux * ux + uy * uy;
     const double along = square > 0.0 ? std::clamp(((p.x - a.x) * ux + (p.y - a.y) * uy) / square, 0.0, 1.0) : 0.0;
@@ -27,13 +27,13 @@ bool at_base(const WalkSample& sample, const Vec3& base_m, const StrategyTuning&
     return sample.home || flat_way_m(sample.place_m, base_m) < tuning.base_m;
 }
 
-// Where legs end: at visits, and where the way bends.
+// The samples at which legs end: at visits, and at bends of the path.
 std::vector<std::size_t> cuts_of(std::span<const WalkSample> walk, const StrategyTuning& tuning) {
     std::vector<std::size_t> cuts{0};
     for (std::size_t i = 1; i < walk.size(); ++i)
         if (walk[i].thing >= 0 && walk[i].thing != walk[i - 1].thing && i > cuts.back()) cuts.push_back(i);
     if (cuts.back() + 1 < walk.size()) cuts.push_back(walk.size() - 1);
-    // Halved until straight, the later part first.
+    // Split until all parts are straight, working from the start.
     std::vector<std::size_t> open(cuts.rbegin(), cuts.rend()), done;
     done.push_back(open.back());
     open.pop_back();
@@ -85,7 +85,7 @@ std::vector<WalkedLeg> cut_legs(std::span<const WalkSample> walk, const Vec3& ba
     return legs;
 }
 
-// What a bend parted and goes on much the same way is one leg again.
+// Joins legs that were split at a bend but continue in nearly the same direction.
 void join_straight(std::vector<WalkedLeg>& legs, const StrategyTuning& tuning) {
     constexpr double kSlack_m = 0.2;
     std::vector<WalkedLeg> joined;
@@ -112,7 +112,7 @@ void join_straight(std::vector<WalkedLeg>& legs, const StrategyTuning& tuning) {
     legs = std::move(joined);
 }
 
-// Two lanes of one grid: beside each other, there and back.
+// Returns whether two legs are lanes of one grid: side by side, there and back.
 bool are_lanes(const WalkedLeg& a, const WalkedLeg& b, const StrategyTuning& tuning) {
     const double long_m = length_of(a), other_m = length_of(b);
     if (other_m < 0.5 * long_m || long_m < 0.5 * other_m) return false;
@@ -146,7 +146,7 @@ Strategy kind_of(const WalkedLeg& leg, bool between_lanes, const StrategyTuning&
 }
 
 void name_legs(std::vector<WalkedLeg>& legs, const StrategyTuning& tuning) {
-    constexpr double kStep_m = 0.4;  // that a leg between two lanes may be longer than they lie apart
+    constexpr double kStep_m = 0.4;  // a leg between two lanes may exceed their greatest distance by this
     for (std::size_t i = 0; i < legs.size(); ++i) {
         const bool between = i > 0 && i + 1 < legs.size() && legs[i - 1].kind == Strategy::Grid &&
                              legs[i + 1].kind == Strategy::Grid && length_of(legs[i]) <= tuning.lane_high_m + kStep_m;
@@ -154,8 +154,8 @@ void name_legs(std::vector<WalkedLeg>& legs, const StrategyTuning& tuning) {
     }
 }
 
-// Legs without a visit on a way that is direct enough are of the kind of that way, from one visit or the base to the
-// next.
+// Legs without a visit get the kind of the whole path from one visit or the base to the next, if that path is direct
+// enough.
 void name_ways(std::vector<WalkedLeg>& legs, const StrategyTuning& tuning) {
     constexpr double kSlack_m = 0.5;
     for (std::size_t first = 0; first < legs.size();) {
