@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLongestOrder = 400, kMostWatchers = 4, kKept = 20;
 
-// "lead Library" with "lead": "Library".
+// The rest of an order after its word: "Library" for "lead Library" and "lead".
 std::optional<std::string> rest_of(std::string_view order, std::string_view word) {
     if (order.size() <= word.size() + 1 || lower_ascii(order.substr(0, word.size())) != word ||
         order[word.size()] != ' ')
@@ -46,7 +46,7 @@ bool address_of(const fs::path& path, sockaddr_un& address) {
 }
 
 bool connects(int descriptor, const sockaddr_un& address) {
-    // The kernel's own form of an address.
+    // The socket interface requires this type of address.
     return ::connect(descriptor, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
 }
 
@@ -61,7 +61,7 @@ bool same_person_owns(const fs::path& file) {
     return ::lstat(file.c_str(), &found) == 0 && S_ISSOCK(found.st_mode) && found.st_uid == ::getuid();
 }
 
-// Whole lines out of what has come; what is longer than an order is dropped.
+// Takes whole lines out of what has arrived. Anything longer than an order is dropped.
 void take_lines(std::string& come, std::vector<std::string>& lines) {
     for (std::size_t end = come.find('\n'); end != std::string::npos; end = come.find('\n')) {
         std::string line = one_line(come.substr(0, end));
@@ -157,10 +157,11 @@ Result<std::unique_ptr<DeskServer>> DeskServer::open(const fs::path& folder, con
     struct stat found {};
     if (::lstat(folder.c_str(), &found) != 0) return refused();
     errno = EACCES;
-    if (found.st_uid != ::getuid() || (found.st_mode & 0077U) != 0U) return refused();  // others could take it away
+    // Other users could replace the socket.
+    if (found.st_uid != ::getuid() || (found.st_mode & 0077U) != 0U) return refused();
     state->listening = ::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     if (state->listening < 0) return refused();
-    fs::remove(state->path, ec);  // of a process that had this number before
+    fs::remove(state->path, ec);  // left by an earlier process with the same id
     const mode_t before = ::umask(0077);
     const bool bound = ::bind(state->listening, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 &&
                        ::listen(state->listening, static_cast<int>(kMostWatchers)) == 0;
@@ -198,7 +199,7 @@ void DeskServer::tell(const std::string& line) {
 
 namespace {
 
-// The other end of a desk, for whoever watches.
+// A connection to a desk, for an instructor who watches.
 class WatchedDesk {
 public:
     explicit WatchedDesk(int descriptor) : descriptor_(descriptor) {}
@@ -210,7 +211,7 @@ public:
     }
 
     int descriptor() const { return descriptor_; }
-    // What has come and was not taken yet. False: the other end is closed.
+    // Waits for data and appends it to come_. Returns false if the other end is closed.
     bool receive() {
         std::array<char, 1024> bytes{};
         const ssize_t got = ::recv(descriptor_, bytes.data(), bytes.size(), 0);
@@ -218,7 +219,7 @@ public:
         return got > 0 || (got < 0 && errno == EINTR);
     }
     std::string take_come() { return std::exchange(come_, {}); }
-    // Its first line, once it has come; empty if the desk is closed before, or does not answer.
+    // The first line of the desk, once it has arrived. Empty if the desk closes before or does not answer.
     std::string title() {
         constexpr timeval kWait{5, 0}, kForEver{0, 0};
         ::setsockopt(descriptor_, SOL_SOCKET, SO_RCVTIMEO, &kWait, sizeof kWait);
@@ -237,7 +238,7 @@ private:
     std::string come_;
 };
 
-// All that answer, in the order of their files' names. What a program that crashed left behind goes.
+// All desks that answer, sorted by file name. Sockets that a crashed program left behind are deleted.
 std::vector<WatchedDesk> desks_in(const fs::path& folder) {
     std::error_code ec;
     std::vector<fs::path> files;
@@ -259,12 +260,12 @@ std::vector<WatchedDesk> desks_in(const fs::path& folder) {
     return desks;
 }
 
-// Lines of standard input, one after the other.
+// Reads standard input line by line.
 class TypedLines {
 public:
     explicit TypedLines(int descriptor) : descriptor_(descriptor) {}
-    int descriptor() const { return descriptor_; }  // -1: it has ended
-    // Waits for more, unless it has ended.
+    int descriptor() const { return descriptor_; }  // -1: the input has ended
+    // Waits for input, unless it has ended.
     void read() {
         std::array<char, 1024> bytes{};
         const ssize_t got = ::read(descriptor_, bytes.data(), bytes.size());
@@ -275,7 +276,7 @@ public:
         typed_.append(bytes.data(), static_cast<std::size_t>(got));
         take_lines(typed_, lines_);
     }
-    // The next line that has come.
+    // The next complete line, if any.
     std::optional<std::string> take() {
         if (lines_.empty()) return std::nullopt;
         std::string line = std::move(lines_.front());
@@ -289,7 +290,7 @@ private:
     std::vector<std::string> lines_;
 };
 
-// The one that is asked for by its number; nothing if the input ends before.
+// Asks for the number of a desk. Returns nothing if the input ends first.
 std::optional<std::size_t> chosen_of(std::vector<WatchedDesk>& desks, TypedLines& input, std::ostream& out) {
     while (input.descriptor() >= 0) {
         out << phrase("desk_order.several", {{"count", desks.size()}}) << "\n";

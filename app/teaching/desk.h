@@ -1,6 +1,6 @@
-// The instructor's desk: one line about how a lesson stands and orders to it, through a socket that only the same
-// person on the same machine can open. Text alone: nothing here speaks. Orders reach nothing but the lesson, so no
-// force.
+// The instructor's desk: shows the state of a lesson in one line and accepts orders, through a socket that only the
+// same person on the same machine can open. It uses text only and speaks nothing. Orders reach only the lesson, so they
+// cannot cause forces.
 #pragma once
 
 #include <filesystem>
@@ -15,28 +15,29 @@
 
 namespace handrail {
 
-// What the words of an order do to a lesson: "next", "repeat", "more", "less", "lead NAME", "leave", "block NAME",
-// "open NAME", "note TEXT", "summary", "end". The reply says in one line what happened; of an order that is none, which
-// there are. What was done is noted in the lesson.
+// Carries out an order on a lesson: "next", "repeat", "more", "less", "lead NAME", "leave", "block NAME", "open NAME",
+// "note TEXT", "summary", "end". Returns one line about what happened; for an unknown order, the list of orders. What
+// was done is noted in the lesson.
 std::string carry_out_order(TeachingRun& run, std::string_view order, double now_s);
 
-// The folder of all desks of the person: $XDG_RUNTIME_DIR/handrail-desks, else below the folder for temporary files.
+// The folder with all desks of the person: $XDG_RUNTIME_DIR/handrail-desks, otherwise below the folder for temporary
+// files.
 std::filesystem::path desk_folder();
 
-// For the session. App thread; never waits: who does not read is left behind.
+// The session's end of the desk. App thread; never waits, so slow readers miss lines.
 class DeskServer {
 public:
-    // A desk of this process's own in that folder. title: which lesson it is and who learns, in one line, which whoever
-    // watches reads first. Fails with a sentence if there can be none.
+    // Opens a desk for this process in that folder. `title`: one line about the lesson and the learner, which watchers
+    // read first. Fails with a sentence if it is not possible.
     static Result<std::unique_ptr<DeskServer>> open(const std::filesystem::path& folder, const std::string& title);
-    // Tells whoever watches that the lesson has ended.
+    // Tells all watchers that the lesson has ended.
     ~DeskServer();
     DeskServer(const DeskServer&) = delete;
     DeskServer& operator=(const DeskServer&) = delete;
 
-    // Orders that have come since, in order: one line each.
+    // Orders that have arrived since the last call, in order: one line each.
     std::vector<std::string> take_orders();
-    // To all who watch, and, the last ones, to who comes later.
+    // Sends a line to all watchers. The last lines are also sent to watchers who connect later.
     void tell(const std::string& line);
 
 private:
@@ -45,9 +46,9 @@ private:
     std::unique_ptr<State> state_;
 };
 
-// `handrail lesson watch`: prints what is told, sends the lines of standard input (`in_descriptor`) as orders, until
-// the lesson ends. If several lessons have desks in that folder, it lists them and asks for a number. 0: the lesson
-// ended; 1: there is none to watch, or none was chosen.
+// Implements `handrail lesson watch`: prints what the desk sends, and sends the lines of standard input
+// (`in_descriptor`) as orders, until the lesson ends. If several lessons have desks in that folder, it lists them and
+// asks for a number. Returns 0 if the lesson ended, 1 if there is none to watch or none was chosen.
 int watch_desk(const std::filesystem::path& folder, int in_descriptor, std::ostream& out, std::ostream& err);
 
 }  // namespace handrail

@@ -1,4 +1,4 @@
-// Who learns, as far as a lesson wants to know it. Plain data.
+// What a lesson needs to know about the learner. Plain data.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +7,10 @@
 namespace handrail {
 
 struct LearnerName {
-    std::string name;          // chosen; empty: nobody in particular
-    std::uint64_t number = 0;  // what shuffled orders are drawn from
+    std::string name;          // chosen name; empty: nobody in particular
+    std::uint64_t number = 0;  // seed for shuffled orders
 };
-// The number of a name, the same each time.
+// The name with its number, which is always the same.
 LearnerName learner_named(const std::string& name);
 
 }  // namespace handrail

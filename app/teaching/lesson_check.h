@@ -1,4 +1,4 @@
-// Whoever teaches beside a session, and the scripted pupils of a lesson in a headless one.
+// Connects a lesson with a session, and runs the scripted pupils of a lesson in a session without a user interface.
 #pragma once
 
 #include <span>
@@ -12,12 +12,12 @@ namespace handrail {
 
 class Session;
 
-// What one turn of a lesson is: what has happened since the last one is seen, and what the lesson wishes reaches the
-// session. Between two ticks of it; ten times a second is enough. speaking: somebody speaks.
+// One turn of a lesson: it sees what has happened since the last turn, and its wishes reach the session. Call it
+// between two ticks of the session; ten times a second is enough. `speaking`: the voice is speaking.
 void teach_on(TeachingRun& run, Session& app, std::span<const SessionEvent> events, double now_s,
               bool speaking = false);
 
-// A run begun for a session with these settings and keys.
+// Begins a run for a session, with the session's settings and keys.
 TeachingRun begin_lesson(const std::shared_ptr<TaughtWorld>& world, std::size_t session, const LearnerName& learner,
                          const Session& app);
 
@@ -26,14 +26,14 @@ struct PupilOutcome {
     std::vector<std::string> failures;  // sentences with file and line
     std::vector<TaskResult> results;
     std::vector<LoggedLine> lines;
-    double seconds = 0.0;  // of virtual time
+    double seconds = 0.0;  // in virtual time
 };
-// Fails only where the script asks for something impossible. read: as of run_scenario.
+// Fails only if the script demands something impossible. `read`: as for run_scenario.
 Result<PupilOutcome> run_pupil(const std::shared_ptr<TaughtWorld>& world, const LessonPupil& pupil, AudioSink& audio,
                                SpeechSink& speech, const WorldReader& read);
 
-// The protocol of a lesson for a learner, as it is written down before: sessions, steps in their order, help of each
-// lap, what is blocked.
+// The protocol of a lesson for a learner, to be written down in advance: sessions, steps in their order, help in each
+// lap, and blocked doors.
 std::string protocol_of(const LessonFile& lesson, const LearnerName& learner);
 
 }  // namespace handrail

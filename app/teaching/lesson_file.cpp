@@ -15,12 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLongestText = 2000;  // of a sentence to be spoken
+constexpr std::size_t kLongestText = 2000;  // longest sentence to be spoken
 constexpr int kMostLaps = 20;
 
 [[noreturn]] void bad(const TomlValue& node, std::string message) { throw BadField{node.line, std::move(message)}; }
 
-// One line, for ears.
+// The text as a single line that can be spoken.
 std::string line_of_text(const TomlValue& node, const std::string& text) {
     if (text.size() > kLongestText || !is_utf8(text)) bad(node, phrase("teaching.long_text", {{"most", kLongestText}}));
     std::string line = one_line(text);
@@ -30,7 +30,7 @@ std::string line_of_text(const TomlValue& node, const std::string& text) {
 
 std::string name_in(TomlFields& fields, const char* key) { return line_of_text(fields.node(key), fields.text(key)); }
 
-// key, and key_de for each language.
+// Reads `key`, and its translations such as key_de.
 LessonText text_in(const TomlValue& table, TomlFields& fields, const char* key) {
     LessonText text;
     if (fields.has(key)) text.text = name_in(fields, key);
@@ -39,7 +39,7 @@ LessonText text_in(const TomlValue& table, TomlFields& fields, const char* key) 
         if (name.size() != head.size() + 2 || !name.starts_with(head)) continue;
         text.others.push_back({name.substr(head.size()), name_in(fields, name.c_str())});
     }
-    if (text.text.empty() && !text.others.empty()) fields.node(key);  // says that it is missing
+    if (text.text.empty() && !text.others.empty()) fields.node(key);  // reports that the main text is missing
     return text;
 }
 
@@ -80,7 +80,8 @@ const TomlValue& table_in(TomlFields& fields, const char* key) {
     return node;
 }
 
-// Never what touches a person: how strong forces are, what is heard and how fast.
+// A lesson must not set anything that affects the person directly: the strength of forces, or what is heard and how
+// fast.
 bool may_be_set(std::string_view key) {
     for (const std::string_view topic : {"haptic.", "speech.", "sound.", "keyboard.", "welcome.", "desk.", "profile."})
         if (key.starts_with(topic)) return false;
@@ -146,7 +147,7 @@ StepKind kind_in(TomlFields& fields) {
                 {"nearest", nearest_name(word, std::vector<std::string>(kStepWords.begin(), kStepWords.end()))}}));
 }
 
-// The help of each lap; the last one is free.
+// The help in each lap; the last lap has none.
 std::vector<int> laps_in(TomlFields& fields) {
     std::vector<int> help{0};
     if (fields.has("help_percent")) {
@@ -375,7 +376,8 @@ std::vector<std::size_t> step_order(const TaughtSession& session, std::size_t se
     std::vector<std::size_t> order(session.steps.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     if (!session.shuffle) return order;
-    // SplitMix64 (Steele, Lea, Flood 2014): the same numbers on every machine, which std::shuffle does not promise.
+    // SplitMix64 (Steele, Lea, Flood 2014) gives the same numbers on every machine, which std::shuffle does not
+    // guarantee.
     std::uint64_t state = learner * 0x9e3779b97f4a7c15U + session_index + 1;
     const auto next = [&] {
         std::uint64_t z = (state += 0x9e3779b97f4a7c15U);

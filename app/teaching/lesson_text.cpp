@@ -1,4 +1,4 @@
-// Lessons as text. See lesson_file.h.
+// Writes lessons as text, see lesson_file.h.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -7,7 +7,7 @@
 namespace handrail {
 namespace {
 
-// Of a text of one line.
+// For a text of a single line.
 std::string quoted(const std::string& text) {
     std::string out = "\"";
     for (const char c : text) {

@@ -1,4 +1,4 @@
-// What both parts of a run use.
+// Functions that both parts of a run use.
 #pragma once
 
 #include <cmath>
@@ -8,13 +8,13 @@
 
 namespace handrail {
 
-// So near on the level, and on this storey.
+// Returns whether two places are this close horizontally and on the same storey.
 inline bool near_place(const Vec3& a, const Vec3& b, double level_m) {
     constexpr double kSameHeight_m = 1.0;
     return std::abs(a.z - b.z) < kSameHeight_m && std::hypot(a.x - b.x, a.y - b.y) < level_m;
 }
 
-// Two sentences, either of which may be empty.
+// Joins two sentences, either of which may be empty.
 inline std::string one_after(std::string first, const std::string& then) {
     if (!first.empty() && !then.empty()) first += ' ';
     return first + then;

@@ -1,5 +1,5 @@
-// A lesson in its world: what it names, looked up there before anything runs. Owned and asked by one thread; finding
-// the rooms takes from milliseconds to seconds.
+// A lesson in its world: all names are looked up before anything runs. One thread owns and queries it. Finding the
+// rooms takes from milliseconds to seconds.
 #pragma once
 
 #include <map>
@@ -16,16 +16,16 @@
 namespace handrail {
 
 struct TaughtPlace {
-    std::string name;    // as it is told
-    Vec3 stand_m{0.0};   // where one stands there
-    Vec3 middle_m{0.0};  // what one points at
-    Aabb box_m{};        // all of a thing; empty: of a room or a place
+    std::string name;    // as announced
+    Vec3 stand_m{0.0};   // where people stand there
+    Vec3 middle_m{0.0};  // the target for pointing
+    Aabb box_m{};        // the whole object; empty for a room or a place
 };
 
 class TaughtWorld {
 public:
-    // Fails with file and line where a thing, room or door is not in the world (the nearest name is told), nobody can
-    // walk a route, or a block leaves no way. checksum: of the world's file now; empty: unknown.
+    // Fails with file and line if an object, room or door is not in the world (with the nearest name), if nobody can
+    // walk a route, or if a blocked door leaves no route. `checksum`: that of the world's file now; empty if unknown.
     static Result<std::shared_ptr<TaughtWorld>> find(LessonFile lesson, const std::shared_ptr<const Scene>& scene,
                                                      const std::string& checksum = {});
 
@@ -33,22 +33,22 @@ public:
     const std::shared_ptr<const Scene>& scene() const { return scene_; }
     const TaughtPlace& base() const { return base_; }
     double base_heading_rad() const { return base_heading_rad_; }
-    // By any name of the lesson, or of a room; null: there is none.
+    // Finds a place by any name of the lesson or of a room; null if there is none.
     const TaughtPlace* place(std::string_view name) const;
-    // Its stops.
+    // The places of a route's stops.
     std::vector<TaughtPlace> stops_of(const LessonRoute& route) const;
     std::optional<FeatureId> door(std::string_view name) const;
-    // What is called most like it, of all that place() knows, and of the doors.
+    // The most similar name, among all names that place() knows, or among the doors.
     std::string nearest(std::string_view name) const;
     std::string nearest_door(std::string_view name) const;
-    // On foot through all of these, with doors blocked.
+    // The walking route through all stops, with the given doors blocked.
     Route way(const Vec3& from_m, const std::vector<TaughtPlace>& stops, const std::vector<FeatureId>& blocked = {});
-    // A sentence on what is not as it was when the lesson was written; empty: nothing.
+    // A sentence about what has changed since the lesson was written; empty if nothing has.
     const std::string& news() const { return news_; }
 
 private:
     TaughtWorld() = default;
-    // The place that is meant of those that `place` may name; fails if there are several and nothing says which.
+    // The candidate that `place` means. Fails if there are several and nothing decides between them.
     Result<TaughtPlace> one_of(const LessonPlace& place, const std::vector<TaughtPlace>& candidates) const;
     Result<TaughtPlace> look_up(const LessonPlace& place) const;
     Result<void> know(const LessonPlace& place);
@@ -56,7 +56,7 @@ private:
     Result<void> check_asked(const TaughtStep& step) const;
     Result<void> check_step(const TaughtStep& step);
     std::vector<std::string> names() const;
-    // Each by its own name, by its kind where it is the only one, and by the rooms that it joins.
+    // Each door by its name, by its kind if it is the only one, and by the rooms that it joins.
     std::vector<std::pair<std::string, FeatureId>> doors() const;
     std::vector<std::string> door_names() const;
     tl::unexpected<Error> bad(int line, const char* key, const std::string& name,
@@ -67,7 +67,7 @@ private:
     std::unique_ptr<RoomsOfWorld> rooms_;
     TaughtPlace base_;
     double base_heading_rad_ = 0.0;
-    std::map<std::string, TaughtPlace, std::less<>> places_;  // by name in lower case
+    std::map<std::string, TaughtPlace, std::less<>> places_;  // keys are names in lower case
     std::string news_;
 };
 

@@ -1,4 +1,4 @@
-// What a lesson asks, and what of answers it takes. See teaching_run.h.
+// The questions of a lesson, and how it evaluates answers. See teaching_run.h.
 #include <algorithm>
 #include <cmath>
 
@@ -9,9 +9,9 @@
 namespace handrail {
 namespace {
 
-constexpr double kAway_m = 1.0;  // farther from where a question is asked one is put there
+constexpr double kAway_m = 1.0;  // learners farther than this from the place of a question are put there
 
-// Whole hundredths of a degree, as answers come.
+// The tolerance is half a hundredth of a degree, because answers come in whole hundredths.
 bool passes(double error_rad, double pass_deg) { return std::abs(degrees_from_radians(error_rad)) <= pass_deg + 0.005; }
 
 }  // namespace
@@ -27,7 +27,7 @@ void TeachingRun::ask() {
         return act(TeacherActed::Kind::Ask, asked_.text);
     }
     if (now.kind == StepKind::Order) {
-        // Shown in an order of its own, never in the right one.
+        // Shows the items in a shuffled order, never in the right one.
         asked_.shown.clear();
         TaughtSession drawn;
         drawn.shuffle = true;
@@ -56,7 +56,7 @@ void TeachingRun::ask() {
     act(TeacherActed::Kind::Ask, asked_.text);
 }
 
-// "12", "12 steps", "8.5 m".
+// Reads answers such as "12", "12 steps" or "8.5 m".
 bool TeachingRun::take_number(const std::string& text, double& number) const {
     std::string word = lower_ascii(one_line(text));
     std::replace(word.begin(), word.end(), ',', '.');
@@ -121,7 +121,7 @@ void TeachingRun::answered(const std::string& text) {
                                      : "teaching.pointed_left",
                        {{"degrees", degrees}});
         const bool passed = now.pass_deg && passes(error, *now.pass_deg);
-        if (now.pass_deg && !(passed && degrees < 5))  // who points well knows it
+        if (now.pass_deg && !(passed && degrees < 5))  // not announced if the pointing was good: the learner then knows
             words = one_after(words, phrase(passed ? "teaching.point_passes" : "teaching.point_passes_not",
                                             {{"degrees", *now.pass_deg}}));
     } else {

@@ -14,10 +14,10 @@ namespace {
 
 constexpr double kSample_s = 0.1, kArrived_m = 1.5, kNotReachedHigh_m = 1.0;
 constexpr double kAtDoor_m = 1.5, kLeftDoor_m = 2.0;
-constexpr std::size_t kMostSamples = 36000;  // an hour
+constexpr std::size_t kMostSamples = 36000;  // of one hour
 constexpr double kWallTouched_s = 0.5;
 
-// How far a place is from a way, on the level and on its storey.
+// The horizontal distance of a place from a route on the same storey.
 double off_way_m(const std::vector<Vec3>& way, const Vec3& at) {
     double best = 1e9;
     for (std::size_t i = 1; i < way.size(); ++i) {
@@ -84,8 +84,6 @@ void TeachingRun::keep(TaskResult result) {
     acts_.emplace_back(result_act(result));
     results_.push_back(std::move(result));
 }
-
-// ---- what happens ----
 
 void TeachingRun::see(const SessionEvent& event) {
     now_s_ = std::max(now_s_, event.time_s);
@@ -162,7 +160,7 @@ void TeachingRun::follow_walk() {
                                   .thing = std::exchange(whole_.visited, -1)});
 }
 
-// What is known of the room that is to be learnt counts as it was when one was in it last.
+// The knowledge of the room counts as it was when the learner was last in it.
 void TeachingRun::follow_room() {
     if (step().kind != StepKind::Learn || lower_ascii(view_.room) != lower_ascii(step().room)) return;
     if (view_.perimeter_m > 0.0) task_.walls_percent = 100.0 * view_.walls_share;
@@ -171,7 +169,7 @@ void TeachingRun::follow_room() {
 
 void TeachingRun::tick(double now_s, const LessonView& view, bool speaking) {
     now_s_ = now_s;
-    // The view is of now, and what happened is seen a frame later: a jump must not look like a walk until then.
+    // The view is current, but events arrive a frame later. Until then a jump must not look like a walk.
     if (view.times_put != view_.times_put) task_.leap = true;
     view_ = view;
     if (!speaking) end_busy(speaks_since_s_);
@@ -212,8 +210,6 @@ void TeachingRun::tick(double now_s, const LessonView& view, bool speaking) {
     }
     if (!laps_.stops.empty() && near_place(view.feet_m, laps_.stops.back().stand_m, kArrived_m)) end_lap(true);
 }
-
-// ---- steps ----
 
 void TeachingRun::begin_step() {
     end_teachers_lead();
@@ -257,7 +253,7 @@ void TeachingRun::begin_go() {
     begin_lap();
 }
 
-// Of the help that the learner allows, how much there is in this lap.
+// The share of help in this lap, at the level that the learner has reached.
 double TeachingRun::level() const {
     const std::vector<int>& help = step().help_percent;
     const bool last = laps_.lap + 1 == static_cast<int>(help.size());
@@ -267,7 +263,7 @@ double TeachingRun::level() const {
 void TeachingRun::begin_lap() {
     const TaughtStep& now = step();
     const int laps = static_cast<int>(now.help_percent.size());
-    if (laps_.lap + 1 == laps) laps_.level = now.help_percent.size() - 1;  // the last one is free
+    if (laps_.lap + 1 == laps) laps_.level = now.help_percent.size() - 1;  // the last lap has no help
     laps_.met_s = laps_.left_s = std::nullopt;
     task_ = {};
     task_.begun_s = now_s_;
@@ -281,7 +277,7 @@ void TeachingRun::begin_lap() {
     lead();
 }
 
-// What lies behind a blocked door is not gone past: then the last stop alone counts.
+// A stop behind a blocked door cannot be passed, so if doors are blocked, only the last stop counts.
 std::vector<TaughtPlace> TeachingRun::led_stops() const {
     return laps_.blocked.empty() ? laps_.stops : std::vector{laps_.stops.back()};
 }
@@ -317,10 +313,10 @@ TaskResult TeachingRun::measured(std::string name) const {
 void TeachingRun::end_lap(bool reached) {
     TaskResult result = measured(laps_.stops.back().name);
     result.measures["reached"] = reached ? 1.0 : 0.0;
-    // Where the lap was begun, the body was put: what it walked counts from there.
+    // The walker was put at the start of the lap, so the walk counts from there.
     int errors = times_off(laps_.shortest.points_m, task_.walk, step().off_route_m);
     if (reached) {
-        // Up to where one counts as arrived, which is a little before the stop itself.
+        // The shortest route ends where the walker counts as arrived, a little before the stop itself.
         std::vector<TaughtPlace> stops = led_stops();
         stops.back().stand_m = view_.feet_m;
         const Route shortest = world_->way(world_->base().stand_m, stops, laps_.blocked);
@@ -370,8 +366,6 @@ void TeachingRun::finish(bool all) {
         words = one_after(words, phrase("teaching.next_session", {{"name", world_->lesson().sessions[next].name}}));
     acts_.emplace_back(Told{words, SpeechClass::Answer});
 }
-
-// ---- whoever teaches ----
 
 std::string TeachingRun::next(double now_s) {
     now_s_ = now_s;
@@ -466,7 +460,5 @@ std::string TeachingRun::end(double now_s) {
     if (begun_ && !over_) finish(false);
     return phrase(begun_ ? "desk_order.ended" : "desk_order.not_begun");
 }
-
-// ---- how it stands ----
 
 }  // namespace handrail

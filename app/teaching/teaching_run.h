@@ -1,6 +1,6 @@
-// A session of a lesson as it goes: sees what happens, says what is to be done next, and measures. Touches nothing
-// itself: what it wishes is taken as inputs of the session (session_input.h), so a recording holds all of it. Plain
-// state; one thread.
+// A running session of a lesson. It sees what happens, says what to do next, and measures. It changes nothing directly:
+// its wishes become inputs of the session (session_input.h), so a recording contains all of them. Plain state; one
+// thread.
 #pragma once
 
 #include <map>
@@ -19,16 +19,16 @@
 
 namespace handrail {
 
-// What was measured of one task; keys as reports have them, with "reached" and "detour" (1: yes) beside them.
+// The measures of one task, with the keys of reports, and also "reached" and "detour" (1: yes).
 struct TaskResult {
     StepKind kind = StepKind::Free;
-    std::size_t step = 0;  // in the file, from 0
+    std::size_t step = 0;  // index in the file, from 0
     int lap = 0;           // from 0
     std::string name;
     std::map<std::string, double> measures;
     double ended_s = 0.0;  // in the session's clock
 };
-// As a recording holds it.
+// In the form in which a recording contains it.
 TeacherActed result_act(const TaskResult& result);
 
 class TeachingRun {
@@ -39,37 +39,38 @@ public:
         std::size_t session = 0;
         LearnerName learner;
         double step_length_m = 0.7;
-        std::string done_key, task_key;  // as they are told
+        std::string done_key, task_key;  // names of keys as they are announced
     };
     TeachingRun(std::shared_ptr<TaughtWorld> world, Start start);
 
     void see(const SessionEvent& event);
-    // After the session's tick; about ten times a second is enough. It begins once rooms are known. speaking: somebody
-    // speaks, which the ears know.
+    // Call after the session's tick; about ten times a second is enough. The lesson begins once the rooms are known.
+    // `speaking`: the voice is speaking, as the ears report it.
     void tick(double now_s, const LessonView& view, bool speaking = false);
-    // What is to reach the session now, in order.
+    // The inputs that the session must get now, in order.
     std::vector<SessionInput> take_acts() { return std::exchange(acts_, {}); }
     bool over() const { return over_; }
-    // Over, with all of its steps behind one: nobody left it before.
+    // Over with all steps done, not left early.
     bool finished() const { return finished_; }
 
-    // By whoever teaches. Each says what happened, or why it cannot be. On a way that is being learnt, a door that is
-    // blocked counts as one that the lesson itself blocks: the way round is what the lap is measured against.
+    // Orders of the instructor. Each returns what happened, or why it is impossible. If the instructor blocks a door on
+    // a route that is being learnt, it counts like a door that the lesson blocks: the lap is then measured against the
+    // detour.
     std::string next(double now_s);
     std::string repeat();
-    std::string change_help(int by);  // 1 more, -1 less
-    // To a place, until one is there, the next task begins, or leave_lead(). Never while a question about places waits,
-    // which it would answer.
+    std::string change_help(int by);  // 1: more, -1: less
+    // Guides the learner to a place until arrival, the next task, or leave_lead(). Refused while a question about
+    // places waits, because it would give the answer away.
     std::string lead_to(const std::string& name);
     std::string leave_lead();
     std::string block(const std::string& door, bool blocked);
     void note(const std::string& text);
     std::string end(double now_s);
 
-    // One line on how it stands: where, walls, contacts, help, strategy.
+    // One line about the current state: place, walls, contacts, help, strategy.
     std::string summary() const;
     const std::vector<TaskResult>& results() const { return results_; }
-    // Of the time of the session so far.
+    // Share of the session's time so far.
     double share_of(Strategy strategy) const;
 
 private:
@@ -85,7 +86,7 @@ private:
     void end_lap(bool reached);
     void end_step();
     void finish(bool all);
-    // What lasts from one time to another ends, or goes on into the next task.
+    // Ends a busy time and adds it to the current task.
     void end_busy(std::optional<double>& since_s);
     void follow_walk();
     void follow_room();
@@ -106,35 +107,35 @@ private:
     std::vector<std::size_t> order_;
     std::size_t at_ = 0;
     bool begun_ = false, over_ = false, finished_ = false;
-    std::vector<FeatureId> shut_;  // doors, by whoever teaches
-    std::string led_to_;           // by whoever teaches; empty: nowhere
+    std::vector<FeatureId> shut_;  // doors shut by the instructor
+    std::string led_to_;           // goal set by the instructor; empty: none
     std::vector<SessionInput> acts_;
     std::vector<TaskResult> results_;
     LessonView view_;
     double now_s_ = 0.0, sampled_s_ = -1e9, summed_s_ = -1e9;
-    // Since when; none: not now.
+    // Since when; nothing: not at the moment.
     std::optional<double> led_since_s_, list_since_s_, speaks_since_s_;
 
-    // Of the task that goes on.
+    // The current task.
     struct Task {
         double begun_s = 0.0;
         std::vector<WayPoint> walk;
         std::vector<Touch> touches;
         int help = 0;
         double led_s = 0.0;
-        std::vector<Span> busy;  // a list was open, or somebody spoke
+        std::vector<Span> busy;  // a list was open, or the voice was speaking
         bool leap = false;
-        // Of a room to be learnt, while one was in it.
-        std::optional<double> walls_percent, exits_percent;  // none: it has no walls, or no exits
+        // For a room to be learnt: as it was when the learner was last in it.
+        std::optional<double> walls_percent, exits_percent;  // nothing: it has no walls, or no exits
     } task_;
     struct Questions {
-        std::string told, text;          // of the task, and of what is asked; empty: nothing is
-        std::size_t at = 0;              // of the step's `to`
-        std::vector<double> errors_rad;  // of pointing
+        std::string told, text;          // texts of the task and of the question; empty: none
+        std::size_t at = 0;              // index in the step's `to`
+        std::vector<double> errors_rad;  // errors of pointing
         std::vector<Judged> judged;
-        std::vector<std::size_t> shown;  // the order that was shown
+        std::vector<std::size_t> shown;  // order in which the items were shown
     } asked_;
-    // Of a way that is learnt.
+    // For a route that is being learnt.
     struct Laps {
         int lap = 0;
         std::size_t level = 0;
@@ -142,7 +143,8 @@ private:
         std::vector<TaughtPlace> stops;
         std::vector<FeatureId> blocked;
         Route shortest;
-        std::optional<double> met_s, left_s;  // the blocked door: when one came to it, and was last near it
+        // When the learner came to a blocked door, and was last near it.
+        std::optional<double> met_s, left_s;
     } laps_;
     struct Whole {
         std::vector<WalkSample> samples;

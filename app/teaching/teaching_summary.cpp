@@ -1,4 +1,4 @@
-// What an instructor is told of the lesson so far. See teaching_run.h.
+// The summary of the lesson so far, for the instructor. See teaching_run.h.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kWindow_s = 100.0;  // of samples that the strategy of now is judged by
+constexpr double kWindow_s = 100.0;  // time span of the samples that decide the current strategy
 
 }  // namespace
 
