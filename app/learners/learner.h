@@ -26,7 +26,7 @@ bool is_day(std::string_view text);
 std::string today();
 
 struct Consent {
-    std::string given;  // the day
+    std::string given;  // day of consent
     std::string by;     // name of who gave it; may be empty
     std::string until;  // last day of validity; empty: until it is withdrawn
 };

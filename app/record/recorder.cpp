@@ -147,7 +147,7 @@ struct Recorder::State {
     bool fresh_frame = false;  // nothing has come since the last frame
     bool problem_told = false, ended = false;
 
-    std::mutex mutex;  // guards what follows
+    std::mutex mutex;  // guards the members up to the next comment
     std::condition_variable wake;
     bool end_asked = false;
     std::string lines;

@@ -1,5 +1,5 @@
 // Moves a walker's body through a door from both sides, against everything in the finished scene except door leaves.
-// The caller owns the index. One reading thread uses it. Costs a few milliseconds for each door.
+// The caller owns the DoorTrials, and one reading thread uses it. Costs a few milliseconds for each door.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ namespace handrail {
 // Why the walker does not get through a door.
 enum class DoorTrialEnd : std::uint8_t {
     Passed,
-    InTheWay,  // an obstacle that is not the door's own wall, or any obstacle if the door is large enough
-    Small,     // the opening itself is narrower or lower than the walker
+    InTheWay,  // an obstacle, although the door is high enough for the walker
+    Small,     // the opening is narrower or lower than the walker, or too deep
     Step,      // a step higher than the walker climbs
     NoFloor,   // no floor on one side of the door, or in the doorway
 };

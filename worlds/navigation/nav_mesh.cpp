@@ -25,7 +25,7 @@ constexpr double kLeastHeight_m = 0.02;  // Recast's unit of height; grows in ve
 // Largest side of a polygon, so that paths along polygon edges come close to the shortest.
 constexpr double kSquare_m = 1.0;
 constexpr std::uint32_t kLargestSquare = 8;                           // multiple of kSquare_m, in large worlds
-constexpr std::uint32_t kSquaresOfTile = 64;                          // along a side
+constexpr std::uint32_t kSquaresOfTile = 64;                          // along a side of a tile
 constexpr std::size_t kMostRegions = 30'000, kMostVertices = 60'000;  // for a tile, and regions of the whole world
 // Detour identifies a polygon by its tile and its index there, and needs 10 bits for itself.
 constexpr int kMostRefBits = 22;

@@ -34,7 +34,7 @@ public:
 
     // The path from the middle of one span to that of another. Nothing if one of them is not on any polygon.
     // `over_links`: links may be taken. Without links the path is closer to the shortest, because Detour then looks
-    // straight ahead. It does so in the plane, and would mistake the other end of a link for the way ahead.
+    // straight ahead. It does so in the plane, and would confuse the two ends of a link.
     std::optional<MeshPath> path(std::uint32_t from, std::uint32_t to, RouteWish wish, bool over_links);
     // The cost of taking a link.
     static double cost_of(const WalkLink& link, double length_m, RouteWish wish);

@@ -17,8 +17,8 @@ class Flood {
 public:
     // Coarse columns may have more spans, so that a large station need not use columns too coarse for its doors.
     static std::size_t most_spans(double cell_m) { return cell_m > 0.15 ? 4'000'000 : 2'000'000; }
-    static constexpr double kMostCells = 40e6;              // of the dense grid
-    static constexpr std::size_t kMostBytes = 400'000'000;  // of tiles
+    static constexpr double kMostCells = 40e6;              // cells of the dense grid
+    static constexpr std::size_t kMostBytes = 400'000'000;  // memory of all tiles
 
     // `partly`: if there is too much floor, the flood ends with what it has reached by then.
     // `trial`: see make_trial_space; null: everything is made.

@@ -8,7 +8,7 @@
 namespace handrail {
 namespace {
 
-constexpr std::size_t kMostInColumn = 60;  // Recast counts to 62
+constexpr std::size_t kMostInColumn = 60;  // spans; Recast counts at most 62
 
 }  // namespace
 

@@ -259,7 +259,7 @@ private:
 
 }  // namespace
 
-// Names the ways that have no name by what they join: "Footway from Platform 3 to the stairs".
+// Gives unnamed ways a name from what they join: "Footway from Platform 3 to the stairs".
 void OsmPlan::name_ways(const std::vector<Walked>& walked) {
     std::vector<std::vector<std::int64_t>> nodes;
     std::vector<std::string> own;
