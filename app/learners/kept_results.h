@@ -1,6 +1,6 @@
-// The results of lessons of a learner who is remembered but not recorded. results.jsonl in the learner's own folder has
-// one line of JSON for each session, with its tasks and measures, but nothing that was said and no positions. A
-// recording contains the same and more. Any thread; writing locks the folder and is atomic.
+// The results of lessons of a learner who is remembered but not recorded, in results.jsonl in the learner's own folder.
+// Each session is one line of JSON with its tasks and measures, but without anything that was said and without
+// positions. A recording contains the same and more. Any thread; writing locks the folder and is atomic.
 #pragma once
 
 #include <filesystem>

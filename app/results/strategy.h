@@ -1,7 +1,7 @@
-// Recognises by which strategy someone explores, window by window, from where they walked: along the walls (perimeter),
-// in lanes (grid), from object to object, or out from the base and back. A walk is divided into legs, and each leg gets
-// a kind. A window lasts as long as its last legs, so that large and small rooms are judged alike. Pure functions. The
-// kinds are those of Lahav and Mioduser, the thresholds our own.
+// Recognises by which strategy someone explores, window by window, from where they walked. The strategies: along the
+// walls (perimeter), in lanes (grid), from object to object, or out from the base and back. A walk is divided into
+// legs, and each leg gets a kind. A window lasts as long as its last legs, so that large and small rooms are judged
+// alike. Pure functions. The kinds are those of Lahav and Mioduser, the thresholds our own.
 #pragma once
 
 #include <array>

@@ -14,7 +14,7 @@ namespace {
 
 // How far the part shown extends beyond the floor, to include its walls; as for a whole storey.
 constexpr double kAroundFloor_m = 0.9, kAroundBase_m = 1.0;
-constexpr double kLeastProgress_m = 0.5;  // least size that a cut must remove from each side
+constexpr double kLeastProgress_m = 0.5;  // each part must be smaller than the whole by at least this
 constexpr double kUneven = 0.15;  // cost, in metres of crossed floor, for each metre by which the two sides differ
 constexpr double kLeastSide_mm = 10.0;  // least length of a common strip that makes two sheets neighbours
 

@@ -262,8 +262,8 @@ private:
         return letters_[room].size() == 2 ? letters_[room] : free_letters(storey_.rooms[room].name, used);
     }
 
-    // If two cells do not fit, one may: the room's letter on an earlier sheet, else a letter of its name, else any that
-    // no room of the sheet uses. "a" is a single dot, so it is not used.
+    // If two cells do not fit, a single one may. It is the room's letter on an earlier sheet, else a letter of its
+    // name, else any that no room of the sheet uses. "a" is a single dot, so it is not used.
     std::string free_letter(std::size_t room) const {
         std::string wished = letters_[room].size() == 1 ? letters_[room] : std::string();
         for (const char c : storey_.rooms[room].name)

@@ -76,8 +76,8 @@ Result<void> write_key(SwellSheet& sheet, BrailleTable table);
 // that keeps the most is used. Takes half a second for each sheet.
 Result<std::vector<SwellSheet>> swell_sheets(const Storey& storey, const SheetWish& wish);
 
-// A page to be printed and swollen first, to choose from by touch: dots of 1.2 to 1.8 mm, lines of 0.5 to 2 mm and gaps
-// of 2 to 6 mm, each with its size in braille.
+// A page to be printed and swollen first, to choose from by touch. It has dots of 1.2 to 1.8 mm, lines of 0.5 to 2 mm
+// and gaps of 2 to 6 mm, each with its size in braille.
 Result<SheetPage> calibration_strip(const PaperSize& paper, BrailleTable table);
 
 }  // namespace handrail

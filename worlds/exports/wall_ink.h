@@ -1,4 +1,4 @@
-// The walls of a storey as black on a sheet or plate, fit for fingers: thin walls are thickened, doors are open and
+// The walls of a storey as black on a sheet or plate, fit for fingers. Thin walls are thickened, doors are open and
 // wide enough, and walls that are too close are joined. Also finds where the sign of a room fits. Pure functions; any
 // thread.
 #pragma once

@@ -26,7 +26,8 @@ struct IfcPart {
     Body body;          // in world coordinates
     Aabb box;           // around the shape, before openings were cut
     std::string words;  // the material, in the file's words
-    // Index of the part that this one is felt as a piece of, for example the stairs of a flight; else its own index.
+    // Index of the whole to which this part belongs under the hand, for example the stairs of a flight; else its own
+    // index.
     std::size_t whole = 0;
     // Index of an earlier part with the same shape in the same place, which stands for both; this part's `body` is then
     // empty. Otherwise its own index.

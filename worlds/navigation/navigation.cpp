@@ -534,8 +534,8 @@ double Navigation::cost(const Way& way, RouteWish wish) const {
     return sum;
 }
 
-// If the goal can be reached on foot as well as over a link, such as by stairs and by a lift, compares both routes once
-// they are complete and takes the cheaper one.
+// If the goal can be reached on foot and also over a link, for example by stairs and by a lift, compares both complete
+// routes and takes the cheaper one.
 std::optional<Navigation::Way> Navigation::best_over_mesh(std::uint32_t from, std::uint32_t to, RouteWish wish) {
     std::optional<Way> foot, linked;
     if (piece_[from] == piece_[to]) foot = over_mesh(from, to, wish, false);

@@ -65,9 +65,9 @@ bool Flood::under_the_sky_at_the_start() {
            range.from + 1 == range.to;
 }
 
-// Visits everything that can be reached from there, without furniture. Returns false if that is little, if it is partly
-// open to the sky and partly not, if it was reached already, or if it has an edge to fall from. Then the search ends at
-// once, and so does any later search that comes to a place seen here.
+// Visits everything that can be reached from there, without furniture. Returns false if the area is small, reached
+// already, partly under open sky and partly not, or has an edge to fall from. Then the search ends at once, and so does
+// any later search that comes to a place seen here.
 bool Flood::is_closed_room(const Found& from, SeenPlaces& seen) {
     const auto trial = static_cast<std::uint32_t>(seen.size());
     const bool sky = tiles_[from.tile].places[from.place].ceiling >= kSky;

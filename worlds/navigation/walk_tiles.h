@@ -1,5 +1,5 @@
-// The places where people could stand, found tile by tile on request: columns of the obstacles over each cell, with
-// furniture and without it, and the steps from a place to its neighbours. For the flood only.
+// The places where people could stand, found tile by tile on request. Each tile has columns of the obstacles over each
+// cell, with furniture and without it, and the steps from a place to its neighbours. For the flood only.
 #pragma once
 
 #include <array>
