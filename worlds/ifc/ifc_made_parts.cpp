@@ -13,7 +13,7 @@ constexpr double kFloorThick_m = 0.1, kWallThick_m = 0.05;
 constexpr double kBelow_m = 0.9,
                  // Above and below a room's level: anything in this range counts as its floor, also a sunken one.
     kAbove_m = 0.2;
-constexpr double kStepDown_m = 0.05;  // furniture that ends this far below the level leads down to a floor
+constexpr double kStepDown_m = 0.05;  // furniture that reaches this far below the level is on a sunken floor
 constexpr double kLeastRoom_m2 = 0.5, kLeastHigh_m = 1.5;
 
 bool carries(PartRole role) {

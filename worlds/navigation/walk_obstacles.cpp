@@ -192,8 +192,8 @@ void Obstacles::add_triangle(const MeshTriangle& t, const PlacedFrame* frame, Fe
     if (is_looked_at(box)) finish(bounds, box, feature, !frame, all);
 }
 
-// Doors count as open. A platform that moves between two ends counts as present at both ends. Returns false if the
-// mover blocks the way like a wall.
+// Doors count as open. A platform that moves counts as present at all its stops. Returns false if the mover blocks the
+// way like a wall.
 bool Obstacles::passes(const Scene& scene, std::uint32_t mover, const Solid& solid) {
     const Mover& m = scene.movers[mover];
     const Feature& feature = scene.features[m.feature.value];
