@@ -8,7 +8,8 @@
 namespace handrail {
 namespace {
 
-constexpr double kStillS = 0.1;  // bodies that were still for longer begin where they stood, a frame before
+// A body that stood still for longer than this starts from where it stood, one frame before the new pose.
+constexpr double kStillS = 0.1;
 constexpr double kUsualFrameS = 1.0 / 60.0;
 std::atomic<std::uint64_t> frames_pushed{0};
 
@@ -56,7 +57,7 @@ BodyPoses BodyPlayback::find(const BodyFrame& frame, const HapticScene& scene, d
         scene_ = 0;
         settled_ = frame_ = 0;
         ways_ = {};
-        ways_.number = ~std::uint64_t{0};  // of no frame
+        ways_.number = ~std::uint64_t{0};  // matches no frame
         return {{}, played_, &ways_};
     }
     if (jump) first_number_ = frame.number();
@@ -80,7 +81,8 @@ BodyPoses BodyPlayback::find(const BodyFrame& frame, const HapticScene& scene, d
     scene_ = frame.scene();
     settled_ = still ? a.number : 0;
     constexpr double kEver = std::numeric_limits<double>::infinity();
-    frame_ = still && i < last ? 0 : frame.number();  // before its first moment things stand only until then
+    // 0 forces a new search: play_s is before the first moment, so the bodies stand only until then.
+    frame_ = still && i < last ? 0 : frame.number();
     from_s_ = still ? -kEver : a.time_s;
     until_s_ = still ? kEver : frame.moment(i + 1).time_s;
     long_s_ = until_s_ - from_s_;

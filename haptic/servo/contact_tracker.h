@@ -1,6 +1,6 @@
-// Turns the contact set of each tick into what ears need: a surface was met, is slid along, was left; a liquid was
-// entered or left. Debounced only as far as hands tremble: a contact lost for less than 20 ms goes on. Saying a name
-// once is the cue planner's business. Plain state, servo thread only; real-time safe.
+// Turns the contact set of each tick into events for the audio thread: a surface was met, is slid along or was left; a
+// liquid was entered or left. Debounced only against hand tremor: a contact that is lost for less than 20 ms continues.
+// The cue planner decides which names are spoken, and how often. Plain state, servo thread only; real-time safe.
 #pragma once
 
 #include <array>
@@ -19,33 +19,35 @@ enum class ContactEventKind : std::uint8_t {
     LeaveLiquid,
     FaultRaised,
     FaultCleared,
-    // The hand moves its workspace (WorkspaceMover).
+    // The hand moves its workspace past the rim, or stops doing so (WorkspaceMover).
     RimPassed,
     RimLeft,
     Grabbed,
     LetGo,
-    // The wall towards the body let the hand through (PersonalSpace), on its own or because the place was lost.
+    // The wall towards the person's body let the hand through (PersonalSpace), either by a pull or because the hand's
+    // place was lost.
     DeskEntered,
     DeskLeft,
 };
 
-// What ears need to know of the hand, in order, each with its tick time.
+// One event for the audio thread, with the time of its tick. Events come in order of time.
 struct ContactEvent {
     ContactEventKind kind = ContactEventKind::Begin;
     double time_s = 0.0;
     FeatureId feature = kNoFeature;
     MaterialId material = kDefaultMaterial;
-    Vec3 position_m{0.0};  // world, at the proxy
-    // Hand speed: approach for Begin, along the surface for Slide (0: it stopped), through it for liquids.
+    Vec3 position_m{0.0};  // world, of the proxy
+    // Speed of the hand: the approach for Begin, along the surface for Slide (0: it stopped), through the liquid for
+    // liquids.
     double speed_m_per_s = 0.0;
-    double force_n = 0.0;  // from this surface, before any ceiling
+    double force_n = 0.0;  // from this surface, before any force ceiling
     Fault fault = Fault::None;
-    std::uint8_t hand = 0;  // which of two; whoever collects the events of both writes it
+    std::uint8_t hand = 0;  // which of the two hands; set by the code that collects the events of both
 };
 
-// What one tick has to tell, in order. A tick that has more to tell than fits says so in `lost`.
+// The events of one tick, in order. `lost` counts the events that did not fit.
 struct TickEvents {
-    // Twice what 3 contacts begun, 8 ended, a liquid changed and a fault raised need.
+    // Twice the worst case: 3 contacts begin, 8 end, a liquid changes and a fault is raised.
     static constexpr std::size_t kMost = 24;
 
     std::array<ContactEvent, kMost> list{};
@@ -62,14 +64,15 @@ struct TickEvents {
 
 class ContactTracker {
 public:
-    static constexpr double kLetGoS = 0.020;       // a contact or liquid is left when it was away this long
+    static constexpr double kLetGoS = 0.020;       // a contact or liquid counts as left after this long without touch
     static constexpr double kSlideEveryS = 0.010;  // between two Slide events of one surface
-    static constexpr double kSlideStartsMPerS = 0.001, kSlideStopsMPerS = 0.0005;  // hand speed along the surface
+    // Thresholds for the hand's speed along the surface.
+    static constexpr double kSlideStartsMPerS = 0.001, kSlideStopsMPerS = 0.0005;
 
-    // velocity_m_per_s: of the hand relative to the world, world axes, hand metres per second.
+    // velocity_m_per_s: of the hand relative to the world, in world axes, in hand metres per second.
     void update(const TouchResult& touch, const Vec3& velocity_m_per_s, double world_m_per_hand_m, double now_s,
                 double dt_s, TickEvents& events) noexcept;
-    // The hand is gone or elsewhere: ends every contact and leaves the liquid.
+    // Ends every contact and leaves the liquid, because the hand is gone or somewhere else.
     void clear(double now_s, TickEvents& events) noexcept;
 
 private:
@@ -78,8 +81,8 @@ private:
         MaterialId material = kDefaultMaterial;
         Vec3 position_m{0.0};
         double seen_s = 0.0;
-        double told_s = 0.0;         // when the last Slide was told
-        double slide_m_per_s = 0.0;  // one pole of 5 ms
+        double told_s = 0.0;         // time of the last Slide event
+        double slide_m_per_s = 0.0;  // filtered with one pole of 5 ms
         bool sliding = false;
     };
 

@@ -11,8 +11,9 @@ namespace {
 
 constexpr double kStrain_n = 1.2, kStrainShare = 0.9, kStrain_s = 0.6, kStrainMoves_hand_m = 1e-3;
 constexpr double kSame_hand_m = 0.05e-3;
-constexpr double kWrist_per_s = 30.0;  // how fast what is held turns back to how it was taken
-constexpr double kLeastFelt_kg = 0.2;  // what two hands can lead
+constexpr double kWrist_per_s = 30.0;  // how fast a held body turns back to the orientation in which it was taken
+// The least mass that a contact may feel like: two hands can still move it stably.
+constexpr double kLeastFelt_kg = 0.2;
 
 }  // namespace
 
@@ -37,7 +38,8 @@ void HandBodies::forget() noexcept {
     heavy_ = kNoBody;
 }
 
-// The body is not where the frame before had it. Never more than there are bodies, for which there is room.
+// Marks that the body moved since the frame before. lively_ never holds more than all bodies, for which room is
+// reserved.
 void HandBodies::moved(std::uint32_t body) noexcept {
     if (moved_at_[body] == 0) lively_.push_back(body);
     moved_at_[body] = heard_;
@@ -66,7 +68,7 @@ void HandBodies::hear(const DynamicsFrame& frame) noexcept {
     } else if (follows) {
         for (const std::uint32_t body : frame.moved)
             if (body < count) moved(body);
-    } else {  // some were not heard
+    } else {  // some frames were missed
         for (std::uint32_t body = 0; body < count; ++body)
             if (!(frame.things[body] == frames_[before].things[body])) moved(body);
     }
@@ -90,7 +92,7 @@ const HeldBody* HandBodies::model_of(std::uint32_t body) const noexcept {
     return nullptr;
 }
 
-// known_ > 0.
+// Requires known_ > 0.
 HeldBody::State HandBodies::played(std::size_t body, double play_s) const noexcept {
     std::size_t later = newest_, earlier = newest_;
     for (std::size_t back = 1; back < known_; ++back) {
@@ -133,8 +135,8 @@ bool HandBodies::place(double now_s, const Vec3& hand_m, const BodyFeel& feel, s
             if (Slot* slot = slot_of(words_[i].body)) slot->touched_s = std::max(slot->touched_s, now_s);
             else open(words_[i], now_s);
         }
-    // In the order of the scene, in which carried_m_ adds up. Sorted as they come: GCC 14 wrongly says that std::sort
-    // would reach beyond so few.
+    // In the order of the scene, so that carried_m_ adds up in a fixed order. Sorted by insertion, because GCC 14
+    // wrongly warns that std::sort would go out of bounds on so short an array.
     std::array<Slot*, kMost> used{};
     std::size_t used_count = 0;
     for (Slot& slot : slots_) {
@@ -153,7 +155,7 @@ bool HandBodies::place(double now_s, const Vec3& hand_m, const BodyFeel& feel, s
             if (!slot_of(body)) any = show(body, nullptr, now_s, feel, bodies) || any;
     }
     for (std::size_t i = 0; i < used_count; ++i) any = show(used[i]->model.body(), used[i], now_s, feel, bodies) || any;
-    // Whoever stands in all frames of the ring where it was shown now needs no look until it moves.
+    // A body that stands still in all frames of the ring, and was shown there, needs no look until it moves.
     std::erase_if(lively_, [this](std::uint32_t body) {
         if (heard_ - moved_at_[body] < frames_.size() || slot_of(body)) return false;
         moved_at_[body] = 0;
@@ -164,7 +166,8 @@ bool HandBodies::place(double now_s, const Vec3& hand_m, const BodyFeel& feel, s
     return any;
 }
 
-// True when it is elsewhere than on the last tick. `slot`: null, or of this body; one that is left is free afterwards.
+// Returns true if the body is not where it was in the last tick. `slot`: null, or the slot of this body; a slot that is
+// no longer needed is freed.
 bool HandBodies::show(std::uint32_t body, Slot* slot, double now_s, const BodyFeel& feel,
                       std::span<BodyPose> bodies) noexcept {
     const double play_s = now_s - kPlayedLate_s, same_m = kSame_hand_m * feel.world_m_per_hand_m;
@@ -259,7 +262,7 @@ Vec3 HandBodies::grip_point_m() const noexcept {
 
 Vec3 HandBodies::grip_force_n(const Vec3& hand_m, double dt_s, const BodyFeel& feel) noexcept {
     tick_assert(dt_s > 0.0 && feel.world_m_per_hand_m > 0.0 && feel.ceiling_n >= 0.0);
-    // The hand's speed through one pole at 50 Hz, as everywhere.
+    // The hand's speed, filtered with one pole at 50 Hz as everywhere else.
     const double u = 2.0 * kPi * 50.0 * dt_s;
     if (has_hand_) hand_m_per_s_ += ((hand_m - last_hand_m_) / dt_s - hand_m_per_s_) * (u / (1.0 + u));
     last_hand_m_ = hand_m;
@@ -271,10 +274,10 @@ Vec3 HandBodies::grip_force_n(const Vec3& hand_m, double dt_s, const BodyFeel& f
     grip_force_n_ = away * (feel.grip_n_per_m / scale) + speeds * (feel.grip_ns_per_m / scale);
     const Vec3 most = at_most(grip_force_n_, feel.ceiling_n);
     if (!(most == grip_force_n_)) {
-        // The grip slides along, which only loses energy.
+        // The grip slips along, which only loses energy.
         grip_offset_m_ += (most - grip_force_n_) * (scale / feel.grip_n_per_m);
         grip_force_n_ = most;
-        // Slipped off: a good part of the body, or of the hand's way.
+        // The grip slipped off entirely: farther than a good part of the body's size or of the hand's range.
         const DynamicsBody& is = scene_->bodies[slots_[held_].model.body()];
         if (glm::length(grip_offset_m_) > 2.0 * is.reach_m + 0.02 * scale) {
             heavy_ = slots_[held_].model.body();
@@ -284,7 +287,8 @@ Vec3 HandBodies::grip_force_n(const Vec3& hand_m, double dt_s, const BodyFeel& f
     return grip_force_n_;
 }
 
-// Critically damped towards how it was taken: a device of three axes cannot turn it.
+// Critically damped towards the orientation in which the body was taken, because a device with three axes cannot turn
+// it.
 Vec3 HandBodies::wrist_nm() const noexcept {
     const HeldBody& model = slots_[held_].model;
     if (scene_->bodies[model.body()].ball) return Vec3(0.0);
@@ -359,7 +363,7 @@ void HandBodies::react(const TouchResult& touch, double share, double now_s, dou
             moment += wrist_nm();
         }
         if (slot.contact || held) slot.touched_s = now_s;
-        // What is held and too heavy slips at the ceiling instead.
+        // A held body that is too heavy slips out of the grip at the ceiling instead.
         if (!held) strain(slot, glm::length(force) * feel.felt_gain, dt_s, feel);
         if (slot.contact || held || leaves || slot.unsent_ns != Vec3(0.0)) {
             HandPush push;

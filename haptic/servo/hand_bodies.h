@@ -1,9 +1,9 @@
-// One hand and the bodies that are free to move. What nobody touches is played back a step late, interpolated; what the
-// hand touches, holds or is about to touch is a HeldBody, moved under the force of the same tick. The reaction on a
-// body is the very force on the hand, made larger by a constant: so the world's energy and the hand's keep one
-// proportion, and a world without engines gives the hand none. In a tick, in this order: hear (where there is a newer
-// frame), place, touch_tick with what place() wrote and carried_m(), grip_force_n, the limiter, react. Servo thread;
-// never allocates, locks, throws or reads a clock.
+// One hand and the bodies that can move freely. A body that nobody touches is played back one step late and
+// interpolated. A body that the hand touches, holds or is about to touch becomes a HeldBody, moved by the force of the
+// same tick. The reaction on a body is exactly the force on the hand, enlarged by a constant factor. The energies of
+// world and hand thus keep one ratio, and a world without motors adds none to the hand. Order in a tick: hear (if there
+// is a newer frame), place, touch_tick with the output of place() and carried_m(), grip_force_n, the limiter, react.
+// Servo thread; never allocates, locks, throws or reads a clock.
 #pragma once
 
 #include <array>
@@ -18,78 +18,82 @@
 
 namespace handrail {
 
-// Changes only while nothing is touched or held.
+// Tuning of the feel; it changes only while nothing is touched or held.
 struct BodyFeel {
     double world_m_per_hand_m = 1.0;
     double felt_gain = 1.0 / 20.0;  // hand newtons per world newton
-    double ceiling_n = 2.5;         // of the hand
-    double ball_m = 0.005;          // radius, world
-    double grip_n_per_m = 400.0;    // of the hand
+    double ceiling_n = 2.5;         // force ceiling of the hand
+    double ball_m = 0.005;          // radius of the proxy, world
+    double grip_n_per_m = 400.0;    // stiffness of the grip, hand units
     double grip_ns_per_m = 5.0;
 };
-// What can be moved does not depend on how gently one wants to be touched: the ceiling stands for strength_n.
+// How heavy a body the person can move must not depend on how gentle a force they prefer. The ceiling therefore
+// corresponds to strength_n in the world.
 constexpr double felt_gain(double ceiling_n, double strength_n) noexcept {
     return (ceiling_n < 2.5 ? ceiling_n : 2.5) / strength_n;
 }
 
 class HandBodies {
 public:
-    static constexpr std::size_t kMost = DynamicsFrame::kNear;  // modelled at once
+    static constexpr std::size_t kMost = DynamicsFrame::kNear;  // most bodies modelled at once
     static constexpr double kPlayedLate_s = 1.0 / 240.0 + 1e-3;
-    static constexpr double kSilent_s = 0.25;           // after so long without a word a body stands still
-    static constexpr double kLeaves_s = 0.1;            // untouched for so long it is played back again
-    static constexpr double kHandSpeed_m_per_s = 0.25;  // of the hand: a body let go flies no faster
+    static constexpr double kSilent_s = 0.25;           // a body stops after this long without data from the engine
+    static constexpr double kLeaves_s = 0.1;            // a body untouched for this long is played back again
+    static constexpr double kHandSpeed_m_per_s = 0.25;  // speed limit in hand units; a released body flies no faster
 
     explicit HandBodies(unsigned hand) noexcept : hand_(hand) {}
 
-    // Null: no free bodies. Whoever owns the scene keeps it for as long as it is set here. Allocates room for its
-    // bodies, so it is called before the servo's first tick in that world.
+    // Null: no free bodies. The owner of the scene keeps it alive while it is set here. Allocates room for its bodies,
+    // so call it before the servo's first tick in that world.
     void enter(const DynamicsScene* scene);
-    // Lets go of everything and knows nothing until the next frame, in the same scene.
+    // Lets go of everything and discards all frames; knows nothing until the next frame of the same scene.
     void forget() noexcept;
     void hear(const DynamicsFrame& frame) noexcept;
-    // The next place() writes the places of all bodies: what they are written to has been made anew.
+    // Makes the next place() write the poses of all bodies, because the table they are written to is new.
     void show_all() noexcept { shown_all_ = false; }
-    // Where the free bodies are on this tick, written to their places among `bodies` (HapticScene::bodies), which keep
-    // what was written; what is held is not there for this hand's ball. True when any of them is elsewhere than on the
-    // last tick. Looks only at what moved in the last frames and at what this hand has a model of: a body that rests
-    // costs nothing.
+    // Writes where the free bodies are in this tick to their places in `bodies` (HapticScene::bodies), a table that
+    // keeps its content between calls. The body that this hand holds is marked as absent for this hand's proxy. Returns
+    // true if any free body is not where it was in the last tick. Looks only at the bodies that moved in the last
+    // frames and those that this hand has a model of, so a resting body costs nothing.
     bool place(double now_s, const Vec3& hand_m, const BodyFeel& feel, std::span<BodyPose> bodies) noexcept;
-    // How far the touched body carried its contact since the last tick: damping is of the hand against the body.
+    // How far the touched body moved its contact point since the last tick. Damping acts on the hand's speed relative
+    // to the body.
     Vec3 carried_m() const noexcept { return carried_m_; }
 
-    // Takes hold of what is touched, or else of what is nearest within two radii of the ball; kNoBody where there is
-    // nothing.
+    // Takes hold of the touched body, or else of the nearest one within two radii of the proxy. Returns kNoBody if
+    // there is none.
     std::uint32_t take(double now_s, const Vec3& hand_m, const BodyFeel& feel) noexcept;
     void let_go(const BodyFeel& feel) noexcept;
-    // Turns what is held: a quarter turn about a world axis, as by keys. Nothing for a ball.
+    // Turns the held body, for example by a quarter turn about a world axis when a key is pressed. Does nothing for a
+    // ball.
     void turn_held(const Rotation& by) noexcept;
     std::uint32_t holds() const noexcept { return holding_ ? slots_[held_].model.body() : kNoBody; }
-    // On the hand, hand newtons, no more than the ceiling: above it the grip slips.
+    // Force of the grip on the hand in hand newtons, at most the ceiling: above it the grip slips.
     Vec3 grip_force_n(const Vec3& hand_m, double dt_s, const BodyFeel& feel) noexcept;
 
-    // After the limiter let `share` of the tick's force through, 0 to 1: moves the models on to now_s + dt_s and tells
-    // the engine.
+    // Call it after the limiter let `share` (0 to 1) of the tick's force through. Advances the models to now_s + dt_s
+    // and sends the pushes to the engine.
     void react(const TouchResult& touch, double share, double now_s, double dt_s, const BodyFeel& feel,
                HandPushRing& pushes) noexcept;
 
-    // For a recording: of which models a push found no room since this was asked last, a bit each; it was kept for the
-    // next one.
+    // For recordings: one bit for each model whose push did not fit into the ring since the last call. Such a push is
+    // kept and sent with the next one.
     std::uint32_t take_refused() noexcept { return std::exchange(refused_, 0U); }
-    // For computing such a tick again, whose ring had room for all: takes back a push of one of them. False: of none.
+    // For replaying such a tick with a ring that had room for all: takes a push back. Returns false if the push is not
+    // one of the refused.
     bool take_back(std::uint32_t refused, const HandPush& push) noexcept;
 
-    // A body that was pushed or lifted with all there is and did not move, once; kNoBody: none. To be said with its
-    // weight.
+    // Returns, once, a body that was pushed or lifted with all available force and did not move; kNoBody: none. It is
+    // announced with its weight.
     std::uint32_t heavy() noexcept;
-    // The models that run, for measuring; null beyond.
+    // The active models, for measuring; null for an index without one.
     const HeldBody* model(std::size_t i) const noexcept {
         return i < kMost && slots_[i].used ? &slots_[i].model : nullptr;
     }
     const HeldBody* model_of(std::uint32_t body) const noexcept;
-    // Bodies that the next place() looks at, without those that have a model; for measuring.
+    // Number of bodies that the next place() looks at, not counting those with a model; for measuring.
     std::size_t lively() const noexcept { return shown_all_ ? lively_.size() : shown_.size(); }
-    // Nothing is touched, held or about to be.
+    // Returns true if no body is touched, held or about to be.
     bool idle() const noexcept {
         for (const Slot& slot : slots_)
             if (slot.used) return false;
@@ -101,11 +105,11 @@ private:
         bool used = false;
         HeldBody model;
         double touched_s = -1e300;
-        Placement shown;  // on this tick, of the body's frame
+        Placement shown;  // pose of the body's frame in this tick
         Vec3 contact_m{0.0};
-        bool contact = false;                  // contact_m is of the last tick
-        Vec3 unsent_ns{0.0}, unsent_nms{0.0};  // what did not fit into the ring
-        // A push that moves nothing.
+        bool contact = false;                  // contact_m comes from the last tick
+        Vec3 unsent_ns{0.0}, unsent_nms{0.0};  // impulses that did not fit into the ring yet
+        // For how long a push has moved nothing, and from where.
         double strained_s = 0.0;
         Vec3 strained_from_m{0.0};
         bool said = false;
@@ -129,13 +133,14 @@ private:
     unsigned hand_;
     const DynamicsScene* scene_ = nullptr;
     std::uint32_t game_ = 0;
-    std::array<Played, 4> frames_{};  // ring, newest_ the last
+    std::array<Played, 4> frames_{};  // ring; newest_ is the last
     std::size_t newest_ = 0, known_ = 0;
     std::uint64_t number_ = 0;  // DynamicsFrame::number of the newest
-    std::uint64_t heard_ = 0;   // frames so far
-    // Bodies that moved within the ring: all frames of the ring agree about any other, and it was shown there.
+    std::uint64_t heard_ = 0;   // number of frames received so far
+    // Bodies that moved within the ring. All frames of the ring agree about any other body, and it was shown there.
     std::vector<std::uint32_t> lively_;
-    std::vector<std::uint64_t> moved_at_;  // of each body: heard_ when it moved last; 0: it is not among lively_
+    // For each body the value of heard_ when it last moved; 0: it is not in lively_.
+    std::vector<std::uint64_t> moved_at_;
     std::array<BodyWord, kMost> words_{};
     std::size_t word_count_ = 0;
     std::array<Slot, kMost> slots_{};
@@ -146,7 +151,7 @@ private:
     bool holding_ = false, letting_go_ = false;
     std::size_t held_ = 0;
     Vec3 grip_own_m_{0.0};     // in the body's frame
-    Vec3 grip_offset_m_{0.0};  // from there to the hand, world: what is held does not jump to it
+    Vec3 grip_offset_m_{0.0};  // from there to the hand, world, so that a body does not jump to the hand when taken
     Vec3 grip_force_n_{0.0};
     Rotation grip_turn_;
     Vec3 last_hand_m_{0.0}, hand_m_per_s_{0.0};

@@ -5,7 +5,8 @@
 namespace handrail {
 namespace {
 
-constexpr double kHalfRoot = 0.70710678118654752440;  // sine and cosine of half a quarter turn
+// Sine and cosine of 45 degrees, for a quaternion of a quarter turn.
+constexpr double kHalfRoot = 0.70710678118654752440;
 
 }  // namespace
 
@@ -39,7 +40,7 @@ bool HandEngine::grip(const BodyTuning& tuning, std::uint32_t buttons, double no
     }
     buttons_ = pressed;
     if (quarters_known_ && quarters_ != tuning.quarters) {
-        // Some at most, whatever was counted while nobody looked.
+        // Turns four times at most, even if more quarter turns were counted meanwhile.
         for (int i = 0; i < 4 && quarters_ != tuning.quarters; ++i) {
             const bool left = tuning.quarters > quarters_;
             bodies_.turn_held({kHalfRoot, 0.0, 0.0, left ? kHalfRoot : -kHalfRoot});
@@ -72,7 +73,7 @@ BodyPoses HandEngine::place(const BodyPoses& told, const HapticScene& scene, dou
         moved = true;
     } else if (told_ != told.number) {
         moved = true;
-        // On the same ways as before only those that move on them are elsewhere.
+        // Between the same two moments as in the last tick, only the bodies that move between them have changed.
         if (told.ways && told.ways_number() == told_ways_ && told.ways->number_before != 0) {
             for (const MovingBody& moving : told.ways->moving)
                 if (moving.body < count) take(moving.body);

@@ -13,7 +13,7 @@ Rotation turned(const Rotation& q, const Vec3& by_rad) noexcept {
     return normalized({q.w + 0.5 * p.w, q.x + 0.5 * p.x, q.y + 0.5 * p.y, q.z + 0.5 * p.z});
 }
 
-// The inverse of the inertia about the middle, as it stands in the world.
+// The inverse of the inertia about the centre of mass, in world axes.
 struct InverseInertia {
     std::array<Vec3, 3> axes;
     Vec3 inverse;
@@ -30,8 +30,9 @@ struct InverseInertia {
 
 // One direction in which a contact acts.
 struct Direction {
-    Vec3 along{0.0}, turns{0.0}, spins{0.0};  // unit; arm x along; what an impulse of 1 does to the turning
-    double mass_kg = 0.0;                     // felt there
+    // Unit vector; arm x along; the change of angular velocity per unit impulse.
+    Vec3 along{0.0}, turns{0.0}, spins{0.0};
+    double mass_kg = 0.0;  // effective mass in that direction
 
     void make(const Vec3& direction, const Vec3& arm, double inverse_kg, const InverseInertia& inverse) noexcept {
         along = direction;
@@ -43,7 +44,7 @@ struct Direction {
 
 struct HeldBody::Point {
     std::array<Direction, 3> ways;
-    double want_m_per_s = 0.0;  // least speed along the normal
+    double want_m_per_s = 0.0;  // least speed along the normal that the solver enforces
     double friction = 0.0;
 };
 
@@ -59,7 +60,7 @@ void HeldBody::begin(const BodyWord& word, const State& seen) noexcept {
 
 void HeldBody::hear(const BodyWord& word) noexcept {
     if (!(word.time_s > word_.time_s)) return;
-    // The contacts that go on keep their impulses, so that a resting body does not sag with every word.
+    // Contacts that continue keep their impulses, so that a resting body does not sag with every new message.
     std::array<Vec3, BodyWord::kMostPlanes> kept{};
     for (std::size_t i = 0; i < word.count; ++i)
         for (std::size_t k = 0; k < word_.count; ++k)
@@ -70,7 +71,7 @@ void HeldBody::hear(const BodyWord& word) noexcept {
             }
     impulse_ = kept;
     word_ = word;
-    // What the model said then.
+    // The state of the model at that time.
     const State* then = &history_[first_];
     for (std::size_t i = 0; i < count_; ++i) {
         const State& old = history_[(first_ + i) % kHistory];
@@ -84,7 +85,7 @@ void HeldBody::hear(const BodyWord& word) noexcept {
     apart_m_ = glm::length(owed_m_);
 }
 
-// A part of what is owed, in the present and in what was said of the past.
+// Applies a part of the owed correction, to the present state and to the past ones in the history.
 void HeldBody::correct(double dt_s) noexcept {
     const double part = std::min(1.0, dt_s / kCorrect_s);
     const Vec3 way = owed_m_ * part, speed = owed_m_per_s_ * part, turn = owed_rad_ * part,
@@ -121,7 +122,7 @@ void HeldBody::solve(double dt_s) noexcept {
         const double gap =
             glm::dot(plane.normal, state_.at.position_m + arm) -
             (plane.offset_m + glm::dot(plane.normal, plane.speed_m_per_s) * (state_.time_s - word_.time_s));
-        // May come as near as it is in this tick; pushed out of what it is in, gently.
+        // In this tick it may approach by at most the gap. If it is already inside, it is pushed out gently.
         p.want_m_per_s =
             (gap > 0.0 ? -gap / dt_s : std::min(-0.02 * gap / dt_s, 0.2)) + glm::dot(plane.normal, plane.speed_m_per_s);
         p.friction = plane.friction * stick;
@@ -151,7 +152,7 @@ void HeldBody::solve(double dt_s) noexcept {
             done.y = a;
             done.z = b;
         }
-    // What the floor of a rolling ball takes from its turning.
+    // Rolling friction of a ball on the floor slows its rotation.
     if (word_.rolling_m > 0.0) {
         double pressed = 0.0;
         for (std::size_t i = 0; i < word_.count; ++i)

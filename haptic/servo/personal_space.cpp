@@ -13,7 +13,7 @@ PersonalWall personal_wall_of(const DeviceSpec& spec, double ceiling_n, double w
     wall.stiffness_n_per_m = std::min(kPersonalWallStiffest_n_per_m, wall_n_per_m);
     if (!(wall.stiffness_n_per_m > 0.0)) return {wall.at_m, 0.0, 0.5 * (spec.workspace_radius_m - wall.at_m)};
     const double break_n = std::min(kPersonalWallMost_n, kPersonalWallShare * std::max(0.0, ceiling_n));
-    // A device that is soft for its reach must not come to its end before the wall breaks.
+    // On a soft device with a small workspace the wall must break before the device reaches its end stop.
     wall.depth_m = std::min(break_n / wall.stiffness_n_per_m, 0.5 * (spec.workspace_radius_m - wall.at_m));
     return wall;
 }

@@ -1,11 +1,13 @@
-// The wall between the world and the person's own desk. It stands across the hand's reach, towards the body; pulled at
-// with enough force it lets the hand through, and the hand is at the desk; the same wall leads back. This file knows
-// the wall and what is left of forces when it gives way; servo_tick keeps the world's state meanwhile.
+// The wall between the world and the person's own desk. It stands across the device's workspace, on the side of the
+// person's
+// body. If the person pulls hard enough, it lets the hand through to the desk; the same wall leads back. This file has
+// only the wall and the decay of its force after it breaks; servo_tick keeps the state of the world meanwhile.
 //
-// Neither part gives the hand energy. The wall is a spring of stretch e <= depth behind its plane: e grows with the
-// hand's way in, at most so fast that the force rises by 0.15 N a tick (the rest slips, as in a fuse), and shrinks with
-// its way out. Once the wall has let go, e only shrinks: by 1/tau, and by every way back. So what is given back is
-// never more than what was taken in.
+// Neither part gives the hand energy. The wall is a spring of stretch e <= depth behind its plane. e grows as the hand
+// moves in, but no faster than 0.15 N a tick (the rest slips, as in a fuse), and shrinks as the hand moves out. After
+// the
+// wall has let go, e only shrinks: with the time constant tau and with every movement back. So the wall never returns
+// more energy than it took in.
 //
 //    force    /|          breaks at depth
 //            / |__        falls with tau
@@ -24,36 +26,36 @@
 
 namespace handrail {
 
-// Of one device, at one ceiling and stiffness.
+// The wall of one device, at one force ceiling and stiffness.
 struct PersonalWall {
-    double at_m = 0.0;  // of the reach towards the body: its plane is y = -at_m
+    double at_m = 0.0;  // distance from the device's middle towards the person's body; the plane is y = -at_m
     double stiffness_n_per_m = 0.0;
-    double depth_m = 0.0;  // behind the plane; there it lets the hand through
+    double depth_m = 0.0;  // depth behind the plane at which it lets the hand through
 
     double break_n() const noexcept { return stiffness_n_per_m * depth_m; }
 };
 
-inline constexpr double kPersonalWallAt = 0.8;  // of the reach
+inline constexpr double kPersonalWallAt = 0.8;  // share of the workspace radius
 inline constexpr double kPersonalWallMost_n = 1.5, kPersonalWallShare = 0.6, kPersonalWallStiffest_n_per_m = 400.0;
 
-// Breaks at the least of 1.5 N, 60 % of the ceiling, and what half of the way behind it can press. wall_n_per_m: of the
-// default wall on this device.
+// The wall breaks at the least of three forces: 1.5 N, 60 % of the ceiling, and what the wall's spring presses halfway
+// between its plane and the end of the workspace. wall_n_per_m: stiffness of the default wall on this device.
 PersonalWall personal_wall_of(const DeviceSpec& spec, double ceiling_n, double wall_n_per_m) noexcept;
 
 class PersonalSpace {
 public:
-    static constexpr double kReleaseS = 0.040;  // time constant after it has let go
-    static constexpr double kRearmM = 0.005;    // so far in front of the plane the hand meets a whole wall again
-    static constexpr double kMostRiseN = 0.15;  // per tick; what a faster hand would press beyond that slips
+    static constexpr double kReleaseS = 0.040;  // time constant of the decay after it has let go
+    static constexpr double kRearmM = 0.005;  // the wall is whole again once the hand is this far in front of its plane
+    static constexpr double kMostRiseN = 0.15;  // per tick; a faster hand slips through the rest
 
-    // Where the hand is. True when the wall lets it through on this tick. `whole`: nothing else moves the workspace;
-    // otherwise the wall is not there until the hand has been in front of it again. The wall that is given counts from
-    // the next time on that the hand is in front of its plane.
+    // Takes where the hand is. Returns true if the wall lets it through in this tick. `whole`: nothing else moves the
+    // workspace; otherwise the wall is absent until the hand has been in front of it again. A new `wall` takes effect
+    // only once the hand is in front of the plane.
     bool tick(const Vec3& hand_m, const PersonalWall& wall, bool whole, double dt_s) noexcept;
-    // On the hand, away from the body; at most the wall's break_n().
+    // Force on the hand, away from the person's body; at most the wall's break_n().
     Vec3 force_n() const noexcept { return {0.0, wall_.stiffness_n_per_m * stretch_m_, 0.0}; }
     bool armed() const noexcept { return armed_; }
-    // The hand may be anywhere: no force, no wall until it was in front of it.
+    // The hand may be anywhere: no force and no wall until the hand was in front of it.
     void reset() noexcept {
         armed_ = false;
         known_ = false;
@@ -63,23 +65,23 @@ public:
 private:
     PersonalWall wall_;
     bool armed_ = false, known_ = false;
-    double inside_m_ = 0.0;  // of the hand behind the plane; negative: in front
+    double inside_m_ = 0.0;  // how far the hand is behind the plane; negative: in front of it
     double stretch_m_ = 0.0;
 };
 
-// The way to the desk where something of the world stands in it, as the back wall of a small room does: pulled at
-// towards the body with the force that breaks the wall, straight and without sliding for kHold_s, it lets the hand
-// through in its place. Nothing of the world becomes soft by that: one is at the desk, with its click, and back at the
-// same place after it.
+// The way to the desk if an object of the world blocks it, such as the back wall of a small room. The person pulls
+// towards the body with the force that breaks the wall, straight and without sliding, for kHold_s. The hand then goes
+// through to the desk. No surface of the world softens by this: the desk is announced by its click, and the hand
+// returns to the same place afterwards.
 class PullThrough {
 public:
-    static constexpr double kHold_s = 0.8;      // longer than one tries how hard a wall is
-    static constexpr double kSlide_m = 0.0015;  // of the hand, sideways; farther, it explores
-    static constexpr double kStraight = 0.5;    // most force across, as a share of that along
-    static constexpr double kNearHalf = 0.1;    // of the reach: only on the body's side of the middle
+    static constexpr double kHold_s = 0.8;      // longer than people press to test how hard a wall is
+    static constexpr double kSlide_m = 0.0015;  // sideways movement of the hand; beyond it the person is exploring
+    static constexpr double kStraight = 0.5;    // most force across, as a share of the force along the pull
+    static constexpr double kNearHalf = 0.1;    // share of the workspace radius; only on the body's side of the middle
 
-    // held_n: on the hand by what it touches, device frame, before any ceiling. True on the tick on which the hand is
-    // let through.
+    // held_n: force of the touched surfaces on the hand, device frame, before any ceiling. Returns true in the tick in
+    // which the hand is let through.
     bool tick(const Vec3& hand_m, const Vec3& held_n, double reach_m, bool whole, double dt_s) noexcept;
     void reset() noexcept { held_s_ = 0.0; }
 
@@ -88,12 +90,12 @@ private:
     Vec3 from_m_{0.0};
 };
 
-// What is left of a force whose cause is gone at once: a spring along the force that only relaxes, with tau and with
-// every way along it.
+// The remainder of a force whose cause disappears at once: a spring along the force that only relaxes, with the time
+// constant tau and with every movement along it.
 class LeftoverForce {
 public:
-    // stiffness_n_per_m > 0: of the stiffest surface there can have been, so that what is given back is no more than
-    // what was stored.
+    // stiffness_n_per_m > 0: stiffness of the stiffest surface that can have caused the force, so that no more energy
+    // is returned than was stored.
     void begin(const Vec3& force_n, double stiffness_n_per_m) noexcept;
     void tick(const Vec3& hand_step_m, double dt_s) noexcept;
     Vec3 force_n() const noexcept { return direction_ * (stretch_m_ * stiffness_n_per_m_); }
@@ -104,19 +106,19 @@ private:
     double stretch_m_ = 0.0, stiffness_n_per_m_ = 0.0;
 };
 
-// What a hand does with a thing of the desk: it touches it, and presses it by a push or by the device's button. A push
-// begins at press_n and ends at half of it, so that it does not flutter; what is pressed stays so while the hand slides
-// on.
+// How a hand operates an object on the desk: it touches it, then presses it by a push or by the device's button. A push
+// begins at press_n and ends at half of it, so that it does not flutter. A pressed object stays pressed while the hand
+// slides on.
 class DeskPress {
 public:
     static constexpr double kPressN = 1.2, kPressShare = 0.6, kRelease = 0.5;
 
-    // touched: kNoFeature for none. button: of the device; pressed on nothing it presses nothing, even when the hand
-    // comes to something later.
+    // touched: kNoFeature for none. button: of the device; if it is pressed while nothing is touched, it presses
+    // nothing, even if the hand reaches an object later.
     void tick(FeatureId touched, double press_n, bool button, double needed_n) noexcept;
     FeatureId held() const noexcept { return held_; }
-    std::uint32_t presses() const noexcept { return presses_; }  // since the start
-    // Nothing is pressed any more; a push that goes on presses nothing until it has ended.
+    std::uint32_t presses() const noexcept { return presses_; }  // number of presses since the start
+    // Releases the pressed object. A push that continues presses nothing until it has ended.
     void let_go() noexcept { held_ = kNoFeature; }
 
 private:

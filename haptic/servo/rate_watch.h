@@ -7,21 +7,21 @@
 
 namespace handrail {
 
-// Watches for a loop that is too slow to hold a wall. One long gap is no slow loop: a period counts with at most 10 ms,
-// so that at least two in a row are needed.
+// Detects a loop that is too slow to hold a wall. A single long gap does not count as slow: a period counts as at most
+// 10 ms, so at least two in a row are needed.
 struct RateWatch {
     static constexpr double kPatienceS = 0.020;
     static constexpr double kMostPerPeriodS = 0.010;
 
-    double counted_s = 0.0;  // of the slow periods in a row
-    double elapsed_s = 0.0;  // true time since the first of them began
+    double counted_s = 0.0;  // sum of the slow periods in a row
+    double elapsed_s = 0.0;  // real time since the first of them began
 };
 
-// Feeds one measured period. True once every period has been longer than 1 / min_rate_hz for 20 ms. min_rate_hz <= 0
-// watches nothing.
+// Adds one measured period. Returns true once every period has been longer than 1 / min_rate_hz for 20 ms. min_rate_hz
+// <= 0 disables the check.
 bool too_slow(RateWatch& watch, double period_s, double min_rate_hz) noexcept;
 
-// How often which time was measured. Bucket i holds times up to Edges[i] and above the one before; the last holds the
+// Histogram of measured times. Bucket i holds times up to Edges[i] and above the edge before; the last bucket holds the
 // rest.
 template <const std::array<double, 11>& Edges>
 struct TimeHistogram {
@@ -39,7 +39,8 @@ struct TimeHistogram {
         for (const std::uint64_t count : counts) sum += count;
         return sum;
     }
-    // Upper edge of the bucket that holds this share (0 to 1) of all times; worst_s in the last bucket; 0 when empty.
+    // Upper edge of the bucket that contains this quantile; share is 0 to 1. In the last bucket it is worst_s; if
+    // empty, 0.
     double quantile_s(double share) const noexcept {
         const double wanted = static_cast<double>(total()) * share;
         std::uint64_t seen = 0;
@@ -55,7 +56,7 @@ inline constexpr std::array<double, 11> kPeriodEdgesS{0.0005, 0.0009, 0.0011, 0.
                                                       0.003,  0.005,  0.010,  0.025,   0.100};
 inline constexpr std::array<double, 11> kDurationEdgesS{2e-6,   5e-6,   10e-6, 20e-6, 50e-6, 100e-6,
                                                         200e-6, 500e-6, 1e-3,  2e-3,  5e-3};
-using PeriodHistogram = TimeHistogram<kPeriodEdgesS>;      // from tick to tick
-using DurationHistogram = TimeHistogram<kDurationEdgesS>;  // spent in a tick
+using PeriodHistogram = TimeHistogram<kPeriodEdgesS>;      // time from tick to tick
+using DurationHistogram = TimeHistogram<kDurationEdgesS>;  // time spent in a tick
 
 }  // namespace handrail

@@ -1,5 +1,5 @@
-// What a servo is given by whoever drives a session. ServoLoop takes it on its own thread or stepped by its owner;
-// PlayedServo numbers it, to compute a recording again. Calls on the app thread.
+// The inputs that the owner of a session gives to a servo. ServoLoop takes them on its own thread, or when its owner
+// steps it. PlayedServo numbers them, to replay a recording. Call from the app thread.
 #pragma once
 
 #include <memory>
@@ -12,10 +12,10 @@ namespace handrail {
 class ServoInbox {
 public:
     virtual ~ServoInbox() = default;
-    // Felt from the next tick on. A null scene is none. engine: this hand's side of the bodies that can move; null:
-    // there are none. No other servo has the same engine at the same time.
+    // Takes effect from the next tick on. scene: null for none. engine: this hand's side of the free bodies; null:
+    // there are none. No two servos may use the same engine at the same time.
     virtual void set_scene(std::shared_ptr<const HapticScene> scene, std::shared_ptr<HandEngine> engine) = 0;
-    // The desk: see servo_tick. Null: there is none.
+    // The scene of the desk; see servo_tick. Null: there is none.
     virtual void set_desk(std::shared_ptr<const HapticScene> desk) = 0;
     virtual void set_tuning(const ServoTuning& tuning) = 0;
     virtual void set_pose(const WorkspacePose& pose) = 0;

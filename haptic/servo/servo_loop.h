@@ -1,6 +1,6 @@
-// Drives servo_tick: a thread with the device in its hands, paced by a Clock, and every hand-over to and from it.
-// Nothing on the servo's side waits, allocates or frees; a scene it has let go is freed by the app. Without start() the
-// same loop is stepped by hand in virtual time, and both ways give the same stream of ToolState to the bit.
+// Drives servo_tick on a thread that owns the device, paced by a Clock, and does every hand-over to and from it.
+// Nothing on the servo's side waits, allocates or frees; the app frees the scenes that the servo no longer uses.
+// Without start() its owner steps the same loop in virtual time; the stream of ToolState is bit-identical both ways.
 #pragma once
 
 #include <atomic>
@@ -26,26 +26,26 @@ enum class Scheduling : std::uint8_t { NotStarted, RealTime, Ordinary };
 // Published ten times a second and once at the end.
 struct ServoReport {
     ServoCounters counters;
-    DurationHistogram durations;  // of a tick with reading and writing the device, by the Clock
-    std::uint64_t overruns = 0;   // ticks after which the next one was already due
+    DurationHistogram durations;  // duration of a tick including reading and writing the device, by the Clock
+    std::uint64_t overruns = 0;   // ticks that ended after the next one was due
     Scheduling scheduling = Scheduling::NotStarted;
-    bool memory_locked = false;  // no page of the program can be away when the servo needs it
+    bool memory_locked = false;  // all memory of the program is locked, so the servo never waits for a page
 };
 
 class ServoLoop final : public ServoInbox {
 public:
-    // 1024 events are 3.4 s of three surfaces slid along at once, so a stalled ear loses none of a short stall.
+    // 1024 events are 3.4 s of sliding along three surfaces at once, so a short stall of the audio thread loses none.
     using EventRing = SpscRing<ContactEvent, 1024>;
 
-    // What others hold so that it outlives a device that is replaced by another while the program runs. Each outlives
-    // the loop; a ring belongs to one loop at a time. Null: the loop has its own.
+    // Objects that outlive the loop, so that they survive when one device replaces another while the program runs. A
+    // ring belongs to one loop at a time. Null: the loop makes its own.
     struct Links {
         const ServoSwitches* switches = nullptr;
         EventRing* events = nullptr;
-        HandRing* recording = nullptr;  // gets each tick; the samples are rounded for it. Null: nothing is kept
+        HandRing* recording = nullptr;  // gets a row for each tick, with samples rounded for it; null: no recording
     };
 
-    // The clock outlives the loop.
+    // The clock must outlive the loop.
     ServoLoop(std::unique_ptr<HapticDevice> device, Clock& clock, double period_s = 1e-3);
     ServoLoop(std::unique_ptr<HapticDevice> device, Clock& clock, double period_s, const Links& links);
     ~ServoLoop() override;
@@ -54,8 +54,8 @@ public:
 
     const DeviceSpec& device_spec() const { return device_->spec(); }
 
-    // App thread. open() comes first; start() makes the thread. stop() takes the force away over 75 ms, closes the
-    // device and joins; more often does no harm, and the destructor does it too.
+    // App thread. Call open() first; start() makes the thread. stop() fades the force over 75 ms, closes the device and
+    // joins. Further calls do no harm, and the destructor calls it too.
     Result<void> open();
     void start();
     void stop();
@@ -70,19 +70,19 @@ public:
     void set_pose(const WorkspacePose& pose) override { pose_.publish({pose, ++given_.pose}); }
     void set_bodies(const BodyFrame& bodies) override { bodies_.publish({bodies, ++given_.bodies}); }
     void set_guidance(const GuidancePath& guidance) override { guidance_.publish({guidance, ++given_.guidance}); }
-    // App thread: the newest of each, valid until the next call.
+    // App thread: the newest value of each, valid until the next call.
     const ToolState& tool();
     const ServoReport& report();
-    // App thread: how many scenes are kept because the servo may still read them.
+    // App thread: the number of scenes that are kept alive because the servo may still read them.
     std::size_t scenes_kept();
 
-    // Ears' thread.
+    // Audio thread.
     EventRing& events() { return *events_; }
 
-    // One tick at the clock's time: the thread's body, or for the owner of virtual time. False when stop was asked for
-    // and the force is gone.
+    // Runs one tick at the clock's time: called by the thread, or by the owner in virtual time. Returns false once a
+    // stop was requested and the force is gone.
     bool step() noexcept;
-    // Lets step() bring the force down; stop() does the same and waits.
+    // Makes step() fade the force out; stop() does the same and waits.
     void ask_to_stop() { stop_asked_.store(true, std::memory_order_release); }
 
 private:
@@ -90,12 +90,12 @@ private:
         const HapticScene* scene = nullptr;
         const HapticScene* desk = nullptr;
         HandEngine* engine = nullptr;
-        std::uint64_t number = 0;  // rising; the servo says up to which it has come
+        std::uint64_t number = 0;  // rises; the servo reports the number that it has reached
     };
     template <class T>
     struct Given {
         T value;
-        std::uint32_t number = 0;  // how many came before it, and itself
+        std::uint32_t number = 0;  // counts the hand-overs, this one included
     };
     struct KeptScene {
         std::uint64_t number;
@@ -108,7 +108,7 @@ private:
     void run() noexcept;
     void close() noexcept;
     void publish_report() noexcept;
-    // Chosen once, so that a tick which nobody records pays nothing for it (tests/bench/recording_cost.sh).
+    // Chosen once, so that a tick without a recording pays nothing for it (tests/bench/recording_cost.sh).
     template <bool kRecorded>
     bool step_as() noexcept;
     template <bool kRecorded>
@@ -125,8 +125,8 @@ private:
     std::atomic<bool> stop_asked_{false};
 
     std::vector<KeptScene> kept_;                      // app thread only
-    std::shared_ptr<const HapticScene> world_, desk_;  // as handed over last
-    std::shared_ptr<HandEngine> engine_;               // likewise
+    std::shared_ptr<const HapticScene> world_, desk_;  // the scenes that were handed over last
+    std::shared_ptr<HandEngine> engine_;               // the engine that was handed over last
     std::uint64_t last_scene_ = 0;
     std::atomic<std::uint64_t> scene_in_use_{0};
 
@@ -138,9 +138,9 @@ private:
     ServoReads given_;  // app thread
     LatestValue<ToolState> tool_;
     LatestValue<ServoReport> report_;
-    std::unique_ptr<EventRing> own_events_;  // null when it was given one
+    std::unique_ptr<EventRing> own_events_;  // null if Links supplied a ring
     EventRing* events_;
-    std::unique_ptr<ServoSwitches> own_switches_;  // nobody sets these
+    std::unique_ptr<ServoSwitches> own_switches_;  // used if Links supplies none; nobody sets these
     const ServoSwitches* switches_;
     HandRing* recording_;
     std::uint32_t recorded_as_ = 0;  // HandRow::servo
@@ -151,9 +151,9 @@ private:
     std::uint64_t ring_lost_ = 0;
 };
 
-// "Touch runs in real time." or what is missing for it, fit to be spoken or printed; empty before the start.
+// "Touch runs in real time.", or what is missing for it; suitable for speech and print. Empty before the start.
 std::string scheduling_sentence(Scheduling scheduling);
-// What is missing where the memory may not be locked; empty where it is.
+// Says what is missing if memory could not be locked; empty if it is locked.
 std::string memory_sentence(bool locked);
 
 }  // namespace handrail

@@ -11,16 +11,17 @@ namespace {
 
 constexpr double kNominalPeriodS = 1e-3;
 constexpr double kShortestPeriodS = 1e-6;
-constexpr double kFarthestGoalM = 1e6;     // beyond it doubles are too coarse to feel
-constexpr double kFastestHandMPerS = 5.0;  // how much farther a hand may be after a gap than after a tick
+constexpr double kFarthestGoalM = 1e6;     // farther away doubles are too coarse for touch
+constexpr double kFastestHandMPerS = 5.0;  // speed limit that extends the allowed distance after a gap
 constexpr double kMeanPeriodPoleS = 1.0;
 constexpr double kVelocityPoleS = 1.0 / (2.0 * kPi * 50.0);
 constexpr double kRateWindowS = 1.0;
-// Of the 100 ms from the onset of a slow rate to zero force, less one tick of 5 ms.
+// Zero force is due 100 ms after the rate became slow; one tick of 5 ms is subtracted.
 constexpr double kZeroAfterSlowS = 0.095;
 constexpr double kLongestTouchStepS = 0.1;
-constexpr double kDeskBallRadiusM = 0.002;  // a felt diameter of 4 mm, as in a room
-constexpr double kDeskPressDepth = 0.15;    // of the reach: most that a push may need on a soft device
+constexpr double kDeskBallRadiusM = 0.002;  // feels like a diameter of 4 mm, as in a room
+// Share of the workspace radius; limits how deep a push must go on a soft device.
+constexpr double kDeskPressDepth = 0.15;
 
 Fault fault_of(DeviceLoss loss) noexcept {
     return loss == DeviceLoss::MayPush    ? Fault::MayPush
@@ -28,7 +29,7 @@ Fault fault_of(DeviceLoss loss) noexcept {
                                           : Fault::Unplugged;
 }
 
-// Faults after which the place of the hand has nothing to do with its place before, or the renderer's state cannot be
+// Faults after which the hand's position does not continue from the one before, or the renderer's state cannot be
 // trusted.
 bool loses_place(Fault fault) noexcept {
     return is_gone(fault) || fault == Fault::Jump || fault == Fault::BadSample || fault == Fault::BadForce;
@@ -49,7 +50,7 @@ void ServoState::measure_rate(double dt_s) noexcept {
     }
 }
 
-// A latched fault is kept until it is confirmed; only losing the device outweighs it.
+// A latched fault stays until it is confirmed; only the loss of the device outweighs it.
 void ServoState::raise(Fault fault, bool latched) noexcept {
     if (fault == fault_) {
         fault_latched_ = fault_latched_ || latched;
@@ -68,7 +69,7 @@ void ServoState::raise(Fault fault, bool latched) noexcept {
     }
 }
 
-// Nobody holds anything any more, and wherever the hand is when the device is back, it moves first.
+// The hand touches and holds nothing any more. When the device is back, the hand must move before it feels force.
 void ServoState::lose_device() noexcept {
     place_lost_ = true;
     touch_.reset_filters();
@@ -102,7 +103,8 @@ bool ServoState::cause_lasts(const DeviceSample& sample) const noexcept {
     return !sample.connected || sample.hot || sample.failed || (fault_ == Fault::TooHot && heat_.too_warm());
 }
 
-// A pause is told where it takes a force away, and then its end is too; while nothing is felt both go without a word.
+// A pause is reported only if it takes a force away, and then its end is reported too. While nothing is felt, both are
+// silent.
 void ServoState::watch_pauses(const ServoTuning& tuning) noexcept {
     const Fault pause = !tuning.focused                               ? Fault::FocusLost
                         : tuning.button_to_feel && tool_.buttons == 0 ? Fault::ButtonReleased
@@ -131,7 +133,7 @@ void ServoState::confirm(const DeviceSample& sample, std::uint32_t number) noexc
     limiter_.restart();
 }
 
-// What was felt before no longer holds: the hand is elsewhere in the world, or in another one.
+// Discards what was felt before, because the hand is somewhere else in the world or in another world.
 void ServoState::start_over() noexcept {
     space_.reset();
     pull_through_.reset();
@@ -151,16 +153,16 @@ void ServoState::start_over() noexcept {
     tool_.liquid = kNoFeature;
 }
 
-// A long gap. One that comes again while the force still ramps in keeps it away until a whole ramp's time has passed
-// without any: a wall that grows stiffer while it is pressed feeds the hand, and with a gap every 400 ms it would do so
-// for ever.
+// Called for a long gap. If another gap comes while the force still ramps in, the force stays off until a whole ramp's
+// time has passed without one. A wall that grows stiffer while it is pressed feeds energy to the hand; with a gap every
+// 400 ms it would do so forever.
 void ServoState::lose_time() noexcept { keep_off_s_ = limiter_.gain() < 1.0 ? ForceLimiter::kRampS : 0.0; }
 
 ServoState::Answer ServoState::judge(const DeviceSample& sample, const WorkspaceFrame& frame, double scale,
                                      double dt_s) noexcept {
     since_answer_s_ += dt_s;
     if (!sample.connected) {
-        // A driver that lets its device go because of heat or an error says so.
+        // A driver that disconnects its device because of heat or an error reports the reason.
         raise(sample.hot ? Fault::TooHot : sample.failed ? Fault::DriverError : fault_of(sample.loss), true);
         if (connected_) lose_device();
         connected_ = false;
@@ -184,7 +186,7 @@ ServoState::Answer ServoState::judge(const DeviceSample& sample, const Workspace
         if (fault_ != Fault::Unhomed) start_over();
         raise(Fault::Unhomed, false);
         tool_.buttons = sample.buttons;
-        tool_.waiting_for_hand = true;  // wherever the hand is once it is known, it moves first
+        tool_.waiting_for_hand = true;  // the hand must move before it feels force, wherever it is
         has_first_ = false;
         trusts_last_ = false;
         bad_run_ = 0;
@@ -204,7 +206,7 @@ ServoState::Answer ServoState::judge(const DeviceSample& sample, const Workspace
         limiter_.drop_out();
         if (++bad_run_ >= kBadSamplesLatch) {
             raise(bad_kind_, true);
-            trusts_last_ = false;  // wherever it is next, it is watched from there
+            trusts_last_ = false;  // the next position is accepted wherever it is, and jumps are judged from there
         }
         return Answer::Bad;
     }
@@ -236,11 +238,11 @@ ServoState::Answer ServoState::judge(const DeviceSample& sample, const Workspace
     return Answer::Good;
 }
 
-// The hand moves its workspace: rim, grab and keys. What it begins and ends is told.
+// Moves the workspace by rim, grab or keys, and reports when that begins and ends.
 void ServoState::move_workspace(WorkspaceFrame& frame, const ServoTuning& tuning, std::uint32_t buttons, double scale,
                                 double dt_s) noexcept {
     const WorkspaceMotion before = mover_.motion();
-    // A hand whose place is in doubt moves nothing.
+    // While the hand's position is in doubt, it moves nothing.
     const bool sound = fault_ == Fault::None && tool_.pause == Fault::None && !tool_.waiting_for_hand;
     mover_.move(frame, sound ? tuning.workspace : WorkspaceTuning{},
                 {tool_.hand_m, buttons, length(wanted_n_), ceiling_n(tuning), &tool_.contacts}, scale, dt_s);
@@ -256,7 +258,7 @@ void ServoState::move_workspace(WorkspaceFrame& frame, const ServoTuning& tuning
     if (now == WorkspaceMotion::Grabbed) tell(ContactEventKind::Grabbed);
 }
 
-// As the device can render it at its measured rate.
+// The touch tuning that the device can render at its measured rate.
 TouchTuning ServoState::tuned(const ServoTuning& tuning) const noexcept {
     TouchTuning touch = tuning.touch;
     const double damping =
@@ -273,7 +275,7 @@ double ServoState::ceiling_n(const ServoTuning& tuning) const noexcept {
     return std::min(tuning.force_ceiling_n, spec_.peak_force_n);
 }
 
-// The wall towards the body, whichever side the hand is on.
+// Handles the wall towards the person's body, from whichever side the hand meets it.
 void ServoState::meet_wall(const HapticScene* desk, const ServoTuning& tuning, WorkspaceFrame& frame, double scale,
                            double dt_s) noexcept {
     const bool was_at_desk = tool_.desk.open;
@@ -285,20 +287,21 @@ void ServoState::meet_wall(const HapticScene* desk, const ServoTuning& tuning, W
     met_m_ = tool_.hand_m;
     met_ = true;
     const bool there = desk && tuning.personal_space;
-    // A hand whose place is in doubt, or that moves its workspace or has just done so, meets no wall.
+    // There is no wall while the hand's position is in doubt, or while the hand moves its workspace or has just done
+    // so.
     const bool whole = there && fault_ == Fault::None && !tool_.waiting_for_hand &&
                        mover_.ceiling_n() == std::numeric_limits<double>::infinity();
     const Vec3 wall_was_n = space_.force_n();
-    // What stands in the way to it gives way to a pull that is held.
+    // A surface that blocks the way to the desk gives way to a sustained pull.
     const bool pulled = pull_through_.tick(tool_.hand_m, held_n_, spec_.workspace_radius_m,
                                            whole && !was_at_desk && tool_.pause == Fault::None, dt_s);
     const bool through = space_.tick(tool_.hand_m, wall, whole, dt_s) || pulled;
     if (!through && !(was_at_desk && !there)) return;
-    // What was felt on this side besides the wall goes as the wall's own force does.
+    // Forces on this side other than the wall's decay as the wall's own force does.
     const double gain = limiter_.gain();
     leftover_.begin(gain > 0.0 ? limiter_.last_n() / gain - wall_was_n : Vec3(0.0), touch.rated_stiffness_n_per_m);
     if (!was_at_desk) return sit_down();
-    // The ball is where it was; the workspace comes to it, so that the hand is there too and nothing presses.
+    // The proxy is where it was. The workspace shifts so that the hand coincides with it and nothing presses.
     stand_up();
     const Vec3 way_m = tool_.proxy_m - frame.to_world(tool_.hand_m, scale);
     mover_.shift(way_m);
@@ -335,7 +338,7 @@ void ServoState::stand_up() noexcept {
         {ContactEventKind::DeskLeft, tool_.time_s, kNoFeature, kDefaultMaterial, tool_.proxy_m, 0.0, 0.0, Fault::None});
 }
 
-// The desk is felt at scale 1, in the device's own frame; what the hand knows of the world stays as it is.
+// The desk is felt at scale 1, in the device's own frame. The hand's state in the world stays unchanged.
 void ServoState::touch_desk(const HapticScene& desk, const ServoTuning& tuning, double dt_s) noexcept {
     TouchTuning touch = tuned(tuning);
     touch.world_m_per_hand_m = 1.0;
@@ -343,7 +346,7 @@ void ServoState::touch_desk(const HapticScene& desk, const ServoTuning& tuning, 
     const TouchResult result = touch_tick(desk_touch_, desk, touch, tool_.hand_m, dt_s);
     tool_.hip_m = tool_.proxy_m;
     if (!is_finite(result.proxy_m)) {
-        wanted_n_ = Vec3(std::numeric_limits<double>::quiet_NaN());  // let the limiter judge it
+        wanted_n_ = Vec3(std::numeric_limits<double>::quiet_NaN());  // the limiter turns this into a fault
         return;
     }
     wanted_n_ = result.force_n;
@@ -369,7 +372,7 @@ void ServoState::touch(const HapticScene& scene, const ServoTuning& tuning, cons
     const double scale = touch.world_m_per_hand_m;
     Vec3 carried_m{0.0};
     if (goal_known_) {
-        // A hand that takes the world along does not move through it.
+        // A hand that drags the world along does not move through it.
         carried_m = mover_.motion() == WorkspaceMotion::Grabbed ? goal_m - goal_m_
                                                                 : frame.to_world(hand_at_goal_m_, scale) - goal_m_;
         const Vec3 velocity = (goal_m - goal_m_) / (scale * dt_s);
@@ -393,7 +396,7 @@ void ServoState::touch(const HapticScene& scene, const ServoTuning& tuning, cons
     held_n_ = frame.turn_to_device(result.contact_force_n);
     if (is_finite(result.proxy_m)) mover_.give_way(goal_m, result.proxy_m, length(result.contact_force_n));
     if (!is_finite(result.proxy_m)) {
-        wanted_n_ = Vec3(std::numeric_limits<double>::quiet_NaN());  // let the limiter judge it
+        wanted_n_ = Vec3(std::numeric_limits<double>::quiet_NaN());  // the limiter turns this into a fault
         return;
     }
     tool_.proxy_m = result.proxy_m;
@@ -407,7 +410,7 @@ void ServoState::touch(const HapticScene& scene, const ServoTuning& tuning, cons
     tracker_.update(result, velocity_m_per_s_, scale, tool_.time_s, dt_s, events_);
 }
 
-// As the person is strong in the world and the device can hold.
+// Feel of the free bodies, from the person's strength in the world and from what the device can render.
 BodyFeel ServoState::body_feel(const ServoTuning& tuning, const TouchTuning& touch) const noexcept {
     BodyFeel feel;
     feel.world_m_per_hand_m = touch.world_m_per_hand_m;
@@ -418,7 +421,8 @@ BodyFeel ServoState::body_feel(const ServoTuning& tuning, const TouchTuning& tou
     return feel;
 }
 
-// Under the part of the force that the limiter let through. A device that is silent for a moment changes nothing.
+// Moves the free bodies by the part of the force that the limiter let through. A device that is silent for a moment
+// changes nothing.
 void ServoState::move_bodies(HandEngine& engine, bool met, bool silent, const Vec3& force_n, double dt_s) noexcept {
     if (met) {
         const double wanted_n = length(wanted_n_);
@@ -433,7 +437,7 @@ void ServoState::move_bodies(HandEngine& engine, bool met, bool silent, const Ve
     }
 }
 
-// On top of what is touched. The hand is led only where force may act at all.
+// Adds the guidance to the touch force. The hand is led only if force may act at all.
 void ServoState::guide(const GuidancePath& path, const WorkspaceFrame& frame, double scale, bool allowed,
                        double dt_s) noexcept {
     wanted_n_ += frame.turn_to_device(guidance_.tick(path, tool_.hip_m, scale, spec_.peak_force_n, allowed, dt_s));
@@ -479,16 +483,16 @@ ForceCommand servo_tick(ServoState& state, const TickInputs& given) noexcept {
     }
     s.confirm(sample, tuning.confirm);
 
-    // 2. The workspace in the world; what makes everything felt before invalid.
+    // 2. The workspace in the world, and changes that invalidate everything felt before.
     const bool jumped = s.playback_.give(pose, now_s);
     WorkspaceFrame frame = s.playback_.at(now_s, dt_s);
     const double scale = tuning.touch.world_m_per_hand_m;
     const std::uint32_t generation = scene ? scene->generation : 0;
     if (jumped || scale != s.scale_ || (!scene && s.tool_.scene_generation != 0)) s.start_over();
     if (jumped) s.mover_.recentre();
-    // What a hand holds does not come along to another place or scale.
+    // A held body does not come along to another place or scale.
     if (engine && (jumped || scale != s.scale_ || long_gap)) engine->leave();
-    // Another world ramps in; in the same one with something added or removed the proxy sees to it that nothing knocks.
+    // In another world the force ramps in. In the same world with objects added or removed, the proxy prevents a knock.
     const std::uint32_t world = scene ? scene->world : 0;
     if (world != s.tool_.scene_world) {
         s.limiter_.restart();
@@ -513,14 +517,14 @@ ForceCommand servo_tick(ServoState& state, const TickInputs& given) noexcept {
     const double touched_for_s = s.since_touch_s_;
     if (answer == ServoState::Answer::Good) {
         std::uint32_t buttons = s.tool_.buttons;
-        // A button that holds a body moves no workspace.
+        // A button that holds a body does not move the workspace.
         if (engine && engine->grip(tuning.bodies, buttons, now_s, s.tool_.hip_m))
             buttons &= ~tuning.bodies.grip_buttons;
         if (!s.tool_.desk.open) s.move_workspace(frame, tuning, buttons, scale, s.since_touch_s_);
         const bool wall = tuning.personal_space | s.tool_.desk.open;
         if (wall) s.meet_wall(desk, tuning, frame, scale, s.since_touch_s_);
         if (s.tool_.desk.open) {
-            s.touch_desk(*desk, tuning, s.since_touch_s_);  // the world waits
+            s.touch_desk(*desk, tuning, s.since_touch_s_);  // the world is paused
         } else if (scene) {
             BodyPoses poses;
             if (bodies && !scene->bodies.empty()) poses = s.bodies_.at(*bodies, *scene, s.playback_.played_s(), jumped);
@@ -543,7 +547,7 @@ ForceCommand servo_tick(ServoState& state, const TickInputs& given) noexcept {
         s.since_touch_s_ = 0.0;
     }
 
-    // 5. The only way out.
+    // 5. The limiter: the only path by which force reaches the device.
     double fade_s = 0.0;
     const ForceFlow flow = s.flow(tuning, scene != nullptr, long_gap, fade_s);
     const double ceiling_n = std::min({tuning.force_ceiling_n, s.spec_.peak_force_n, s.mover_.ceiling_n()});
@@ -553,7 +557,7 @@ ForceCommand servo_tick(ServoState& state, const TickInputs& given) noexcept {
     s.heat_.add(length(force_n), s.spec_.sustained_share * s.spec_.peak_force_n, dt_s);
     if (s.heat_.too_warm()) s.raise(Fault::TooHot, true);
 
-    // 6. What others may know.
+    // 6. The published state.
     ToolState& tool = s.tool_;
     tool.force_n = frame.turn_to_world(force_n);
     tool.force_gain = s.limiter_.gain();

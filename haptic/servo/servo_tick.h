@@ -1,4 +1,4 @@
-// One millisecond of the hand: sample checks, workspace map, touch, faults, ForceLimiter. Plain function over plain
+// One millisecond of the hand: sample checks, workspace map, touch, faults, ForceLimiter. A plain function over plain
 // state, the same in the servo thread, in scenarios and in tests. Never allocates, locks, throws, logs or reads a
 // clock.
 #pragma once
@@ -22,76 +22,76 @@
 namespace handrail {
 
 struct ServoTuning {
-    // touch.rated_stiffness_n_per_m is what is asked for; the servo lowers it to effective_stiffness_n_per_m at the
-    // measured rate. A change of touch.world_m_per_hand_m is met like a jump of the workspace.
+    // touch.rated_stiffness_n_per_m is the requested stiffness; the servo lowers it to effective_stiffness_n_per_m at
+    // the measured rate. A change of touch.world_m_per_hand_m has the effect of a jump of the workspace.
     TouchTuning touch;
-    double force_ceiling_n = 2.5;  // chosen by the person; the device's peak always holds too
-    bool forces_on = true;         // f key: ramps up over 1 s, fades away over 75 ms
-    bool panic = false;            // F12: zero on this very tick, until cleared
-    bool focused = true;  // the window has the keyboard; without it the force fades over 75 ms and ramps up with it
-    // Dead-man mode: force only while a button of the device is held; released, it fades over 75 ms.
+    double force_ceiling_n = 2.5;  // chosen by the person; the device's peak also limits the force
+    bool forces_on = true;         // f key: true ramps up over 1 s, false fades over 75 ms
+    bool panic = false;            // F12: zero force in this very tick, until cleared
+    bool focused = true;  // the window has the keyboard; on loss the force fades over 75 ms, on return it ramps up
+    // Dead-man mode: force only while a button of the device is held; on release it fades over 75 ms.
     bool button_to_feel = false;
-    std::uint32_t stops_let_go = 0;  // the count of ServoSwitches::stops up to which the person wants the force back
-    std::uint32_t confirm = 0;       // a new number lets a latched fault go (ramp of 1 s), if its cause is gone
+    std::uint32_t stops_let_go = 0;  // the value of ServoSwitches::stops up to which the person has restored the force
+    std::uint32_t confirm = 0;       // a new number clears a latched fault (ramp of 1 s) if its cause is gone
     WorkspaceTuning workspace;
-    // The wall towards the body is there, and the desk behind it; without it the tick pays one comparison.
+    // Enables the wall towards the person's body and the desk behind it. Without it the tick pays one comparison.
     bool personal_space = false;
-    BodyTuning bodies;  // counts only where the world has free ones
+    BodyTuning bodies;  // matters only in a world with free bodies
 };
 
-// At the desk: what the hand does there. Device frame, since the desk stands still before the person.
+// What the hand does at the desk. Device frame, because the desk does not move relative to the person.
 struct DeskTouch {
-    // The hand is at the desk; hip_m and proxy_m of ToolState then tell where in the world it comes back to.
+    // The hand is at the desk; hip_m and proxy_m of ToolState then say where in the world it returns to.
     bool open = false;
-    std::uint32_t visits = 0;  // how often it went there
+    std::uint32_t visits = 0;  // number of visits
     Vec3 hip_m{0.0}, proxy_m{0.0};
-    FeatureId touched = kNoFeature;  // of the desk's scene
-    FeatureId held = kNoFeature;     // pressed, by a push or the device's button
-    std::uint32_t presses = 0;       // begun since the start
-    double press_n = 0.0;            // of the contact, before any ceiling
+    FeatureId touched = kNoFeature;  // feature of the desk's scene
+    FeatureId held = kNoFeature;     // the feature that is pressed, by a push or the device's button
+    std::uint32_t presses = 0;       // number of presses since the start
+    double press_n = 0.0;            // force of the contact, before any ceiling
 };
 
-// What the app and ears may know of the hand; published each tick.
+// The state of the hand for the app and the audio thread; published each tick.
 struct ToolState {
     double time_s = 0.0;
     Vec3 hip_m{0.0}, proxy_m{0.0};  // world
     Vec3 hand_m{0.0};               // device frame, the last good sample
     double ball_radius_m = 0.0;
     Vec3 force_n{0.0};        // commanded, world axes, after the limiter
-    double force_gain = 0.0;  // ramp, 0 to 1
+    double force_gain = 0.0;  // of the ramp, 0 to 1
     ContactSet contacts;
-    FeatureId soft = kNoFeature;  // what gives way under the hand
-    double soft_n = 0.0;          // with that force, before any ceiling; 0: nothing does
-    double contact_n = 0.0;       // of the contacts, likewise
+    FeatureId soft = kNoFeature;  // the soft feature that yields under the hand
+    double soft_n = 0.0;          // force of that soft feature, before any ceiling; 0: none yields
+    double contact_n = 0.0;       // force of the contacts, before any ceiling
     FeatureId liquid = kNoFeature;
     std::uint32_t buttons = 0;
-    Vec3 gimbal_rad{0.0};         // of the grip, where the device has them
-    std::uint8_t homed_legs = 0;  // as DeviceSample has it
-    Fault fault = Fault::None;    // latched or present
+    Vec3 gimbal_rad{0.0};         // angles of the grip, on devices that measure them
+    std::uint8_t homed_legs = 0;  // DeviceSample::homed_legs
+    Fault fault = Fault::None;    // latched or currently present
     bool fault_latched = false;   // needs a new ServoTuning::confirm
-    bool fault_lasts = false;     // its cause is still there: a confirmation would be in vain
-    Fault pause = Fault::None;    // FocusLost or ButtonReleased: why the force waits though nothing is wrong
-    double warmth = 0.0;          // of the motors by the heat budget; at 1 the force is taken away
-    // No force until the hand has moved by 3 mm (since the start, or since it was plugged in again).
+    bool fault_lasts = false;     // the cause persists, so a confirmation would have no effect
+    Fault pause = Fault::None;    // FocusLost or ButtonReleased: why the force pauses although nothing is wrong
+    double warmth = 0.0;          // of the motors by the heat budget; at 1 the force fades out
+    // No force until the hand has moved by 3 mm, since the start or since the device was plugged in again.
     bool waiting_for_hand = true;
-    double contact_s = 0.0;  // contact time since start (break hint)
+    double contact_s = 0.0;  // contact time since the start, for the hint to take a break
     std::uint64_t ticks = 0;
     double rate_hz = 0.0;  // measured over the last second; 0 during the first
     std::uint32_t scene_generation = 0, scene_world = 0;
-    // How the hand has moved its workspace since the pose's last jump, and that jump's number.
+    // How the hand has moved its workspace since the pose's last jump, and the number of that jump.
     WorkspaceMotion workspace_motion = WorkspaceMotion::Still;
     bool workspace_at_limit = false;
     Vec3 workspace_shift_m{0.0};
     std::uint32_t workspace_jump = 0;
     DeskTouch desk;
     GuidanceState guidance;
-    std::uint32_t holds = kNoBody;  // a free body that the hand holds; place in DynamicsScene::bodies
-    std::uint32_t heavy = kNoBody;  // one that was pushed or lifted with all there is and did not move, the last
-    std::uint32_t heavies = 0;      // how often that was so since the start
+    std::uint32_t holds = kNoBody;  // the free body that the hand holds; index in DynamicsScene::bodies
+    std::uint32_t heavy = kNoBody;  // the last body that was pushed or lifted with all available force and did not move
+    std::uint32_t heavies = 0;      // number of such events since the start
 
-    // Something holds the hand, or gives way under it.
+    // Returns true if something resists the hand or yields under it.
     bool touches() const noexcept { return contacts.count > 0 || soft_n > 0.0; }
-    // What pushes back hardest; kNoFeature where nothing does, or what does has no name.
+    // The feature that pushes back hardest; kNoFeature if nothing does, or if it has no name.
     FeatureId touched() const noexcept {
         if (soft_n > 0.0 && (contacts.count == 0 || soft_n > contact_n)) return soft;
         return contacts.count > 0 ? contacts.contacts[contacts.strongest].feature : kNoFeature;
@@ -106,39 +106,39 @@ struct ToolState {
 struct ServoCounters {
     PeriodHistogram periods;
     std::uint64_t bad_samples = 0;  // not finite, out of reach, or jumped
-    std::uint64_t held_gaps = 0;    // 5 to 25 ms without a tick or an answer: the force was held and resumed
-    std::uint64_t long_gaps = 0;    // longer: zero and a ramp
+    std::uint64_t held_gaps = 0;    // gaps of 5 to 25 ms without a tick or an answer: the force was held, then resumed
+    std::uint64_t long_gaps = 0;    // longer gaps: zero force, then a ramp
     std::uint64_t lost_events = 0;
-    std::uint64_t waits = 0;  // ticks that had more to do than their budget of work (ContactSet::waits)
+    std::uint64_t waits = 0;  // ticks that needed more work than their budget (ContactSet::waits)
 };
 
-// What one tick is given. Nothing is kept beyond the tick.
+// The inputs of one tick. Nothing is kept beyond the tick.
 struct TickInputs {
-    const HapticScene* scene = nullptr;  // null: there is none yet, so no contact and no force
+    const HapticScene* scene = nullptr;  // null: none yet, so no contact and no force
     const ServoTuning& tuning;
-    const WorkspacePose& pose;  // the newest that is known; the same as before is fine
+    const WorkspacePose& pose;  // the newest known pose; may be the same as before
     const DeviceSample& sample;
-    double now_s = 0.0;                 // by the clock of WorkspacePose::time_s; ticks come in rising time
-    const BodyFrame* bodies = nullptr;  // the newest that is known; null: the scene's bodies stand where it has them
-    const HapticScene* desk = nullptr;  // behind the wall of ServoTuning::personal_space, device frame; null: none
-    const GuidancePath* guidance = nullptr;  // the newest that is known; null or number 0: none
+    double now_s = 0.0;                      // time of the clock of WorkspacePose::time_s; rises from tick to tick
+    const BodyFrame* bodies = nullptr;       // the newest known frame; null: the bodies stand where the scene has them
+    const HapticScene* desk = nullptr;       // behind the wall of ServoTuning::personal_space, device frame; null: none
+    const GuidancePath* guidance = nullptr;  // the newest known path; null or number 0: no guidance
     HandEngine* engine = nullptr;            // this hand's side of the scene's free bodies; null: there are none
 };
 
-// Everything that lives from tick to tick. Allocates when created; then owned by one thread.
+// All state that lasts from tick to tick. Allocates when created; after that one thread owns it.
 class ServoState {
 public:
-    static constexpr double kJumpM = 0.020;  // farthest hand travel from one tick to the next
+    static constexpr double kJumpM = 0.020;  // farthest that a hand may move from one tick to the next
     static constexpr int kBadSamplesLatch = 3;
     static constexpr double kFirstMovementM = 0.003;
-    static constexpr double kShortGapS = 0.005;  // below: ordinary jitter of a thread
+    static constexpr double kShortGapS = 0.005;  // shorter gaps are ordinary thread jitter
     static constexpr double kLongGapS = 0.025;
 
     explicit ServoState(const DeviceSpec& spec);
 
     const DeviceSpec& spec() const noexcept { return spec_; }
     const ToolState& tool() const noexcept { return tool_; }
-    const TickEvents& events() const noexcept { return events_; }  // of the last tick
+    const TickEvents& events() const noexcept { return events_; }  // events of the last tick
     const ServoCounters& counters() const noexcept { return counters_; }
 
 private:
@@ -158,7 +158,7 @@ private:
     void move_workspace(WorkspaceFrame& frame, const ServoTuning& tuning, std::uint32_t buttons, double scale,
                         double dt_s) noexcept;
     Answer judge(const DeviceSample& sample, const WorkspaceFrame& frame, double scale, double dt_s) noexcept;
-    // Twice, so that a world in which nothing is free pays nothing.
+    // Two instances, so that a world without free bodies pays nothing.
     template <bool kFree>
     void touch(const HapticScene& scene, const ServoTuning& tuning, const WorkspaceFrame& frame, const Vec3& goal_m,
                double dt_s, const BodyPoses& bodies, HandEngine* engine) noexcept;
@@ -181,11 +181,11 @@ private:
     WorkspaceMover mover_;
     PersonalSpace space_;
     PullThrough pull_through_;
-    Vec3 held_n_{0.0};  // device frame, by what the hand touches in the world
+    Vec3 held_n_{0.0};  // device frame, force of what the hand touches in the world
     LeftoverForce leftover_;
     DeskPress press_;
     TouchState desk_touch_;
-    Vec3 met_m_{0.0};  // device frame, where the hand was when the wall was met last
+    Vec3 met_m_{0.0};  // device frame, position of the hand when meet_wall() last ran
     bool met_ = false;
     BodyPlayback bodies_;
     ContactTracker tracker_;
@@ -198,31 +198,31 @@ private:
 
     Fault fault_ = Fault::None;
     bool fault_latched_ = false;
-    bool place_lost_ = false;      // by the fault: what was felt before it does not hold any more
-    bool pause_told_ = false;      // tool_.pause took a force away, so its end is told too
-    double window_start_s_ = 0.0;  // of the rate measurement
+    bool place_lost_ = false;      // the fault made everything felt before invalid
+    bool pause_told_ = false;      // tool_.pause took a force away, so its end is reported too
+    double window_start_s_ = 0.0;  // start of the window in which the rate is measured
     std::uint64_t window_ticks_ = 0;
-    double mean_period_s_ = 1e-3;  // between device answers, one pole of 1 s
+    double mean_period_s_ = 1e-3;  // between answers of the device, one pole of 1 s
     double since_answer_s_ = 0.0;
     double since_touch_s_ = 0.0;
-    double keep_off_s_ = 0.0;  // no force for so long yet: stalls came again during the ramp
-    double scale_ = 0.0;       // world metres per hand metre of the last tick
+    double keep_off_s_ = 0.0;  // remaining time without force, because stalls came again during the ramp
+    double scale_ = 0.0;       // world metres per hand metre in the last tick
     std::uint32_t confirm_seen_ = 0;
-    int bad_run_ = 0;  // bad answers in a row
+    int bad_run_ = 0;  // number of bad answers in a row
     Fault bad_kind_ = Fault::None;
     bool connected_ = false;
-    bool trusts_last_ = false;  // tool_.hand_m is a place the next sample must be near
+    bool trusts_last_ = false;  // the next sample must be near tool_.hand_m
     bool has_first_ = false;
-    Vec3 first_m_{0.0};  // where the hand was when it was first seen
+    Vec3 first_m_{0.0};  // position of the hand when it was first seen
     double hurry_s_ = ForceLimiter::kFadeS;
     Vec3 wanted_n_{0.0};  // device frame, before the limiter; held while the device is silent
     bool goal_known_ = false;
     Vec3 goal_m_{0.0};
-    Vec3 hand_at_goal_m_{0.0};    // device frame, where the hand was when the goal was goal_m_
+    Vec3 hand_at_goal_m_{0.0};    // device frame, position of the hand when the goal was goal_m_
     Vec3 velocity_m_per_s_{0.0};  // hand metres, world axes, one pole at 50 Hz
 };
 
-// One tick. Numbered stages stand in the source. Servo thread; never allocates, locks, throws or reads a clock.
+// Runs one tick. The stages are numbered in the source. Servo thread; never allocates, locks, throws or reads a clock.
 ForceCommand servo_tick(ServoState& state, const TickInputs& given) noexcept;
 
 }  // namespace handrail

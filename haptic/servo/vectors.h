@@ -1,4 +1,4 @@
-// What the parts of a tick compute of vectors and turns. Pure functions, any thread, no allocation.
+// Vector and rotation helpers for the parts of a tick. Pure functions, any thread, no allocation.
 #pragma once
 
 #include <cmath>
@@ -10,14 +10,14 @@ namespace handrail {
 
 inline double length(const Vec3& v) noexcept { return std::sqrt(glm::dot(v, v)); }
 
-// Shortened to `most` where it is longer.
+// Returns v, shortened to the length `most` if it is longer.
 inline Vec3 at_most(const Vec3& v, double most) noexcept {
     const double l = length(v);
     return l > most ? v * (most / l) : v;
 }
 
-// The turn that leads from one orientation to the other, along its axis: in radians where it is small, for every turn
-// twice the sine of half of it. Of unit quaternions.
+// The rotation that leads from one orientation to the other, as a vector along its axis. Its length is twice the sine
+// of half the angle, which is the angle in radians if it is small. Needs unit quaternions.
 inline Vec3 turn_between(const Rotation& from, const Rotation& to) noexcept {
     const Rotation d = to * Rotation{from.w, -from.x, -from.y, -from.z};
     const double two = d.w < 0.0 ? -2.0 : 2.0;

@@ -11,35 +11,36 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// The rim is the outer fifth of the reach: ridge, fall and scrolling zone.
-constexpr double kRimTop = 0.86, kRimPast = 0.9;  // of the reach, from kRimFrom on
+// The rim is the outer fifth of the workspace radius: ridge, fall and scrolling zone.
+constexpr double kRimTop = 0.86, kRimPast = 0.9;  // shares of the radius; the rim begins at kRimFrom
 constexpr double kRidge_n = 0.5;                  // clearly felt, far below a wall's 2.5 N
 constexpr double kBeyond_n = 0.1;
-constexpr double kRidgeStiffness = 0.3;               // at most, of the device's rating: there may be a wall as well
-constexpr double kFastestScroll_hand_m_per_s = 0.05;  // at scale 60 three metres a second
-constexpr double kBackPart = 0.8;                     // of the way from top to past: coming back to here ends scrolling
+// Share of the device's rated stiffness at most, because a wall may be felt as well.
+constexpr double kRidgeStiffness = 0.3;
+constexpr double kFastestScroll_hand_m_per_s = 0.05;  // three metres a second at scale 60
+constexpr double kBackPart = 0.8;  // share of the way from top to past; a hand that comes back to here stops scrolling
 
-constexpr double kMovingContact_n = 0.08;  // with the rim's kBeyond_n still below kMovingForceN
+constexpr double kMovingContact_n = 0.08;  // together with the rim's kBeyond_n still below kMovingForceN
 constexpr double kMovingTotal_n = 0.19;
-constexpr double kEase_n_per_s = 33.0;  // so that 2.5 N are gone after 75 ms, like every fade
+constexpr double kEase_n_per_s = 33.0;  // 2.5 N are gone after 75 ms, as in every fade
 constexpr double kBack_n_per_s = 5.0;
 constexpr double kRimGainMoving = 0.2;
 constexpr double kRimGain_per_s = 60.0;
 
-// What is left of a motion that must not go into any of the contacts.
+// Removes from the motion every component that goes into a contact.
 Vec3 along_contacts(Vec3 motion, const ContactSet& contacts) noexcept {
     for (int round = 0; round < 2; ++round)
         for (std::size_t i = 0; i < contacts.count; ++i) {
             const Vec3& normal = contacts.contacts[i].normal;
             motion -= normal * std::min(0.0, glm::dot(motion, normal));
         }
-    // In a narrow corner taking one part away may bring another back.
+    // In a narrow corner, removing one component may bring another back.
     for (std::size_t i = 0; i < contacts.count; ++i)
         if (glm::dot(motion, contacts.contacts[i].normal) < -1e-9 * length(motion)) return Vec3(0.0);
     return motion;
 }
 
-// The step along one axis that keeps `at` within [low, high], or brings it no farther out.
+// Limits the step along one axis so that `at` stays within [low, high], or at least does not go farther outside.
 double within(double at, double step, double low, double high) noexcept {
     const double to = at + step;
     if (to > high && step > 0.0) return std::max(0.0, high - at);
@@ -77,7 +78,8 @@ Vec3 WorkspaceMover::rim_force_n() const noexcept {
 
 double WorkspaceMover::ceiling_n() const noexcept {
     if (motion_ != WorkspaceMotion::Still) return std::max(kMovingTotal_n, contact_ceiling_n_);
-    // The rim is not clamped on the way back in: a ceiling that rises in time would be a spring that is wound up.
+    // The rim's force is not clamped on the way back in: a ceiling that rises with time would act as a spring being
+    // wound up.
     return std::max(kMovingTotal_n, contact_ceiling_n_) + length(rim_force_n());
 }
 
@@ -98,11 +100,11 @@ Vec3 WorkspaceMover::wish_m(const WorkspaceFrame& frame, const WorkspaceTuning& 
 
 void WorkspaceMover::move(WorkspaceFrame& frame, const WorkspaceTuning& tuning, const Hand& hand,
                           double world_m_per_hand_m, double dt_s) noexcept {
-    // 1. What the hand asks for.
+    // 1. What the hand requests.
     const WorkspaceMotion before = motion_;
     out_m_ = hand.at_m;
     if (tuning.rim_open_behind)
-        out_m_.y = std::max(0.0, out_m_.y);  // the distance stays smooth there, so the force does
+        out_m_.y = std::max(0.0, out_m_.y);  // the distance stays smooth there, and so does the force
     distance_m_ = length(out_m_);
     rim_on_ = tuning.rim;
     const double scrolls_from_m =
@@ -112,7 +114,7 @@ void WorkspaceMover::move(WorkspaceFrame& frame, const WorkspaceTuning& tuning, 
     else if (tuning.push_hand_m_per_s != Vec3(0.0)) motion_ = WorkspaceMotion::Pushed;
     else motion_ = WorkspaceMotion::Still;
 
-    // 2. The force that may be felt: down before anything moves, back up afterwards.
+    // 2. The contact force that may be felt: lowered before anything moves, raised again afterwards.
     if (motion_ != WorkspaceMotion::Still) {
         contact_ceiling_n_ = std::min(contact_ceiling_n_, std::min(hand.wanted_n, hand.ceiling_n));
         contact_ceiling_n_ = std::max(kMovingContact_n, contact_ceiling_n_ - kEase_n_per_s * dt_s);
@@ -124,7 +126,7 @@ void WorkspaceMover::move(WorkspaceFrame& frame, const WorkspaceTuning& tuning, 
     else if (motion_ == WorkspaceMotion::Grabbed || motion_ == WorkspaceMotion::Pushed)
         rim_gain_ = std::max(kRimGainMoving, rim_gain_ - kRimGain_per_s * dt_s);
 
-    // 3. The motion, once the force is gone.
+    // 3. The motion, once the force is low enough.
     at_limit_ = false;
     if (motion_ != WorkspaceMotion::Still && contact_ceiling_n_ < kMovingForceN) {
         const Vec3 wish = wish_m(frame, tuning, hand, world_m_per_hand_m, dt_s);
