@@ -10,7 +10,7 @@
 namespace handrail {
 namespace {
 
-// A contact stands at most this far from the face it belongs to, and is asked about this far in front of it
+// A contact is at most this far from the face that it belongs to, and is queried this far in front of it
 // (haptic/dynamics/seams.h).
 constexpr double kReach_m = 10e-3;
 
@@ -32,7 +32,7 @@ double farthest_m(const DynamicsPiece& piece) noexcept {
     return glm::length(glm::max(glm::abs(piece.bounds_m.min_m), glm::abs(piece.bounds_m.max_m)));
 }
 
-// Half of how wide it is along its thinnest face, at most.
+// An upper bound for half the width of the piece in its thinnest direction.
 double half_width_m(const DynamicsPiece& piece) noexcept {
     return std::visit(
         Overloaded{[&](std::monostate) {
@@ -52,8 +52,8 @@ double half_width_m(const DynamicsPiece& piece) noexcept {
         piece.round);
 }
 
-// Whether no part of the face, moved a little out, can lie in the solid grown by a lip: some plane has all of it in
-// front.
+// Returns true if no part of the face, moved slightly outwards, can be inside the solid grown by kReach_m: all of the
+// face is in front of some plane.
 bool apart(const Polygon& face, const ConvexSolid& solid) noexcept {
     for (const Plane& plane : solid.planes)
         if (std::all_of(face.points_m.begin(), face.points_m.end(),
@@ -261,7 +261,7 @@ BodyFault DynamicsSceneBuilder::add_body(std::span<const DynamicsPiece> pieces, 
     const PrincipalAxes axes = principal_axes(whole.spread_m5);
     body.middle_in_thing = {whole.middle_m * start.scale, axes.rotation, 1.0};
     body.inertia_kg_m2 = axes.inertia_m5 * (nature.mass_kg / whole.volume_m3 * start.scale * start.scale);
-    // Pieces: scaled, then seen from the middle.
+    // Scales the pieces, then moves them to the frame of the centre of mass.
     const Rotation& r = axes.rotation;
     const Rotation back{r.w, -r.x, -r.y, -r.z};
     const Vec3 shift = PlacedFrame(Placement{Vec3(0.0), back, 1.0}).turned(-body.middle_in_thing.position_m);

@@ -1,5 +1,5 @@
-// Between the engine of movable bodies and the servo of one hand. Each member has one producer and one consumer, and
-// neither side waits, allocates or fails. Owned by both, so that either may end first.
+// The channel between the engine of movable bodies and the servo of one hand. Each member has one producer and one
+// consumer, and neither side waits, allocates or fails. Both sides own it, so either may end first.
 #pragma once
 
 #include "haptic/render/body_word.h"
@@ -11,9 +11,9 @@ namespace handrail {
 using HandPushRing = SpscRing<HandPush, 64>;
 
 struct HandChannel {
-    std::uint32_t engine = 0;          // EngineRow::engine; 0: nobody records. Before either side begins
+    std::uint32_t engine = 0;          // EngineRow::engine; 0: no recording; set before either side begins
     HandPushRing pushes;               // servo to engine
-    LatestValue<HandPlace> place;      // likewise
+    LatestValue<HandPlace> place;      // servo to engine
     LatestValue<DynamicsFrame> frame;  // engine to servo
 };
 

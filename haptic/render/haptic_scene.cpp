@@ -12,17 +12,17 @@
 namespace handrail {
 namespace {
 
-// Bounds of brushes come from computed corners; this much more makes sure that no rounding hides a solid from the
-// hierarchy.
+// Bounds of brushes come from computed corners. They are enlarged by this much, so that rounding cannot hide a solid
+// from the hierarchy.
 constexpr double kBoundsSlack = 1e-9;
-// Below this distance from the world's zero neighbouring doubles are at most 2e-13 m apart, so nothing is gained by
-// moving the origin.
+// Below this distance from the world's zero, neighbouring doubles are at most 2e-13 m apart, so moving the origin gains
+// nothing.
 constexpr double kNearZero_m = 1024.0;
 
 // A liquid's surface looks up if its normal rises by more than 45 degrees.
 constexpr double kLooksUp = 0.7071;
-// Steepest slopes of the laws in liquids.cpp: the drag's spring; a film 4 mm thick and a buoyancy that sets in over 20
-// mm, for each newton.
+// Steepest slopes of the laws in liquids.cpp. The first is the drag's spring. The others are per newton, for a film 4
+// mm thick and a buoyancy that rises over 20 mm.
 constexpr double kDragStiffness_n_per_m = 400.0;
 constexpr double kFilmStiffness_per_m = 583.0;
 constexpr double kBuoyancyStiffness_per_m = 75.0;
@@ -114,7 +114,7 @@ double HapticScene::in_front_m(std::uint32_t obstacle, const Vec3& local_m) cons
 }
 
 bool HapticScene::smooth_between(std::uint32_t obstacle, const Vec3& normal_a, const Vec3& normal_b) const noexcept {
-    constexpr double kSame = 1e-12;  // of a normal's part along the axis
+    constexpr double kSame = 1e-12;  // tolerance for a normal's component along the axis
     const Obstacle& o = obstacles[obstacle];
     const auto both = [&](const Vec3& axis, double along) {
         return std::abs(glm::dot(axis, normal_a) - along) <= kSame &&
@@ -272,7 +272,8 @@ bool is_sound(const CustomObstacle& obstacle) {
     if (!obstacle.closest || box.empty() || !is_finite(size) || !is_finite(obstacle.position_m) ||
         !(std::min({size.x, size.y, size.z}) > 0.0))
         return false;
-    // From the surface of boxes around it: 7 x 7 x 7 places without the inner ones, and the same with a wider box.
+    // Samples the surfaces of boxes around it: a grid of 7 x 7 x 7 places without the inner ones, and the same with a
+    // larger box.
     constexpr int kSteps = 6;
     const double slack = 1e-9 * glm::length(size);
     std::vector<ClosestPoint> found;
@@ -334,7 +335,7 @@ void HapticSceneBuilder::add_solid(std::span<const Plane> planes, const Aabb& bo
     scene_.planes.insert(scene_.planes.end(), planes.begin(), planes.end());
 }
 
-// A world has few different ones; beyond the last number the next smaller serves.
+// A world has few different roundings. Once the table is full, the next smaller one is used.
 std::uint16_t HapticSceneBuilder::rounding(double rounding_m) {
     if (!(rounding_m > 0.0)) return 0;
     std::vector<double>& known = scene_.roundings_m;
@@ -395,9 +396,9 @@ bool HapticSceneBuilder::add_effect(EffectVolume effect) {
     return true;
 }
 
-// What a tick would otherwise have to find out again and again. After the bounds are final.
+// Precomputes what every tick would otherwise have to find out again. Needs the final bounds.
 void HapticSceneBuilder::prepare_effects() {
-    // What hangs on a body, and so has no bounds here, may come anywhere.
+    // An effect attached to a body has no bounds here, because it may go anywhere.
     const auto overlap = [](const Aabb& a, const Aabb& b) {
         if (a.empty() || b.empty()) return true;
         return glm::all(glm::lessThanEqual(a.min_m, b.max_m)) && glm::all(glm::lessThanEqual(b.min_m, a.max_m));
@@ -434,7 +435,8 @@ void HapticSceneBuilder::prepare_effects() {
         double liquid_stiffness = 0.0;
         for (std::size_t k = 0; k < scene_.liquids.size(); ++k)
             if (overlap(effect_bounds_[i], liquid_bounds_[k])) {
-                liquid_stiffness = std::max(liquid_stiffness, liquid_own[k]);  // neighbours share, they do not add up
+                // Overlapping liquids share their weight, so their stiffnesses do not add up.
+                liquid_stiffness = std::max(liquid_stiffness, liquid_own[k]);
                 scene_.liquids[k].crowd_stiffness_n_per_m += effect.stiffness_n_per_m;
             }
         effect.crowd_stiffness_n_per_m += liquid_stiffness;
@@ -448,7 +450,7 @@ void HapticSceneBuilder::prepare_effects() {
     }
 }
 
-// A round place near the middle where numbers would be large; zero elsewhere.
+// A round place near the middle if coordinates would be large; otherwise zero.
 void HapticSceneBuilder::choose_origin() {
     Aabb all;
     for (const std::vector<Aabb>* boxes : {&obstacle_bounds_, &liquid_bounds_, &effect_bounds_})
@@ -461,7 +463,7 @@ void HapticSceneBuilder::choose_origin() {
         scene_.origin_m = glm::round(all.centre_m());
 }
 
-// Moves the corners of polygons to the origin and works out the normals and edges that the solver needs.
+// Moves the corners of polygons to the origin and computes the normals and edges that the solver needs.
 void HapticSceneBuilder::make_polygons() {
     std::vector<PolygonCorner> corners;
     std::vector<Vec3> points;
@@ -476,7 +478,7 @@ void HapticSceneBuilder::make_polygons() {
     scene_.polygon_corners = std::move(corners);
 }
 
-// What has no area has no sides.
+// A surface without area has no sides.
 void HapticSceneBuilder::settle_sides() {
     for (Obstacle& o : scene_.obstacles) {
         if (o.side == TouchSide::Both) continue;
@@ -487,7 +489,7 @@ void HapticSceneBuilder::settle_sides() {
     }
 }
 
-// Shapes, volumes and bounds about the origin. Points of meshes and polygons are already.
+// Shapes, volumes and bounds relative to the origin. Points of meshes and polygons have been moved already.
 void HapticSceneBuilder::move_to_origin() {
     const Vec3 origin = scene_.origin_m;
     for (SphereShape& sphere : scene_.spheres) sphere.centre_m -= origin;
@@ -517,7 +519,7 @@ void HapticSceneBuilder::move_to_origin() {
 }
 
 std::shared_ptr<const HapticScene> HapticSceneBuilder::build(std::uint32_t world) {
-    // The one number that must differ between scenes wherever they are built; nothing else is shared.
+    // The one number that must differ between all scenes, wherever they are built; scenes share nothing else.
     static std::atomic<std::uint32_t> next_generation{1};
     choose_origin();
     for (Vec3& p : scene_.mesh.points_m) p -= scene_.origin_m;
@@ -526,7 +528,7 @@ std::shared_ptr<const HapticScene> HapticSceneBuilder::build(std::uint32_t world
     move_to_origin();
     if (shades_ && !scene_.mesh.triangles.empty()) {
         scene_.shading = shade_mesh(scene_.mesh.points_m, scene_.mesh.triangles);
-        if (scene_.shading.highest_m <= 0.0) scene_.shading = {};  // nothing here is curved
+        if (scene_.shading.highest_m <= 0.0) scene_.shading = {};  // nothing in this mesh is curved
     }
     scene_.fields = !scene_.reliefs.empty() || !scene_.shading.facets.empty();
     for (const HapticBody& body : scene_.bodies) scene_.fields = scene_.fields || body.shape->fields;

@@ -9,17 +9,19 @@ namespace {
 
 constexpr double kDrag_n_per_m = 400.0;
 constexpr double kLargestDrag_n = 4.0;
-// Of a liquid that flows: a stream is a source, its power stays below this times its speed.
+// Limit of the drag in a flowing liquid. A stream is a source of energy, and its power stays below this force times its
+// speed.
 constexpr double kLargestFlow_n = 2.0;
 constexpr double kRounding_m = 1e-9;
-constexpr double kLook_hand_m = 0.1;    // how much farther than it is felt liquid is looked for
+constexpr double kLook_hand_m = 0.1;    // distance within which liquids are looked for, beyond where they are felt
 constexpr double kFilm_hand_m = 0.004;  // half the thickness of the surface film
-// Of F = (2 A / w) y exp(-y^2), in A / w: the film's key is its largest force.
+// Greatest value of F = (2 A / w) y exp(-y^2), in units of A / w. It converts the film's key, which is its largest
+// force, to A.
 constexpr double kFilmSteepest = 0.857763884960707;
 constexpr double kFloatRamp_s = 0.100;
 
-// How deep a point lies below the surface of a liquid: its exposed faces where it has any. Negative outside. `all`: how
-// far out of the volume, at least; not positive inside.
+// How deep a point is below the surface of a liquid, measured to its exposed faces if it has any. Negative outside.
+// `all`: lower bound for how far the point is outside the volume; not positive inside.
 double depth_in(const LiquidVolume& liquid, const Vec3& local_m, double& all) noexcept {
     double exposed = -std::numeric_limits<double>::infinity();
     all = exposed;
@@ -28,15 +30,15 @@ double depth_in(const LiquidVolume& liquid, const Vec3& local_m, double& all) no
         all = std::max(all, out);
         if (!liquid.hidden[i]) exposed = std::max(exposed, out);
     }
-    // Beside or beyond a covered face the liquid is not there, however deep the point is below the exposed ones.
+    // Next to or beyond a covered face there is no liquid, however deep the point is below the exposed faces.
     const bool any_exposed = exposed > -std::numeric_limits<double>::infinity();
     return any_exposed && all <= 0.0 ? -exposed : -all;
 }
 
-// What all volumes that reach the ball are like together: each by its share.
+// The properties of all volumes that reach the proxy, weighted by their shares.
 struct Bath {
     double viscosity_ns_per_m = 0.0;
-    double weakest_share = 1.0;  // of the drag's stiffness, where other effects crowd
+    double weakest_share = 1.0;  // share of the drag's stiffness that is allowed next to other effects
     Vec3 flow_hand_m_per_s{0.0};
 };
 
@@ -49,8 +51,8 @@ void LiquidState::reset() noexcept {
 
 Vec3 LiquidState::drag_n(const HapticScene& scene, const HandMotion& hand, const Vec3& at, FeatureId& in) noexcept {
     const double reach = kImmersion_hand_m * hand.scale;
-    // Of overlapping volumes the last one listed rules; where it thins out towards its own surface the next takes the
-    // rest, so neighbours of one pool make one pool.
+    // Among overlapping volumes the one listed last counts first. Where it thins out towards its own surface, the next
+    // takes the rest, so neighbouring volumes form one pool.
     constexpr std::size_t kMost = 8;
     struct Wet {
         std::uint32_t volume;
@@ -94,8 +96,8 @@ Vec3 LiquidState::drag_n(const HapticScene& scene, const HandMotion& hand, const
         return Vec3(0.0);
     }
     // p <- p + (x - p) a with a = u / (1 + u), u = K T / c. This share, unlike 1 - exp(-u), makes the steady force
-    // exactly c v. The point only ever moves along its own force, so the liquid never gives energy; a stream moves it
-    // besides.
+    // exactly c v. The point moves only along its own force, so the liquid never gives energy. A stream moves the point
+    // in addition.
     const bool flows = hand.held && bath.flow_hand_m_per_s != Vec3(0.0);
     const double stiffness = kDrag_n_per_m * bath.weakest_share;
     const double u = stiffness * hand.dt_s / bath.viscosity_ns_per_m;
@@ -109,8 +111,8 @@ Vec3 LiquidState::surface_n(const HapticScene& scene, const HandMotion& hand, co
     const double a = kImmersion_hand_m * hand.scale;
     const Vec3 goal = hand.goal_m - scene.origin_m;
 
-    // Where the ball is in the pool or just above it, the pool carries: nothing else tells a goal deep in the pool's
-    // wall from one beside the pool.
+    // A pool lifts the hand only while the proxy is in it or just above it. Nothing else distinguishes a goal deep in
+    // the pool's wall from one next to the pool.
     const auto carries = [&](const LiquidVolume& liquid) {
         for (std::size_t i = 0; i < liquid.planes.size(); ++i)
             if (signed_distance(liquid.planes[i], ball_local_m) >
@@ -131,8 +133,8 @@ Vec3 LiquidState::surface_n(const HapticScene& scene, const HandMotion& hand, co
         while (k < float_count_ && floats_[k].volume != item) ++k;
         if (k == kMostFloats) return;
         if (k == float_count_) floats_[float_count_++] = {item, 0.0};
-        // From above nothing is felt yet, so it may be ready at once: then what is paid going down comes back going up.
-        // Elsewhere it sets in gently.
+        // A hand coming from above feels nothing yet, so the gate may open at once: the work done going down then comes
+        // back going up. Elsewhere the gate opens gradually.
         const double depth = -signed_distance(liquid.planes[static_cast<std::size_t>(liquid.surface)], goal);
         floats_[k].gate = depth <= -a ? 1.0 : std::min(1.0, floats_[k].gate + hand.dt_s / kFloatRamp_s);
     });
@@ -143,14 +145,15 @@ Vec3 LiquidState::surface_n(const HapticScene& scene, const HandMotion& hand, co
         force += surface.normal * (floats_[k].gate * liquid.buoyancy_n * smooth_step((depth + a) / (2.0 * a)));
     }
 
-    // The film is a well of the hand's own place: U = -A W exp(-(h/w)^2), W fading towards the pool's sides.
+    // The film is a potential well over the hand's own position: U = -A W exp(-(h/w)^2), with W fading towards the
+    // pool's sides.
     const double w = kFilm_hand_m * hand.scale;
     scene.liquid_bvh.within(goal, 4.0 * w, [&](std::uint32_t item, double&) {
         const LiquidVolume& liquid = scene.liquids[item];
         if (liquid.surface < 0 || liquid.film_n <= 0.0) return;
         const double edge = std::min(a, liquid.inner_radius_m);
         double weight = 1.0;
-        Vec3 slope(0.0);  // of the weight, per world metre
+        Vec3 slope(0.0);  // slope of the weight, per world metre
         for (std::size_t i = 0; i < liquid.planes.size() && weight > 0.0; ++i) {
             const double depth = -signed_distance(liquid.planes[i], goal);
             if (static_cast<int>(i) == liquid.surface || depth >= edge) continue;

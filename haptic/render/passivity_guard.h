@@ -1,9 +1,9 @@
-// Time-domain passivity control (Hannaford & Ryu, Time-domain passivity control of haptic interfaces, 2002): watches
-// what the held force gives to the hand while it touches, told from the measured places and from the force that was
-// really on the motor, and adds damping when it gives more than it took. Pole, allowance and the bound on the surface's
-// own damping keep it from stepping: in the published form it cost up to 0.29 N per tick on a clean sweep, and on a
-// surface damped by 2 Ns/m or more it let no wall be stiffer (docs/results.md). Plain state of TouchState; noexcept, no
-// allocation; about 20 flops a tick while it watches, none otherwise.
+// Time-domain passivity control (Hannaford & Ryu, Time-domain passivity control of haptic interfaces, 2002). It
+// measures the energy that the held force gives to the hand during a touch, from the measured positions and the force
+// that was really on the motor. It adds damping if the hand gets more than it gave. The pole, the allowance and the
+// bound on the surface's own damping prevent steps. The published form cost up to 0.29 N per tick on a clean sweep, and
+// on a surface damped by 2 Ns/m or more it allowed no stiffer wall (docs/results.md). Plain state of TouchState;
+// noexcept, no allocation; about 20 flops a tick while it watches, none otherwise.
 #pragma once
 
 #include <algorithm>
@@ -17,11 +17,11 @@ namespace handrail {
 
 class PassivityGuard {
 public:
-    // Damping of a surface from which on the guard has nothing to add.
+    // On a surface with at least this damping the guard has nothing to add.
     static constexpr double kNotNeeded_ns_per_m = 2.0;
 
-    // Damping to add now, in Ns/m. own_step_m: of the hand since the last tick, hand metres; delay_s: how much later
-    // than the hold a force is felt.
+    // Returns the damping to add now, in Ns/m. own_step_m: movement of the hand since the last tick, hand metres.
+    // delay_s: delay from the end of the hold until a force is felt.
     double watch(const Vec3& own_step_m, double dt_s, double delay_s) noexcept {
         tick_assert(dt_s > 0.0 && delay_s >= 0.0);
         const auto late = static_cast<std::size_t>(std::clamp(delay_s / dt_s + 0.5, 0.0, kMostLate - 1.0));
@@ -35,12 +35,12 @@ public:
         tick_assert(damping_ns_per_m_ >= 0.0 && damping_ns_per_m_ <= kMost_ns_per_m);
         return damping_ns_per_m_;
     }
-    // The force of this tick, after everything.
+    // Takes the final force of this tick.
     void given(const Vec3& force_n) noexcept {
         newest_ = (newest_ + 1) % kMostLate;
         given_n_[newest_] = force_n;
     }
-    // Contact begins anew.
+    // Starts again for a new contact.
     void reset() noexcept {
         energy_j_ = 0.0;
         damping_ns_per_m_ = 0.0;
@@ -49,10 +49,10 @@ public:
 private:
     static constexpr double kMost_ns_per_m = 20.0;
     static constexpr double kPole_s = 0.02;
-    static constexpr double kAllowance_j = 1e-3;  // what steps of a held force may give back unpunished
+    static constexpr double kAllowance_j = 1e-3;  // energy that the steps of a held force may give back without damping
     static constexpr std::size_t kMostLate = 16;  // ticks
 
-    double energy_j_ = 0.0;  // taken from the hand since contact began; negative: given
+    double energy_j_ = 0.0;  // energy taken from the hand since the contact began; negative: given
     double damping_ns_per_m_ = 0.0;
     std::array<Vec3, kMostLate> given_n_{};
     std::size_t newest_ = 0;

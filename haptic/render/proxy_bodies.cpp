@@ -10,12 +10,13 @@ using namespace proxy_parts;
 
 namespace {
 
-constexpr int kMostSubSteps = 64;  // of a body's way within one move; faster ones count as gone here and appeared there
-constexpr int kLongestWait = 500;  // moves that a body may lag behind where it was told to be
+// Limit for a body's movement within one move; a faster one vanishes here and appears there.
+constexpr int kMostSubSteps = 64;
+constexpr int kLongestWait = 500;  // most moves by which a body may lag behind its commanded pose
 
-// Followed is whoever is nearer than the ball can be pushed or go within a tick by this much: as far as a fast hand
-// goes in 100 ms (2 m/s), and so far that no body can come from beyond it to the ball without having jumped
-// (kMostSubSteps).
+// Lead distances for following bodies: bodies are followed if they are nearer than this plus what the proxy can be
+// pushed or move in a tick. The lead covers a fast hand (2 m/s) for 100 ms. It is also so large that no body beyond it
+// can reach the proxy without a jump (kMostSubSteps).
 constexpr double kLeadMargins = 10.0, kLeadRadii = 40.0;
 
 }  // namespace
@@ -24,7 +25,7 @@ void ProxySolver::spend_on_tracked(int work) noexcept {
     if (tracks_.count > kFewBodies && !tracks_.all) spend(static_cast<int>(tracks_.count) * work);
 }
 
-// Those that were looked at by one bound while none of them moves; every other by where it is.
+// Bodies that were looked at share one bound while none of them moves. For every other body its own position counts.
 double ProxySolver::known_of_bodies(const Vec3& at_m, double known) noexcept {
     spend_on_tracked(kKnownWork);
     const Vec3 at = anchor_m_ + at_m;
@@ -36,7 +37,7 @@ double ProxySolver::known_of_bodies(const Vec3& at_m, double known) noexcept {
     return tracks_.far_short ? std::min(known, tracks_.far_m - glm::length(at - tracks_.far_from_m)) : known;
 }
 
-// No point of a body comes nearer to a place on the ways of this request.
+// A lower bound for the distance from a place to any point of a body during the movements of this request.
 double ProxySolver::least_distance_m(const HapticScene& scene, const Request& request, std::size_t body,
                                      const Vec3& from_m) const noexcept {
     constexpr double kNever = 1e300;
@@ -56,7 +57,7 @@ double ProxySolver::least_distance_m(const HapticScene& scene, const Request& re
     return glm::length(begin + way * part) - b.reach_m * std::max(from.at.scale, to.at.scale);
 }
 
-// False when there is no track left.
+// Returns false if no track is left.
 bool ProxySolver::track_body(const HapticScene& scene, const Request& request, std::size_t body) noexcept {
     if (tracks_.follows(body)) return true;
     ProxyTrack* const added = tracks_.add(static_cast<std::uint16_t>(body));
@@ -66,14 +67,14 @@ bool ProxySolver::track_body(const HapticScene& scene, const Request& request, s
     stand(scene, track, pose.at);
     track.wanted = pose.at;
     track.reach_m = scene.bodies[body].reach_m * track.frame.scale;
-    // Whoever is near at once has appeared or jumped here, and is met so in advance_bodies().
+    // A body that is near right away has appeared or jumped here; advance_bodies() handles it as such.
     const bool near = track.known_around_m(local_m()) <= request.radius_m + request.path_cap_m;
     track.present = pose.present && !near;
     tracks_.behind = tracks_.behind || near;
     return true;
 }
 
-// Lets go of whoever is farther and has no part in what is felt.
+// Stops following bodies that are farther away and have no part in what is felt.
 void ProxySolver::untrack_far(const HapticScene& scene, double far_m) noexcept {
     const Vec3 at = local_m();
     tracks_.keep_those([&](std::uint16_t b, const ProxyTrack& track) {
@@ -82,9 +83,9 @@ void ProxySolver::untrack_far(const HapticScene& scene, double far_m) noexcept {
     });
 }
 
-// Looks at every body of the scene once: on most ticks not, as long as the hand stays within 0.2 m and bodies move on
-// ways that are known. Where more are near than there are tracks, those nearer than half as far are followed, and so
-// on.
+// Looks at every body of the scene once. Most ticks skip this, as long as the hand stays within 0.2 m and the bodies'
+// movements are known. If more bodies are near than there are tracks, only those within half the distance are followed,
+// and so on.
 void ProxySolver::track_near(const HapticScene& scene, const Request& request) noexcept {
     tracks_.far_from_m = local_m();
     tracks_.far_m = tracks_.all
@@ -111,13 +112,13 @@ void ProxySolver::track_near(const HapticScene& scene, const Request& request) n
         }
 }
 
-// The same for those alone who move on new ways.
+// The same, but only for the bodies that begin a new movement.
 void ProxySolver::track_coming(const HapticScene& scene, const Request& request) noexcept {
     const Vec3 here = scene.origin_m + tracks_.far_from_m;
     for (const MovingBody& moving : request.bodies->ways->moving) {
         const std::size_t b = moving.body;
         if (b >= tracks_.bodies) continue;
-        // Most are far at the first glance: from the middle of their way.
+        // A first check, from the middle of its movement, shows that most bodies are far away.
         const Vec3 off = moving.middle_m - here;
         const double beyond = tracks_.far_m + moving.half_way_m + scene.bodies[b].reach_m * moving.most_scale;
         if (glm::dot(off, off) > beyond * beyond || tracks_.follows(b)) continue;
@@ -127,7 +128,7 @@ void ProxySolver::track_coming(const HapticScene& scene, const Request& request)
     }
 }
 
-// Once a move: whoever may come near is followed.
+// Called once a move: makes sure that every body that may come near is followed.
 void ProxySolver::watch_bodies(const HapticScene& scene, const Request& request, double radius_m) noexcept {
     const std::uint64_t number = request.bodies ? request.bodies->ways_number() : 0;
     const double near_m = near_for(radius_m, request.margin_m, request.path_cap_m);
@@ -137,7 +138,8 @@ void ProxySolver::watch_bodies(const HapticScene& scene, const Request& request,
     const BodyWays* const ways = request.bodies ? request.bodies->ways : nullptr;
     const bool follows = ways && ways->number_before != 0 && ways->number_before == tracks_.ways;
     if (went || (number != tracks_.ways && !follows)) {
-        tracks_.near_m = 1.5 * near_m;  // a hand that only grows a little faster needs no new look
+        // With a margin, so that a hand that gets only a little faster needs no new look.
+        tracks_.near_m = 1.5 * near_m;
         track_near(scene, request);
     } else {
         track_coming(scene, request);
@@ -159,7 +161,7 @@ bool ProxySolver::bodies_are_far(const HapticScene& scene, const Request& reques
     return true;
 }
 
-// Takes every body near the ball as it stands, with no way in between.
+// Takes every body near the proxy at its current pose, without a movement in between.
 void ProxySolver::take_bodies(const HapticScene& scene, const Request& request, double radius_m) noexcept {
     tracks_.clear();
     tracks_.bodies = std::min(scene.bodies.size(), tracks_.slots.size());
@@ -197,7 +199,7 @@ void ProxySolver::drop_candidates(std::uint16_t body) noexcept {
     drop_candidates_of([body](std::uint16_t owner) { return owner == body; });
 }
 
-// Brings every body to where it is wanted, and the ball out of its way; as far as there is time.
+// Moves every body to its wanted pose, and the proxy out of its way, as far as the work budget allows.
 void ProxySolver::advance_bodies(const HapticScene& scene, const Request& request, double radius_m) noexcept {
     tracks_.number = request.bodies ? request.bodies->number : 0;
     const double margin = std::max(request.margin_m, 2.0 * request.path_cap_m);
@@ -221,7 +223,7 @@ void ProxySolver::advance_bodies(const HapticScene& scene, const Request& reques
         const double reach = scene.bodies[id].reach_m;
         const double travel = farthest_travel_m(track.at, pose.at, reach);
         const double needs = travel / (0.5 * radius_m_);
-        // What was told in one go counts, not what has come together while the body waited.
+        // A jump is judged from one single command, not from the distance that adds up while the body waits.
         track.waited = tracks_.behind ? track.waited + 1 : 0;
         track.jumped =
             track.jumped ||
@@ -230,11 +232,10 @@ void ProxySolver::advance_bodies(const HapticScene& scene, const Request& reques
         track.wanted = pose.at;
         const double gap = glm::length(track.frame.position_m - local_m()) - reach * track.frame.scale - travel;
         const bool near = gap <= radius_m + request.path_cap_m;
-        // Far from the ball before and after it changes nothing: a body that is not followed there is one that has not
-        // come.
+        // A body that is far from the proxy before and after the move has no effect, even if it is not followed there.
         const double gap_there = glm::length(pose.at.position_m - scene.origin_m - local_m()) - reach * pose.at.scale;
         const bool met = track.looked_at || gap_there <= radius_m + request.path_cap_m;
-        // Whoever could not go for a long time, and is far by now, is let go.
+        // A body that could not move for a long time, and is far by now, is released.
         const bool gone = track.waited > kLongestWait && gap_there > radius_m + request.path_cap_m + request.margin_m &&
                           work_.left > 0;
         if (track.present != pose.present || (near && track.jumped) || gone) {
@@ -281,7 +282,7 @@ void ProxySolver::advance_bodies(const HapticScene& scene, const Request& reques
     step_.waits = step_.waits || tracks_.behind;
 }
 
-// False, and all stays, where there was no time to look at what the bodies bring.
+// Returns false and changes nothing if there was no time to look at what the bodies bring near.
 bool ProxySolver::sub_step(const HapticScene& scene, const Request& request, double radius_m, double part) noexcept {
     Vec3 wish = ball_m_;
     bool any = false;
@@ -307,7 +308,7 @@ bool ProxySolver::sub_step(const HapticScene& scene, const Request& request, dou
         gather(scene, needed + std::max(request.margin_m, 2.0 * request.path_cap_m), needed);
         wish += ball_m_ - was;
     }
-    // What comes in a sub-step must be known, or it would be met too late.
+    // What arrives in a sub-step must be known, or the proxy would meet it too late.
     if (tracks_.unknown || known_around(ball_m_) < 1.5 * radius_m_ + carried) {
         for (const std::uint16_t b : tracks_.ids())
             if (ProxyTrack& track = tracks_.of(b); track.moved) stand(scene, track, track.before);
@@ -319,7 +320,8 @@ bool ProxySolver::sub_step(const HapticScene& scene, const Request& request, dou
     return true;
 }
 
-// The cuts of bodies that have just moved, where they are now; those that the ball would break are renewed at the ball.
+// Moves the cuts of bodies that have just moved to their new place. Cuts that the proxy would violate are renewed at
+// the proxy.
 void ProxySolver::renew_moved_cuts(const HapticScene& scene) noexcept {
     for (int i = 0; i < cuts_.count; ++i) {
         const auto at = static_cast<std::size_t>(i);
@@ -337,8 +339,8 @@ void ProxySolver::renew_moved_cuts(const HapticScene& scene) noexcept {
     spend(0);
 }
 
-// The ball to the free place nearest to a wish; where there is none it shrinks as little as it must. Crushed
-// altogether, it lets the bodies pass.
+// Moves the proxy to the free place nearest to wish_m. If there is none, it shrinks as little as possible. If it is
+// crushed completely, it lets the bodies pass.
 void ProxySolver::make_room(const HapticScene& scene, const Vec3& wish_m) noexcept {
     ProjectionBasis room;
     const auto fits = [&] {
@@ -352,7 +354,7 @@ void ProxySolver::make_room(const HapticScene& scene, const Vec3& wish_m) noexce
     if (fits()) return take();
     for (int i = 0; i < cuts_.count; ++i) {
         if (cuts_.asleep(i)) continue;
-        // Where time is short, only those that the ball breaks: with them it fits where it is, if smaller.
+        // If time is short, renews only the cuts that the proxy violates; with them it fits where it is, if smaller.
         const HalfSpace held = wall(i);
         if (work_.left <= 0 && glm::dot(held.normal, ball_m_) >= held.offset_m) continue;
         double distance = 0.0;

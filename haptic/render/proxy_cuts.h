@@ -1,6 +1,6 @@
-// What the proxy keeps of the obstacles near it: of each candidate one cut, a half-space that supports it, and the
-// obstacles that it stands in and does not feel. Plain values of fixed room: they allocate in their constructors only.
-// Owned by ProxySolver; its thread and rules.
+// What the proxy stores about the obstacles near it: for each candidate one cut, a half-space that supports it; and the
+// obstacles that it is inside of and does not feel. Plain values with fixed room: they allocate in their constructors
+// only. Owned by ProxySolver, with the same thread and rules.
 #pragma once
 
 #include <algorithm>
@@ -13,16 +13,16 @@
 
 namespace handrail {
 
-// An obstacle of a body, or of what stands still.
+// An obstacle of a body, or of the still scene.
 struct OwnedObstacle {
-    static constexpr std::uint16_t kStill = 0xFFFF;  // in the place of a body
+    static constexpr std::uint16_t kStill = 0xFFFF;  // value of `body` for an obstacle that stands still
 
     std::uint32_t obstacle = 0;
     std::uint16_t body = kStill;
     bool operator==(const OwnedObstacle&) const = default;
 };
 
-// Of obstacles that one starts inside of, until one has left them.
+// The obstacles that the proxy started inside of and has not left yet.
 class ProxyGhosts {
 public:
     static constexpr int kMost = 256;
@@ -33,11 +33,11 @@ public:
         return list_[static_cast<std::size_t>(i)];
     }
     void clear() noexcept { count_ = 0; }
-    // Of more than kMost the rest is left out.
+    // Ghosts beyond kMost are ignored.
     void add(const OwnedObstacle& ghost) noexcept {
         if (count_ < kMost) list_[static_cast<std::size_t>(count_++)] = ghost;
     }
-    // The last takes its place.
+    // The last one takes its place.
     void remove(int i) noexcept {
         tick_assert(i >= 0 && i < count_);
         list_[static_cast<std::size_t>(i)] = list_[static_cast<std::size_t>(--count_)];
@@ -63,21 +63,24 @@ private:
 // One element of each vector is one candidate; the first `count` are in use.
 struct ProxyCuts {
     static constexpr int kMost = 1024;  // 32 kB of cuts
-    // A sheet that can be touched from one side only sleeps, without a cut, while the ball is not on that side.
+    // A one-sided sheet sleeps, without a cut, while the proxy is not on its side.
     enum class Sheet : std::uint8_t { No, Awake, Asleep };
-    static constexpr double kNoCut_m = -1e30;  // offset of a half-space that holds everything, as a sleeping sheet's
+    // Offset of a half-space that contains everything, used for a sleeping sheet.
+    static constexpr double kNoCut_m = -1e30;
 
     int count = 0;
-    int one_sided = 0;  // so many of them are sheets of one side
-    // Supports of the bare obstacles: without the ball's radius, which may grow. Relative to the solver's anchor.
+    int one_sided = 0;  // number of candidates that are one-sided sheets
+    // Supporting planes of the bare obstacles, without the proxy's radius, which may grow. Relative to the solver's
+    // anchor.
     std::vector<HalfSpace> planes = std::vector<HalfSpace>(kMost);
     std::vector<std::uint32_t> obstacles = std::vector<std::uint32_t>(kMost);
     std::vector<std::uint16_t> owners = std::vector<std::uint16_t>(kMost, OwnedObstacle::kStill);
-    std::vector<HalfSpace> own_planes = std::vector<HalfSpace>(kMost);  // of bodies, in the body's frame and metres
-    // The number of the move in which the cut was last renewed from ahead.
+    // For obstacles of bodies, in the body's frame and metres.
+    std::vector<HalfSpace> own_planes = std::vector<HalfSpace>(kMost);
+    // The number of the move in which the cut was last renewed from a place ahead.
     std::vector<std::uint64_t> looked_ahead = std::vector<std::uint64_t>(kMost);
     std::vector<Sheet> sheets = std::vector<Sheet>(kMost);
-    // Sheets of one side that were awake when candidates were last gathered.
+    // One-sided sheets that were awake when candidates were last gathered.
     std::vector<OwnedObstacle> awake = std::vector<OwnedObstacle>(kMost);
     int awake_count = 0;
 
@@ -86,7 +89,7 @@ struct ProxyCuts {
         return std::span(planes).first(static_cast<std::size_t>(count));
     }
     OwnedObstacle of(std::size_t i) const noexcept { return {obstacles[i], owners[i]}; }
-    // The cut with the ball's radius: what the ball's centre must satisfy.
+    // The cut with the proxy's radius added: the condition for the proxy's centre.
     HalfSpace wall(int i, double radius_m) const noexcept {
         tick_assert(i >= 0 && i < count);
         const HalfSpace& cut = planes[static_cast<std::size_t>(i)];
@@ -94,7 +97,7 @@ struct ProxyCuts {
     }
     bool asleep(int i) const noexcept { return one_sided > 0 && sheets[static_cast<std::size_t>(i)] == Sheet::Asleep; }
 
-    // Before: count < kMost. A sheet of one side begins asleep.
+    // Requires count < kMost. A one-sided sheet begins asleep.
     void add(const OwnedObstacle& what, const HalfSpace& plane, bool is_one_sided) noexcept {
         tick_assert(count < kMost);
         const auto i = static_cast<std::size_t>(count++);
@@ -108,8 +111,8 @@ struct ProxyCuts {
         ++one_sided;
     }
 
-    // Before candidates are gathered anew: what is awake stays so, even where a moving body has just come nearer than
-    // the ball's radius.
+    // Call before candidates are gathered again. Awake sheets then stay awake, even if a moving body has just come
+    // nearer than the proxy's radius.
     void remember_awake() noexcept {
         awake_count = 0;
         for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
@@ -120,7 +123,7 @@ struct ProxyCuts {
         return std::find(awake.begin(), end, of(i)) != end;
     }
 
-    // leaves(owner): what is of that body goes. The others keep their order.
+    // Drops the cuts of every body for which leaves(owner) is true. The others keep their order.
     template <class Leaves>
     void drop_of(const Leaves& leaves) noexcept {
         std::size_t to = 0;

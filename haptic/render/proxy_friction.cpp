@@ -11,15 +11,17 @@ using namespace proxy_parts;
 
 namespace {
 
-// Looks at what the ball touches where friction stops it; flat surfaces need two, round ones three.
+// Limits how often the contacts are examined where friction stops the proxy; flat surfaces need two rounds, round ones
+// three.
 constexpr int kMostRubs = 6;
-constexpr double kHangs = 0.1;  // of the ball's radius: so near a surface is one that the path bridged
+// Share of the proxy's radius; the path may have bridged a surface that is nearer than this.
+constexpr double kHangs = 0.1;
 
 }  // namespace
 
-// Where the ball, so far free, first touches something on the hand's own straight way: the solver's path leads straight
-// to the resting place and touches only there, and what lies before the first touch is no way along a surface. Each cut
-// that is met without touching is renewed from there.
+// Finds the first contact on the hand's straight path. Up to there the proxy moved freely, so friction must ignore that
+// part; the solver's path leads straight to the resting place and touches only there. A cut that is met without
+// touching is renewed from there.
 template <class Has>
 void ProxySolver::touch_down(const HapticScene& scene) noexcept {
     ball_m_ = path_[0];
@@ -42,8 +44,8 @@ void ProxySolver::touch_down(const HapticScene& scene) noexcept {
     path_.rubs_from = 1;
 }
 
-// Renews every cut that the ball stands behind, as cuts that were renewed further along may be, and tells the surfaces
-// that the ball touches where it is.
+// Renews every cut that the proxy is behind, which can happen if it was renewed further along. Returns the surfaces
+// that the proxy touches where it is.
 template <class Has>
 int ProxySolver::touched(const HapticScene& scene, std::array<HalfSpace, kMostTouched>& surfaces) noexcept {
     int count = 0;
@@ -61,8 +63,8 @@ int ProxySolver::touched(const HapticScene& scene, std::array<HalfSpace, kMostTo
     return count;
 }
 
-// The surface that the ball hangs a little above, as where its path bridged a round one: it goes straight down to it. A
-// hair above or touching must make no difference.
+// Finds the surface that the proxy hangs slightly above, for example where its path bridged a round one. The proxy then
+// goes straight down to it. Hanging a hair above and touching must give the same result.
 template <class Has>
 int ProxySolver::hangs_over(const HapticScene& scene, const Vec3& goal_m, HalfSpace& surface) noexcept {
     double least = kHangs * radius_m_;
@@ -81,7 +83,7 @@ int ProxySolver::hangs_over(const HapticScene& scene, const Vec3& goal_m, HalfSp
     return count;
 }
 
-// Rounds towards a goal like those of move(), as far as candidates are known; nothing is gathered.
+// Rounds towards a goal like those of move(), as far as candidates are known; gathers nothing.
 template <class Has>
 void ProxySolver::draw(const HapticScene& scene) noexcept {
     ++moves_;
@@ -106,9 +108,9 @@ void ProxySolver::draw(const HapticScene& scene) noexcept {
     }
 }
 
-// Friction where the ball stands: by the press against what it touches there, not against what it would meet further
-// along, and none in the air. The ball stays where it lags less behind than that friction holds, or goes on until it
-// lags as much: to where surfaces would let it rest if the hand were drawn back by the lag.
+// Friction where the proxy is. It depends on the press against what the proxy touches there, not on what it would meet
+// further along, and is zero in the air. The proxy stays if its lag is less than that friction can hold. Otherwise it
+// continues until its lag is that much: to where it would rest without friction if the hand were drawn back by the lag.
 template <class Has>
 void ProxySolver::rub(const HapticScene& scene, double share) noexcept {
     const ProjectionBasis rest = basis_;
@@ -150,8 +152,8 @@ void ProxySolver::hold_back(const HapticScene& scene, double reach_m) noexcept {
         return false;
     };
     bool rubs = path_.rounds_left > 0;
-    // Where not all of that way is known, as after a gathering that was cut short or lay further along, the path that
-    // the ball went is.
+    // If not all of that straight path is known, because a gathering was cut short or was centred further along, the
+    // path that the proxy took is used instead.
     const auto knows_the_way = [&] {
         return known_around<Has>(path_[0]) - radius_m_ >= std::min(path_.longest_m, glm::length(goal_m_ - path_[0]));
     };
@@ -159,7 +161,7 @@ void ProxySolver::hold_back(const HapticScene& scene, double reach_m) noexcept {
         touch_down<Has>(scene);
     } else {
         if (beyond(ball_m_) >= 0.0) return;
-        const bool bent = path_.size > 2;  // pieces of such a path bridge round surfaces
+        const bool bent = path_.size > 2;  // the pieces of such a path bridge round surfaces
         while (path_.size > 1) {
             const Vec3 from = path_[path_.size - 2];
             const double outside = beyond(from);
@@ -179,7 +181,7 @@ void ProxySolver::hold_back(const HapticScene& scene, double reach_m) noexcept {
     }
     const double press_m = glm::length(target - goal_m_);
     if (rubs && press_m > 0.0) rub<Has>(scene, reach_m / press_m);
-    // Cuts renewed further along may lie across the place where the ball stopped.
+    // Cuts renewed further along may exclude the place where the proxy stopped.
     for (int i = 0; i < cuts_.count; ++i) {
         const HalfSpace h = wall(i);
         if (glm::dot(h.normal, ball_m_) >= h.offset_m - 0.1 * kProjectionTolerance_m) continue;

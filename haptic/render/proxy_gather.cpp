@@ -10,18 +10,18 @@ using namespace proxy_parts;
 
 namespace {
 
-// Free-space distance is only needed as a lower bound L with kLoose * distance <= L: an exact answer has no useful
-// worst case (in the middle of a round room everything is equally near), this one visits a few nodes.
+// The free distance is needed only as a lower bound L with kLoose * distance <= L. An exact answer has no useful worst
+// case: in the middle of a round room everything is equally near. This one visits a few nodes.
 constexpr double kLoose = 0.7;
 
-// Of the way from what is needed now to how far is looked: nearer obstacles get the cut at their closest point, farther
-// ones a quick one. None: the ball then meets loose cuts and takes more rounds; all: 1,000 instructions more per tick
-// on a sphere of a million triangles.
+// Share of the range between what is needed now and how far is looked. Nearer obstacles get the cut at their closest
+// point, farther ones a quick one. With 0 the proxy meets loose cuts and takes more rounds. With 1 a tick takes 1,000
+// more instructions on a sphere of a million triangles.
 constexpr double kExact = 0.3;
-constexpr double kFarther = 1.03;  // than the last gathering went, where obstacles are dense
+constexpr double kFarther = 1.03;  // factor on the range of the last gathering, where obstacles are dense
 
-constexpr int kLeastLooks = 128;  // so that a move that has begun to look gets somewhere
-// Of what is needed: how far candidates are gathered where more stand near than are comfortable.
+constexpr int kLeastLooks = 128;  // so that a move that has begun to look makes progress
+// Factor on the needed range: how far candidates are gathered if more are near than are comfortable.
 constexpr double kCrowdedReach = 1.15;
 
 bool nearer(double distance_a, std::uint32_t a, double distance_b, std::uint32_t b) noexcept {
@@ -30,7 +30,7 @@ bool nearer(double distance_a, std::uint32_t a, double distance_b, std::uint32_t
 
 }  // namespace
 
-// Starts the ball among the obstacles of one body that has just appeared, or of everything still.
+// Starts the proxy among the obstacles of one body that has just appeared, or of the still scene.
 void ProxySolver::place_in(const HapticScene& scene, std::uint16_t body, double radius_m) noexcept {
     if (body != kStill && !tracks_.of(body).present) return;
     const HapticScene& shape = body == kStill ? scene : *scene.bodies[body].shape;
@@ -50,13 +50,13 @@ void ProxySolver::place_in(const HapticScene& scene, std::uint16_t body, double 
         });
     work_.looks += most_looks - looks;
     spend((most_looks - looks) * kLookWork);
-    // Where there was too much to look at, what was not looked at may begin here.
+    // If there was too much to look at, the unseen rest may begin here.
     if (looks <= 0) radius_m_ = std::min(radius_m_, std::max(known * scale, kSmallestRadius_m));
 }
 
-// The `most` nearest obstacles of a shape within reach into nearest_, each with a cut; what is not near is ranked by
-// how far its cut is. Returns how far all are known: reach_m, or less when there were more or the looks ran out. Own
-// metres.
+// Collects the `most` nearest obstacles of a shape within reach into nearest_, each with a cut. Obstacles that are not
+// near are ranked by the distance of their cut. Returns the distance up to which all are known: reach_m, or less if
+// there were more or the looks ran out. The shape's own metres.
 double ProxySolver::gather_nearest(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m,
                                    double needed_m, std::size_t most) noexcept {
     const auto before = [](const Candidate& a, const Candidate& b) {
@@ -73,7 +73,7 @@ double ProxySolver::gather_nearest(const HapticScene& shape, std::uint16_t body,
     double known =
         shape.obstacle_bvh.nearest_first(at, reach_m, work_.looks_left, queue_, [&](std::uint32_t item, double& reach) {
             if (ghosts_.count() > 0 && ghosts_.has({item, body})) return;
-            // Places behind the kept ones hold numbers of normals that are free again.
+            // Entries behind the kept ones contain numbers of normals that are free again.
             Candidate& candidate = nearest_[nearest_count_];
             if (nearest_count_ == normals) candidate.normal = normals++;
             Vec3& normal = nearest_normals_[candidate.normal];
@@ -94,8 +94,8 @@ double ProxySolver::gather_nearest(const HapticScene& shape, std::uint16_t body,
     return known;
 }
 
-// Adds the obstacles of one shape within reach_m of a place to the candidates, each with a fresh cut; where that is too
-// many, as far as the nearest go. Returns the distance up to which all are candidates. Own metres.
+// Adds the obstacles of one shape within reach_m of a place to the candidates, each with a fresh cut. If there are too
+// many, it adds the nearest. Returns the distance up to which all are candidates. The shape's own metres.
 double ProxySolver::collect(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m,
                             double needed_m, std::size_t room) noexcept {
     const std::size_t comfortable = std::min<std::size_t>(kComfortableCandidates, room);
@@ -110,8 +110,8 @@ double ProxySolver::collect(const HapticScene& shape, std::uint16_t body, const 
     };
     double known = 0.0;
     if (!crowded) {
-        // Where obstacles are dense, about as far as the last look went: looking farther first only to drop what was
-        // found takes half of the time.
+        // Where obstacles are dense, looks about as far as the last time. Looking farther, only to drop what was found,
+        // would double the time.
         const double likely =
             body == kStill ? std::clamp(kFarther * dense_m_, needed_m, std::max(reach_m, needed_m)) : reach_m;
         known = look(likely, comfortable);
@@ -119,7 +119,7 @@ double ProxySolver::collect(const HapticScene& shape, std::uint16_t body, const 
         if (body == kStill) dense_m_ = known;
     }
     if (known < needed_m) {
-        // Every candidate costs time in every round: as far as is needed and a little more.
+        // Every candidate costs time in every round, so this looks only a little farther than needed.
         known = look(std::min(std::max(reach_m, needed_m), kCrowdedReach * needed_m), room);
         crowded = nearest_count_ > comfortable;
         step_.truncated = step_.truncated || known < needed_m;
@@ -132,7 +132,7 @@ double ProxySolver::collect(const HapticScene& shape, std::uint16_t body, const 
     return known;
 }
 
-// Makes every obstacle within reach_m of the ball a candidate.
+// Makes every obstacle within reach_m of the proxy a candidate.
 void ProxySolver::gather(const HapticScene& scene, double reach_m, double needed_m) noexcept {
     ++gatherings_;
     if (gathers_on_) return gather_waiting(scene, reach_m, needed_m);
@@ -163,11 +163,10 @@ void ProxySolver::gather(const HapticScene& scene, double reach_m, double needed
         track.unknown = track.looked_at = false;
         if (!track.present) continue;
         track.reach_m = scene.bodies[b].reach_m * track.frame.scale;
-        track.looked_at = track.known_around_m(at) <= reach_m;  // no part of it is nearer than this
+        track.looked_at = track.known_around_m(at) <= reach_m;  // otherwise no part of it is nearer than reach_m
         if (track.looked_at) ++near;
     }
-    // All of them at once where that is not too much; else those that there is time for, and the others on the next
-    // moves.
+    // Looks at all of these bodies at once if the budget allows; otherwise the remaining ones follow in the next moves.
     for (std::size_t k = 0; near > 0; ++k) {
         ProxyTrack& track = tracks_.of(tracks_.followed[k]);
         if (!track.present || !track.looked_at) continue;
@@ -186,7 +185,7 @@ void ProxySolver::gather(const HapticScene& scene, double reach_m, double needed
     cuts_.awake_count = 0;
 }
 
-// Makes candidates of what is near of one body, where `share` bodies share the room that is left.
+// Makes candidates of the near obstacles of one body; `share` bodies share the room that is left.
 void ProxySolver::look_at_body(const HapticScene& scene, std::uint16_t body, double reach_m, double needed_m,
                                std::size_t share) noexcept {
     ProxyTrack& track = tracks_.of(body);
@@ -203,17 +202,18 @@ void ProxySolver::look_at_body(const HapticScene& scene, std::uint16_t body, dou
                     frame.scale;
     track.short_of_room = track.known_m < needed_m;
     for (int i = first; i < cuts_.count; ++i) {
-        const HalfSpace cut = cuts_.planes[static_cast<std::size_t>(i)];  // own axes and metres, from `own`
+        // The shape's own axes and metres, relative to `own`.
+        const HalfSpace cut = cuts_.planes[static_cast<std::size_t>(i)];
         const Vec3 normal = frame.turned(cut.normal);
         keep_cut(i, {normal, cut.offset_m * frame.scale + glm::dot(normal, ball_m_)});
     }
 }
 
-// While a gathering takes more than one move: of what stands still and of each body only what was not looked at yet, or
-// of which too little is known by now. What is known of the others holds.
+// Continues a gathering that takes more than one move. Of the still scene and of each body it looks only at what was
+// not looked at yet, or of which too little is known by now. What is known of the others stays valid.
 void ProxySolver::gather_waiting(const HapticScene& scene, double reach_m, double needed_m) noexcept {
     reach_m = std::min(reach_m, 1.5 * needed_m);
-    const double enough_m = 0.01 * radius_m_;  // looking again from nearer than this would tell nothing new
+    const double enough_m = 0.01 * radius_m_;  // from a nearer place another look would find nothing new
     const Vec3 at = local_m();
     const double still_known = known_m_ - glm::length(ball_m_);
     const bool look_at_still = still_known < needed_m && (glm::length(ball_m_) > enough_m || known_m_ < 0.0);
@@ -228,7 +228,7 @@ void ProxySolver::gather_waiting(const HapticScene& scene, double reach_m, doubl
     known_m_ = still_known;
     basis_.count = 0;
     tracks_.unknown = false;
-    tracks_.moved = true;  // known_around() then asks each body
+    tracks_.moved = true;  // makes known_around() query each body
     if (look_at_still) {
         drop_candidates(kStill);
         known_m_ =

@@ -1,6 +1,6 @@
-// What the parts of ProxySolver share: proxy_solver.cpp makes a move and its rounds, proxy_gather.cpp finds candidates,
-// proxy_bodies.cpp follows what moves, proxy_sheets.cpp turns sheets of one side, proxy_friction.cpp walks back from
-// where a move ends. Included by these five alone; the same thread and rules as proxy_solver.h.
+// Shared by the parts of ProxySolver: proxy_solver.cpp makes a move and its rounds, proxy_gather.cpp finds candidates,
+// proxy_bodies.cpp follows moving bodies, proxy_sheets.cpp wakes one-sided sheets, proxy_friction.cpp walks back from
+// where a move ends. Only these five include it; the same thread and rules as proxy_solver.h.
 #pragma once
 
 #include "haptic/render/proxy_solver.h"
@@ -9,29 +9,30 @@
 namespace handrail::proxy_parts {
 
 inline constexpr double kTouching_m = 1e-8;     // a cut that is this near to its obstacle touches it
-inline constexpr double kFarthestLook_m = 4.0;  // free-space bounds beyond this save nothing more
+inline constexpr double kFarthestLook_m = 4.0;  // bounds on the free distance beyond this save nothing more
 
-// What the parts of a move take, in units of seven instructions, about a nanosecond on a processor of 2020 when nothing
-// is in its caches' way: from what callgrind counts in the worst places (tests/bench/compare.sh, worst), where a unit
-// came to 5 to 9 instructions. Only their sum against kMostWork matters.
-inline constexpr int kLookWork = 50;     // a node or an obstacle looked at while gathering
-inline constexpr int kPlaneWork = 12;    // a plane of a solid, besides that
-inline constexpr int kSupportWork = 60;  // a cut renewed
-inline constexpr int kRoundWork = 100;   // projecting, besides looking through the candidates
-inline constexpr int kHoldWork = 50;     // renewing what holds, times the square of how many hold
-inline constexpr int kScanWork = 2;      // a cut looked at
-inline constexpr int kDropWork = 6;      // a candidate, when some of all are dropped
-inline constexpr int kGlanceWork = 30;   // a body looked at, to see whether it must be followed
-inline constexpr int kKnownWork = 12;    // how much is known around a body that is followed
-inline constexpr int kCarryWork = 25;    // a body that is followed, in each sub-step
+// The costs of the parts of a move, in units of seven instructions: about a nanosecond on a processor of 2020 if
+// everything is in its caches. They come from callgrind counts in the worst places (tests/bench/compare.sh, worst),
+// where a unit came to 5 to 9 instructions. Only their sum against kMostWork matters.
+inline constexpr int kLookWork = 50;     // to look at a node or an obstacle while gathering
+inline constexpr int kPlaneWork = 12;    // for each plane of a solid, in addition
+inline constexpr int kSupportWork = 60;  // to renew a cut
+inline constexpr int kRoundWork = 100;   // to project, without looking through the candidates
+inline constexpr int kHoldWork = 50;     // to renew the holding cuts, times the square of their number
+inline constexpr int kScanWork = 2;      // to look at a cut
+inline constexpr int kDropWork = 6;      // for each candidate, when some of them are dropped
+inline constexpr int kGlanceWork = 30;   // to look at a body and decide whether it must be followed
+inline constexpr int kKnownWork = 12;    // to find how much is known around a followed body
+inline constexpr int kCarryWork = 25;    // for each followed body in each sub-step
 inline constexpr int kCutsOfAWork =
-    2;  // so many candidates a projection looks through in one, four at a time: about a nanosecond each
-inline constexpr int kExchangeWork = 30;       // of a projection, besides that
-inline constexpr int kSubStepWork = 300;       // of bodies, besides their candidates
-inline constexpr int kTurnWork = 20;           // a cut of a moving body turned
-inline constexpr std::size_t kFewBodies = 16;  // so many need not be counted
+    2;  // candidates that a projection looks through for one unit, four at a time: about a nanosecond each
+inline constexpr int kExchangeWork = 30;       // for each scan of a projection, in addition
+inline constexpr int kSubStepWork = 300;       // for a sub-step of bodies, without their candidates
+inline constexpr int kTurnWork = 20;           // to turn a cut of a moving body
+inline constexpr std::size_t kFewBodies = 16;  // up to this many bodies the work is not counted
 
-inline constexpr int kHurryMoves = 8;  // moves in which the ball reaches a goal that only a vanished thing kept it from
+// Moves that the proxy takes to reach its goal after the thing in its way vanished.
+inline constexpr int kHurryMoves = 8;
 
 }  // namespace handrail::proxy_parts
 
@@ -48,7 +49,7 @@ HalfSpace ProxySolver::support(const HapticScene& scene, int candidate, const Ve
     return {found.normal, glm::dot(found.normal, found.point_m - anchor_m_)};
 }
 
-// A body's cut is kept in the body's frame too, where it stays valid however the body moves.
+// A body's cut is also stored in the body's frame, where it stays valid however the body moves.
 template <class Has>
 void ProxySolver::keep_cut(int candidate, const HalfSpace& cut) noexcept {
     tick_assert(candidate >= 0 && candidate < cuts_.count);

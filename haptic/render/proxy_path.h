@@ -1,5 +1,5 @@
-// The way of one move of the proxy, and what the move may still do. Plain values. Owned by ProxySolver; its thread and
-// rules.
+// The path of one move of the proxy, and the work that the move may still do. Plain values. Owned by ProxySolver, with
+// the same thread and rules.
 #pragma once
 
 #include <array>
@@ -12,14 +12,14 @@ namespace handrail {
 
 // Relative to the solver's anchor.
 struct ProxyPath {
-    static constexpr int kMostRounds = 64;  // of a move
+    static constexpr int kMostRounds = 64;  // rounds in one move
 
     std::array<Vec3, 2 * kMostRounds + 4> points_m{};
     int size = 0;
-    int rubs_from = 0;       // from this point on the ball was never in the air, as far as friction knows
-    int rounds_left = 0;     // of the last move, for friction
+    int rubs_from = 0;       // index of the point from which on friction treats the proxy as never in the air
+    int rounds_left = 0;     // rounds left over from the last move, for friction
     bool was_free = true;    // nothing held the ball before this move
-    double longest_m = 0.0;  // the way may be so long
+    double longest_m = 0.0;  // greatest length of the path
 
     Vec3& operator[](int i) noexcept {
         tick_assert(i >= 0 && static_cast<std::size_t>(i) < points_m.size());
@@ -37,18 +37,18 @@ struct ProxyPath {
         tick_assert(static_cast<std::size_t>(size) < points_m.size());
         points_m[static_cast<std::size_t>(size++)] = to_m;
     }
-    // The anchor has moved by that.
+    // Adjusts the points after the anchor has moved by by_m.
     void move_anchor(const Vec3& by_m) noexcept {
         for (int i = 0; i < size; ++i) points_m[static_cast<std::size_t>(i)] -= by_m;
     }
 };
 
-// What is left of a move's budget, in the units of ProxySolver::kMostWork.
+// The rest of a move's work budget, in the units of ProxySolver::kMostWork.
 struct ProxyWork {
     int left = 0;
     int most_rounds = 0;
-    int looks_left = 0;  // of this gathering in one shape
-    int looks = 0;       // of this move, all together
+    int looks_left = 0;  // for this gathering in one shape
+    int looks = 0;       // total of this move
 };
 
 }  // namespace handrail

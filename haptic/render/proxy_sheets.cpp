@@ -8,8 +8,8 @@ using namespace proxy_parts;
 
 namespace {
 
-// A ball belongs to a side when its centre is not behind the sheet by more than rounding; the difference between
-// falling asleep and waking keeps a ball that rests at the border from changing its mind.
+// The proxy belongs to a side if its centre is not behind the sheet by more than rounding. The two thresholds differ so
+// that a proxy that rests at the border does not switch back and forth.
 constexpr double kSleeps_m = 1e-9;
 constexpr double kWakes_m = 1e-10;
 
@@ -24,8 +24,8 @@ double ProxySolver::in_front_m(const HapticScene& scene, int candidate, const Pl
     return shape.in_front_m(cuts_.obstacles[i], frame.to_own(local) - shape.origin_m) * frame.scale;
 }
 
-// A sheet of one side acts while the ball is on that side, and only once the ball was there with room to spare: one
-// that comes through from behind is not pushed out. True when a sheet woke or fell asleep.
+// A one-sided sheet acts while the proxy is on its side, but only after the proxy was there without touching it. A
+// proxy that comes through from behind is thus not pushed out. Returns true if a sheet woke or fell asleep.
 bool ProxySolver::turn_sheets(const HapticScene& scene) noexcept {
     bool turned = false;
     for (int i = 0; i < cuts_.count; ++i) {
@@ -48,8 +48,9 @@ bool ProxySolver::turn_sheets(const HapticScene& scene) noexcept {
     return turned;
 }
 
-// After a sub-step of a body: its sleeping sheets whose plane has passed over the ball. Sub-steps are half a radius
-// long at most, so one whose own surface passed is still nearer than that, and any other had room to spare.
+// Called after a sub-step of a body: wakes its sleeping sheets whose plane has passed over the proxy. Sub-steps are at
+// most half a radius long. A sheet whose own surface passed is therefore still nearer than that, and any other had
+// enough distance.
 void ProxySolver::turn_sheets_of(const HapticScene& scene, std::uint16_t body, const PlacedFrame& before) noexcept {
     for (int i = 0; i < cuts_.count; ++i) {
         const auto at = static_cast<std::size_t>(i);
@@ -63,9 +64,9 @@ void ProxySolver::turn_sheets_of(const HapticScene& scene, std::uint16_t body, c
     }
 }
 
-// How much of a step the ball may make before it comes round to the side of a sleeping sheet with room to spare, so
-// that the sheet must wake there. Along a straight line the distance to a sheet falls first and rises then, so only
-// where the line crosses the sheet's plane can this happen with the ball going on to touch.
+// The fraction of a step that the proxy may move before it reaches the front of a sleeping sheet without touching it,
+// so that the sheet must wake there. Along a straight line the distance to a sheet first falls and then rises. So this
+// matters only where the line crosses the sheet's plane and the proxy then goes on to touch it.
 double ProxySolver::fraction_to_waking(const HapticScene& scene, const Vec3& step) const noexcept {
     double fraction = 1.0;
     for (int i = 0; i < cuts_.count; ++i) {

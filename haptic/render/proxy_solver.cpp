@@ -39,7 +39,8 @@ Vec3 ProxySolver::to_own(const HapticScene& scene, const Hold& hold, const Vec3&
                                : tracks_.of(hold.body).frame.to_own(local) - scene.bodies[hold.body].shape->origin_m;
 }
 
-// Starts the ball at a place: solids around it become ghosts, anything else nearer than the radius shrinks the ball.
+// Starts the proxy at a place: solids around it become ghosts; any other obstacle nearer than the radius shrinks the
+// proxy.
 void ProxySolver::place(const HapticScene& scene, const Request& request, const Vec3& local_m,
                         double radius_m) noexcept {
     placed_ = true;
@@ -59,9 +60,9 @@ void ProxySolver::place(const HapticScene& scene, const Request& request, const 
     for (const std::uint16_t b : tracks_.ids()) place_in(scene, b, radius_m);
 }
 
-// A ghost is solid again as soon as all of the ball is out of it, wherever the goal is: a ball that has been outside
-// must never come in. Nothing knocks, since the new cut holds the ball where it is: a ball that rests nearest to its
-// goal stays so.
+// A ghost becomes solid again as soon as the whole proxy is outside it, wherever the goal is: a proxy that has been
+// outside must never enter. The hand feels no knock, because the new cut holds the proxy where it is: a proxy that
+// rests nearest to its goal stays there.
 void ProxySolver::release_ghosts(const HapticScene& scene) noexcept {
     for (int i = ghosts_.count() - 1; i >= 0; --i) {
         const OwnedObstacle ghost = ghosts_[i];
@@ -77,7 +78,8 @@ void ProxySolver::release_ghosts(const HapticScene& scene) noexcept {
 
 bool ProxySolver::project() noexcept {
     spend(kRoundWork);
-    if (static_cast<unsigned>(cuts_.count - 1) < static_cast<unsigned>(kComfortableCandidates))  // some and not many
+    // At least one, and not more than comfortable.
+    if (static_cast<unsigned>(cuts_.count - 1) < static_cast<unsigned>(kComfortableCandidates))
         return project_on_half_spaces(goal_m_, cuts_.in_use(), radius_m_, basis_);
     if (cuts_.count > 0) return project_many(goal_m_, basis_);
     basis_.count = 0;
@@ -85,7 +87,7 @@ bool ProxySolver::project() noexcept {
     return true;
 }
 
-// On all walls, counting the work.
+// Projects on all walls and counts the work.
 bool ProxySolver::project_many(const Vec3& goal_m, ProjectionBasis& basis) noexcept {
     const auto walls = cuts_.in_use();
     int scans = 0;
@@ -100,9 +102,10 @@ bool ProxySolver::project_many(const Vec3& goal_m, ProjectionBasis& basis) noexc
     return solved;
 }
 
-// A ball that had to shrink grows while the space lets it: pushed out by its own cuts, never through another.
+// A proxy that had to shrink grows while there is room: its own cuts push it out, and it never goes through another
+// obstacle.
 void ProxySolver::grow(const HapticScene& scene, double radius_m, double growth_m) noexcept {
-    if (growth_m <= 0.0 || work_.left <= 0 || step_.truncated) return;  // never into what is not known
+    if (growth_m <= 0.0 || work_.left <= 0 || step_.truncated) return;  // never into unknown space
     for (int i = 0; i < cuts_.count; ++i) {
         if (cuts_.asleep(i)) continue;
         double distance = 0.0;
@@ -115,7 +118,8 @@ void ProxySolver::grow(const HapticScene& scene, double radius_m, double growth_
         radius_m_ = before + growth;
         ProjectionBasis grown;
         const bool fits = project_many(ball_m_, grown);
-        // In a corner the ball is pushed out farther than it grows; the push, too, is no more than was asked for.
+        // In a corner the proxy is pushed out farther than it grows. The push, too, must be no longer than the
+        // requested growth.
         if (fits && glm::dot(grown.point_m - ball_m_, grown.point_m - ball_m_) <= growth_m * growth_m * (1.0 + 1e-9)) {
             ball_m_ = grown.point_m;
             return;
@@ -138,9 +142,9 @@ double ProxySolver::fraction_inside(const Vec3& step, int* met) const noexcept {
     return fraction;
 }
 
-// Renews the cuts that hold the ball from where it is; true when one of them did not touch or has turned, so another
-// round is due. Once per move a cut that does not touch is renewed from where the ball would go without it: sliding
-// over a tessellated plane then takes one round per triangle instead of 5 to 20.
+// Renews the cuts that hold the proxy from where it is. Returns true if one of them did not touch or has turned, so
+// that another round is due. Once per move, a cut that does not touch is renewed from where the proxy would go without
+// it. Sliding over a tessellated plane then takes one round per triangle instead of 5 to 20.
 template <class Has>
 bool ProxySolver::renew_holding_cuts(const HapticScene& scene) noexcept {
     std::array<Vec3, 3> ahead{goal_m_, goal_m_, goal_m_};
@@ -199,8 +203,8 @@ bool ProxySolver::arc_step(const HapticScene& scene, double way_left_m) noexcept
     const HalfSpace ball_cut = support(scene, i, ball_m_, at_ball);
     const double turn = glm::dot(ball_cut.normal, goal_cut.normal);
     if (!(turn > 0.5 && turn < 1.0 - 1e-14)) return false;
-    // A goal inside the solid may be nearer to another face than the one the ball would roll to, unless no edge lies
-    // between.
+    // A goal inside the solid may be nearer to another face than to the one that the proxy would roll to, unless no
+    // edge is between them.
     const auto own = [&](const Vec3& normal) {
         return body == kStill ? normal : tracks_.of(body).frame.turned_back(normal);
     };
@@ -243,8 +247,8 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
     work_.left = kMostWork;
     work_.most_rounds = std::clamp(request.most_rounds, 1, kMaxIterations);
     if (scene_ != &scene || generation_ != scene.generation) {
-        // The same world with something added or removed: the ball is where it was, and what kept it from its goal may
-        // be gone.
+        // The same world with something added or removed: the proxy stays where it was, and what kept it from its goal
+        // may be gone.
         scene_ = &scene;
         generation_ = scene.generation;
         if (placed_) hurry_ = kHurryMoves;
@@ -265,7 +269,7 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
     carrier_ = kStill;
     step_.ghosted = ghosts_.count() > 0;
 
-    // Everything the ball can meet on this move lies within its path's length and its radius. Where that is more than
+    // Everything that the proxy can meet in this move is within the path's length plus the radius. If that is more than
     // fits, the move is made in stages, each as far as the candidates are known.
     double way_left = request.path_cap_m;
     if (hurry_ > 0) {

@@ -1,14 +1,17 @@
 // The free-cell proxy: a ball kept outside a set of convex obstacles. Each candidate obstacle owns one cut, a
-// half-space that supports it; any cut of a still obstacle is valid for ever, so the ball may move freely in the
-// intersection of the cuts: no swept test is needed at any speed, overlapping, doubled and cracked geometry needs no
-// special case, and stopping anywhere on the path is safe. One move projects the goal on the intersection, renews the
-// cuts that act, and repeats until they truly touch. Candidates come from a cache that is refreshed inside the move,
-// decided by the samples alone. The cuts of a moving body stand still in its own frame; where the body comes nearer it
-// pushes the ball, in sub-steps of at most half the ball's radius, and where it leaves too little room the ball
-// shrinks. Owned by TouchState, one thread. Allocates only in its constructor; noexcept; reads no clock. Lengths in
-// world metres. Sources: Zilles & Salisbury, A constraint-based god-object method, IROS 1995; Ruspini et al., The
-// haptic display of complex graphical environments, SIGGRAPH 1997 (finite radius); supporting cuts and their lazy
-// renewal: docs/architecture.md.
+// half-space that supports it. Any cut of a still obstacle stays valid for ever, so the proxy may move freely in the
+// intersection of the cuts. No swept test is needed at any speed; overlapping, doubled and cracked geometry needs no
+// special case; stopping anywhere on the path is safe.
+//
+// One move projects the goal on the intersection, renews the cuts that act, and repeats until they truly touch.
+// Candidates come from a cache that is refreshed inside the move, decided by the samples alone. The cuts of a moving
+// body are fixed in its own frame. Where the body approaches, it pushes the proxy in sub-steps of at most half the
+// proxy's radius; where it leaves too little room, the proxy shrinks.
+//
+// Owned by TouchState, one thread. Allocates only in its constructor; noexcept; reads no clock. Lengths in world
+// metres. Sources: Zilles & Salisbury, A constraint-based god-object method, IROS 1995; Ruspini et al., The haptic
+// display of complex graphical environments, SIGGRAPH 1997 (finite radius); supporting cuts and their lazy renewal:
+// docs/architecture.md.
 #pragma once
 
 #include <algorithm>
@@ -28,42 +31,42 @@ namespace handrail {
 
 class ProxySolver {
 public:
-    // Beyond it the nearest are kept and Step::truncated is set.
+    // If there are more, the nearest are kept and Step::truncated is set.
     static constexpr int kMaxCandidates = ProxyCuts::kMost;
-    // More make the margin shrink first: each costs 6 instructions in every scan.
+    // With more than this, the margin shrinks first: each candidate costs 6 instructions in every scan.
     static constexpr int kComfortableCandidates = 38;
-    static constexpr int kSpareCandidates = 16;  // found beyond these before the farthest are dropped
+    static constexpr int kSpareCandidates = 16;  // extra candidates that are found before the farthest are dropped
     static constexpr int kMaxIterations = ProxyPath::kMostRounds;
-    static constexpr int kMaxStages = 8;  // gatherings within one move, for leaps through crowded places
-    // Nodes and obstacles looked at in one gathering in one shape; what lies farther counts as unknown.
+    static constexpr int kMaxStages = 8;  // most gatherings within one move, for leaps through crowded places
+    // Most nodes and obstacles that one gathering looks at in one shape; what is farther counts as unknown.
     static constexpr int kMostLooks = 2048;
     static constexpr double kSmallestRadius_m = 1e-5;
-    // What one move may do, counted and not clocked, so that every machine does the same: in units of about a
-    // nanosecond (see kLookWork and its like). Over it what is not known counts as occupied, the cuts that there are
-    // go on, and the ball, or a body that comes at it, waits for the next move.
+    // The work budget of one move. It is counted and not timed, so that every machine does the same, in units of about
+    // a nanosecond (see kLookWork and the others). Once it is spent, unknown space counts as occupied and the existing
+    // cuts stay in use. The proxy, or a body that approaches it, waits for the next move.
     static constexpr int kMostWork = 88'000;
-    // Of it gatherings leave that for the rounds: cuts that were found and not used help nobody.
+    // Part of the budget that gatherings leave for the rounds: cuts that are found and not used help nobody.
     static constexpr int kRoundsWork = 18'000;
 
     struct Request {
         Vec3 goal_m{0.0};  // world
         double radius_m = 0.005;
-        double path_cap_m = 0.0;  // longest way the ball may run in this move
-        double margin_m = 0.02;   // wish: how far the ball may go before candidates are gathered again
-        double growth_m = 0.0;    // how much a shrunken ball grows in this move
-        // At most this many rounds, up to kMaxIterations. Fewer never let the ball through anything, it only lags
-        // (tests: I17). 0: the cuts as they are, none renewed and none gathered, what a move with no time to look at
-        // the scene would do (tests: I18).
+        double path_cap_m = 0.0;  // longest path of the proxy in this move
+        double margin_m = 0.02;   // desired distance that the proxy may move before candidates are gathered again
+        double growth_m = 0.0;    // how much a shrunken proxy grows in this move
+        // Most rounds, up to kMaxIterations. Fewer never let the proxy through anything; it only lags (tests: I17). 0:
+        // uses the cuts as they are, renews and gathers none, like a move with no time to look at the scene (tests:
+        // I18).
         int most_rounds = kMaxIterations;
-        const BodyPoses* bodies = nullptr;  // each scale > 0; null: all as the scene has them
+        const BodyPoses* bodies = nullptr;  // each scale > 0; null: all bodies as the scene has them
     };
 
-    static constexpr std::uint16_t kStill = OwnedObstacle::kStill;  // belongs to no body
+    static constexpr std::uint16_t kStill = OwnedObstacle::kStill;  // the obstacle belongs to no body
 
     // One surface that holds the ball.
     struct Hold {
         std::uint32_t obstacle = 0;
-        std::uint16_t body = kStill;  // whose shape the obstacle belongs to
+        std::uint16_t body = kStill;  // the body whose shape the obstacle belongs to
         Vec3 normal{0.0};
         double multiplier_m = 0.0;
     };
@@ -73,11 +76,11 @@ public:
         int count = 0;
         int iterations = 0;
         bool converged = true, truncated = false, capped = false, ghosted = false;
-        bool waits = false;     // the move had more to do than kMostWork: the rest comes with the next ones
-        bool pushed = false;    // a body moved the ball
-        bool squeezed = false;  // the ball had to shrink
+        bool waits = false;     // the move had more work than kMostWork; the rest follows in the next moves
+        bool pushed = false;    // a body moved the proxy
+        bool squeezed = false;  // the proxy had to shrink
 
-        // For the next move; the holds are written up to the count anyhow.
+        // Prepares for the next move. The holds are overwritten up to the count anyway.
         void begin() noexcept {
             count = iterations = 0;
             converged = true;
@@ -85,14 +88,15 @@ public:
         }
     };
 
-    // The next move starts at its goal.
+    // Makes the next move start at its goal.
     void reset() noexcept;
-    // Has: AllFeatures, or PlainFeatures where scene.plain.
+    // Has: AllFeatures, or PlainFeatures if scene.plain.
     template <class Has = AllFeatures>
     const Step& move(const HapticScene& scene, const Request& request) noexcept;
-    // Before move(): true when no body is near enough to have a part in it, so that it may be a move without bodies.
+    // Call before move(). Returns true if no body is near enough to matter, so that the move can be made without
+    // bodies.
     bool bodies_are_far(const HapticScene& scene, const Request& request) noexcept;
-    // The same at a glance, for a tick on which nothing about them has changed: false says nothing.
+    // A quick version for a tick in which nothing about the bodies has changed; false means unknown.
     bool bodies_stay_far(const HapticScene& scene, const BodyPoses& bodies, double radius_m, double margin_m,
                          double path_cap_m) noexcept {
         if (all_far_in_ != &scene || generation_ != scene.generation) return false;
@@ -103,15 +107,15 @@ public:
         tracks_.number = bodies.number;
         return true;
     }
-    // After move(), with at least one hold: the friction cone. Walks back along the path until the ball is reach_m from
-    // where the goal pulls it, or to its start, but never off the surfaces: a ball that was free goes straight to where
-    // it touches first, and friction begins there.
+    // The friction cone; call after move() with at least one hold. Walks back along the path until the proxy is reach_m
+    // from where the goal pulls it, or to the start of the path, but never off the surfaces. A proxy that was free goes
+    // straight to its first contact, and friction begins there.
     template <class Has = AllFeatures>
     void hold_back(const HapticScene& scene, double reach_m) noexcept;
-    // After move(): from now to the next move the ball goes with this body (kStill: with none), as friction makes it.
+    // Call after move(): until the next move friction makes the proxy ride on this body (kStill: on none).
     void ride(std::uint16_t body) noexcept { carrier_ = body; }
 
-    // The frame of a body as it stands, in world metres, and the shape that holds.
+    // Converts to the frame of the body that holds, or of the still scene, in world metres.
     Vec3 turned_to_own(const Hold& hold, const Vec3& direction) const noexcept {
         return hold.body == kStill ? direction : tracks_.of(hold.body).frame.turned_back(direction);
     }
@@ -124,24 +128,27 @@ public:
     static const HapticScene& shape_of(const HapticScene& scene, const Hold& hold) noexcept {
         return hold.body == kStill ? scene : *scene.bodies[hold.body].shape;
     }
-    // A world place in the coordinates of the shape that holds (those of its triangles, boxes and planes).
+    // Converts a world place to the coordinates of the shape that holds, those of its triangles, boxes and planes.
     Vec3 to_own(const HapticScene& scene, const Hold& hold, const Vec3& world_m) const noexcept;
 
-    // After move(). From the goal to the ball (zero, exactly, in free space), from where the ball was before the move
-    // to where it is now, and the same pull without friction or speed cap: where surfaces alone would let the ball go.
+    // Valid after move(). offset_m: from the goal to the proxy, exactly zero in free space. slide_m: from where the
+    // proxy was before the move to where it is now. press_m: as offset_m, but without friction and speed cap, so to
+    // where the surfaces alone would let the proxy go.
     Vec3 offset_m() const noexcept { return ball_m_ - goal_m_; }
     Vec3 slide_m() const noexcept { return ball_m_ - path_[0]; }
-    // The same without the way through the air to the first touch, after hold_back().
+    // Like slide_m, without the free movement up to the first contact; valid after hold_back().
     Vec3 rubbed_m() const noexcept { return ball_m_ - path_[path_.rubs_from]; }
     Vec3 press_m() const noexcept { return basis_.point_m - goal_m_; }
-    Vec3 rest_m() const noexcept { return anchor_m_ + basis_.point_m; }  // of that, in the scene's own coordinates
+    // The end point of press_m, in the scene's own coordinates.
+    Vec3 rest_m() const noexcept { return anchor_m_ + basis_.point_m; }
     double radius_m() const noexcept { return radius_m_; }
     Vec3 local_m() const noexcept { return anchor_m_ + ball_m_; }  // in the scene's own coordinates
     Vec3 world_m() const noexcept { return scene_origin_m_ + anchor_m_ + ball_m_; }
     // For checks: every point of the last path, in world metres.
     int path_size() const noexcept { return path_.size; }
     Vec3 path_m(int i) const noexcept { return scene_origin_m_ + anchor_m_ + path_[i]; }
-    // For checks: the candidates with their cuts (in the scene's own coordinates), and gatherings since the reset.
+    // For checks: the candidates with their cuts, in the scene's own coordinates, and the number of gatherings since
+    // the reset.
     int candidates() const noexcept { return cuts_.count; }
     std::uint32_t candidate(int i) const noexcept { return cuts_.obstacles[static_cast<std::size_t>(i)]; }
     HalfSpace cut(int i) const noexcept {
@@ -149,31 +156,32 @@ public:
         return {cut.normal, cut.offset_m + glm::dot(cut.normal, anchor_m_)};
     }
     std::uint64_t gatherings() const noexcept { return gatherings_; }
-    // Nodes and obstacles looked at in the last move for starting and gathering, and its work, without what is cheap.
+    // Nodes and obstacles that the last move looked at for starting and gathering, and its work without the cheap
+    // parts.
     int looks() const noexcept { return work_.looks; }
     int work() const noexcept { return kMostWork - work_.left; }
-    // Bodies that the tick follows, and where it has one of them, which lags while it waits.
+    // The bodies that the tick follows, and the pose at which it has one of them, which lags while that body waits.
     std::size_t tracked() const noexcept { return tracks_.count; }
     bool tracks(std::size_t body) const noexcept { return tracks_.follows(body); }
     Placement body_at(std::size_t body) const noexcept { return tracks_.of(body).at; }
-    // For checks: follows every body of the scene, however far, as far as there is room. The same numbers come out, bit
-    // for bit, and it costs more; except while the ball hurries after something that vanished, where who follows few
-    // stops sooner.
+    // For checks: follows every body of the scene, however far, as far as there is room. The results stay bit-identical
+    // at a higher cost, with one exception: while the proxy hurries after an obstacle vanished, a solver that follows
+    // few bodies stops sooner.
     void track_all() noexcept { tracks_.all = true; }
     bool hurries() const noexcept { return hurry_ > 0; }
 
 private:
     struct Candidate {
-        double distance_m;  // at most that of the obstacle: how far its cut is
+        double distance_m;  // distance of its cut; at most that of the obstacle
         std::uint32_t obstacle;
-        std::uint32_t normal;  // of nearest_normals_
+        std::uint32_t normal;  // index in nearest_normals_
     };
     static inline const PlacedFrame kWorldFrame{};
 
     void place(const HapticScene& scene, const Request& request, const Vec3& local_m, double radius_m) noexcept;
     void place_in(const HapticScene& scene, std::uint16_t body, double radius_m) noexcept;
-    // How far around the ball bodies must have a track: a push of 64 sub-steps of bodies that carry it, and as far as
-    // candidates are gathered.
+    // The distance around the proxy within which bodies must have a track. It covers a push of 64 sub-steps by bodies
+    // that carry the proxy, plus the range in which candidates are gathered.
     static double near_for(double radius_m, double margin_m, double path_cap_m) noexcept {
         return 70.0 * radius_m + 2.0 * margin_m + 5.0 * path_cap_m;
     }
@@ -192,28 +200,28 @@ private:
     void renew_moved_cuts(const HapticScene& scene) noexcept;
     void make_room(const HapticScene& scene, const Vec3& wish_m) noexcept;
     void drop_body(std::uint16_t body) noexcept;
-    // How far around a place every obstacle is a candidate.
+    // The distance around a place within which every obstacle is a candidate.
     template <class Has = AllFeatures>
     double known_around(const Vec3& at_m) noexcept {
         const double known = known_m_ - glm::length(at_m);
         return !Has::kBodies || (tracks_.count == 0 && !tracks_.far_short) ? known : known_of_bodies(at_m, known);
     }
     double known_of_bodies(const Vec3& at_m, double known_m) noexcept;
-    // Something done with each body that is followed. A few need not be counted.
+    // Counts work for each followed body. A few bodies are not counted.
     void spend_on_tracked(int work) noexcept;
     void gather(const HapticScene& scene, double reach_m, double needed_m) noexcept;
     void gather_waiting(const HapticScene& scene, double reach_m, double needed_m) noexcept;
     void look_at_body(const HapticScene& scene, std::uint16_t body, double reach_m, double needed_m,
                       std::size_t share) noexcept;
     void drop_candidates(std::uint16_t body) noexcept;
-    // leaves(owner): what is of that body goes.
+    // Drops the candidates of every body for which leaves(owner) is true.
     template <class Leaves>
     void drop_candidates_of(const Leaves& leaves) noexcept;
-    // After something costly: over the budget the rounds end.
+    // Call after costly work: once over the budget, the rounds end.
     void spend(int work) noexcept {
         work_.left -= work;
         if (work_.left > 0) return;
-        work_.most_rounds = 1;  // one at least, with what is known
+        work_.most_rounds = 1;  // at least one round, with what is known
         step_.waits = true;
     }
     bool project_many(const Vec3& goal_m, ProjectionBasis& basis) noexcept;
@@ -234,7 +242,7 @@ private:
     bool project() noexcept;
     template <class Has>
     bool renew_holding_cuts(const HapticScene& scene) noexcept;
-    // Sheets of one side.
+    // For one-sided sheets.
     double in_front_m(const HapticScene& scene, int candidate, const PlacedFrame& frame,
                       const Vec3& at_m) const noexcept;
     double in_front_m(const HapticScene& scene, int candidate, const Vec3& at_m) const noexcept {
@@ -245,10 +253,10 @@ private:
     void turn_sheets_of(const HapticScene& scene, std::uint16_t body, const PlacedFrame& before) noexcept;
     double fraction_to_waking(const HapticScene& scene, const Vec3& step) const noexcept;
     bool arc_step(const HapticScene& scene, double way_left_m) noexcept;
-    // Of a step from the ball, before it leaves the first cut; met, where given, is that cut, and untouched when it
-    // leaves none.
+    // The fraction of a step from the proxy before it leaves the first cut. met, if given, receives that cut; it stays
+    // unchanged if the step leaves none.
     double fraction_inside(const Vec3& step, int* met = nullptr) const noexcept;
-    // Of hold_back.
+    // Parts of hold_back.
     static constexpr int kMostTouched = 16;
     template <class Has>
     void touch_down(const HapticScene& scene) noexcept;
@@ -262,11 +270,12 @@ private:
     void rub(const HapticScene& scene, double share) noexcept;
     template <class Has = AllFeatures>
     HalfSpace support(const HapticScene& scene, int candidate, const Vec3& at, double& distance_m) const noexcept;
-    // The cut with the ball's radius: what the ball's centre must satisfy.
+    // The cut with the proxy's radius added: the condition for the proxy's centre.
     HalfSpace wall(int i) const noexcept { return cuts_.wall(i, radius_m_); }
 
-    // Vectors below, of cuts and of the path, too, are relative to anchor_m_, the ball's place (scene coordinates) when
-    // candidates were last gathered: short numbers, so rounding does not grow with the building.
+    // The vectors below, and those of the cuts and the path, are relative to anchor_m_: the proxy's place (scene
+    // coordinates) when candidates were last gathered. The numbers stay small, so rounding errors do not grow with the
+    // size of the building.
     Vec3 scene_origin_m_{0.0}, anchor_m_{0.0}, ball_m_{0.0}, goal_m_{0.0};
     double radius_m_ = 0.0;
     ProjectionBasis basis_;
@@ -276,21 +285,21 @@ private:
     ProxyPath path_;
     ProxyWork work_;
     Step step_;
-    // Of what is gathered.
+    // Buffers for gathering.
     std::vector<Candidate> nearest_ = std::vector<Candidate>(kMaxCandidates + kSpareCandidates);
     std::vector<Vec3> nearest_normals_ = std::vector<Vec3>(kMaxCandidates + kSpareCandidates);
     std::size_t nearest_count_ = 0;
     Bvh::Queue queue_{kMostLooks};
     double known_m_ = -1.0;    // every obstacle nearer to the anchor than this is a candidate
-    double dense_m_ = 4.0;     // as far as the last gathering of what stands still went
-    bool crowded_ = false;     // more than are comfortable stood near when what stands still was looked at last
-    bool gathers_on_ = false;  // a gathering takes more than one move
-    // Of moves.
+    double dense_m_ = 4.0;     // range of the last gathering of the still scene
+    bool crowded_ = false;     // at the last look, more still obstacles were near than are comfortable
+    bool gathers_on_ = false;  // a gathering is in progress over several moves
+    // State that lasts from move to move.
     const HapticScene* scene_ = nullptr;       // only compared, together with the generation
-    const HapticScene* all_far_in_ = nullptr;  // whose bodies were all found far at the last look; only compared
+    const HapticScene* all_far_in_ = nullptr;  // the scene whose bodies were all far at the last look; only compared
     std::uint32_t generation_ = 0;
     std::uint16_t carrier_ = kStill;
-    int hurry_ = 0;  // moves left in which the ball may hasten to a goal that a vanished thing kept it from
+    int hurry_ = 0;  // moves left in which the proxy may hurry to a goal that a vanished obstacle kept it from
     bool placed_ = false;
     std::uint64_t moves_ = 0, gatherings_ = 0;
 };

@@ -1,11 +1,13 @@
 // Height and friction textures: small depths below a plain surface, felt as if the surface were really lower there. The
-// ball stays on the plain surface; the depth h shortens the press, which makes a potential 1/2 K (pen - h)^2, and the
-// force is its gradient: K (pen - h) along the normal and K (pen - h) grad h along the surface. Without the second part
-// a texture would give the hand energy (test: property_surfaces). h is a function of the hand's own place, laid
-// straight onto flat faces and, by angle, round things; there it has the same value at the hand as at the ball's
-// resting place, so its gradient needs no correction for depth. Plain data built at set-up; relief_at is real-time
-// safe: noexcept, no allocation, no library mathematics but floor and square root. Lengths marked _hand_ are hand
-// travel and multiplied by the scale, so that a texture feels alike at every zoom.
+// proxy stays on the plain surface; the depth h shortens the press. This gives a potential 1/2 K (pen - h)^2 with its
+// gradient as force: K (pen - h) along the normal and K (pen - h) grad h along the surface. Without the second part a
+// texture would give the hand energy (test: property_surfaces).
+//
+// h is a function of the hand's own position, projected straight onto flat faces and, by angle, onto round ones. It
+// thus has the same value at the hand as at the proxy's resting place, so its gradient needs no correction for depth.
+// Plain data built at set-up; relief_at is real-time safe: noexcept, no allocation, no library mathematics but floor
+// and square root. Lengths marked _hand_ are hand travel and multiplied by the scale, so that a texture feels alike at
+// every zoom.
 #pragma once
 
 #include <cstdint>
@@ -17,27 +19,27 @@
 
 namespace handrail {
 
-// A picture's depths, 0 plain to 1 deepest, at several finenesses, each half as fine as the one before. Read as
-// coefficients of a cubic B-spline, so that depth and slope change without a step, and so that the largest differences
-// bound slope and curvature everywhere. Repeats both ways.
+// The depths of a picture, from 0 (plain) to 1 (deepest), at several resolutions, each half of the one before. They are
+// the coefficients of a cubic B-spline. Depth and slope thus change without a step, and the largest differences bound
+// slope and curvature everywhere. Repeats in both directions.
 class HeightField {
 public:
-    static constexpr int kLargestSide = 1024;  // finer pictures are averaged down; a hand feels no more
-    // depths: row by row, the top row first; width * height of them, both at least 1.
+    static constexpr int kLargestSide = 1024;  // finer pictures are averaged down, because a hand feels no finer detail
+    // depths: row by row, the top row first; width * height values, both at least 1.
     HeightField(int width, int height, std::span<const float> depths);
 
     struct Level {
         int width = 0, height = 0;
-        double slope = 0.0, curvature = 0.0;  // no larger anywhere; depth 1, picture width 1
+        double slope = 0.0, curvature = 0.0;  // upper bounds for depth 1 and picture width 1
         std::vector<float> depths;
     };
     struct Value {
-        double depth = 0.0, along_u = 0.0, along_v = 0.0;  // and its slopes
+        double depth = 0.0, along_u = 0.0, along_v = 0.0;  // the depth and its slopes
     };
     const std::vector<Level>& levels() const noexcept { return levels_; }
     // u to the right, v up, in picture widths from the lower left corner.
     Value at(const Level& level, double u, double v) const noexcept;
-    double aspect() const noexcept { return aspect_; }  // height over width
+    double aspect() const noexcept { return aspect_; }  // height divided by width
 
 private:
     std::vector<Level> levels_;
@@ -47,29 +49,30 @@ private:
 enum class ReliefKind : std::uint8_t {
     Level,    // no depth; only friction may vary
     Sine,     // depth/2 (1 + sin), along u
-    Square,   // half the period plain, half deep, with flanks as steep as a hand can take
+    Square,   // half the period plain, half deep, with flanks as steep as a hand can feel
     Picture,  // from a HeightField
 };
 
 struct Relief {
-    // The steepest that anything may be felt: a step of 2 mm takes at least 10 mm of way.
+    // The steepest slope that may be felt: a step of 2 mm takes at least 10 mm of hand travel.
     static constexpr double kSteepest = 0.3;
-    // Up to this force a texture at most raises the stiffness by a half; its depth shrinks until that holds.
+    // Up to this force a texture raises the stiffness by at most half; its depth shrinks until that is true.
     static constexpr double kFullForce_n = 3.0;
 
     ReliefKind kind = ReliefKind::Level;
-    double depth_hand_m = 0.0;              // deepest below the plain surface
-    double period_hand_m = 0.01;            // of sine, square and friction
-    double friction_share = 0.0;            // m: friction runs from 1 - m to 1 + m times the material's, along u
-    double turn_cos = 1.0, turn_sin = 0.0;  // u turned towards v
+    double depth_hand_m = 0.0;              // greatest depth below the plain surface
+    double period_hand_m = 0.01;            // period of sine, square and friction
+    double friction_share = 0.0;            // m: friction varies along u from 1 - m to 1 + m times the material's
+    double turn_cos = 1.0, turn_sin = 0.0;  // rotation of u towards v
     Vec3 low_m{0.0},
-        high_m{0.0};  // pictures only: their lower left corner lies in that of this box, however a face is looked at
+        // For pictures only: their lower left corner is in that of this box, from whichever side a face is seen.
+        high_m{0.0};
     double size_m = 1.0;  // width of one copy of the picture
     std::shared_ptr<const HeightField> picture;
 };
 
-// The two directions in which a texture is laid onto a face, seen from outside: u to the right and v up on walls, u
-// east and v ahead on floors.
+// The two directions in which a texture is laid onto a face, seen from outside: on walls u to the right and v up, on
+// floors u east and v north.
 struct ReliefAxes {
     Vec3 u{1.0, 0.0, 0.0}, v{0.0, 1.0, 0.0};
 };
@@ -77,32 +80,32 @@ ReliefAxes relief_axes(const Vec3& face_normal) noexcept;
 
 struct ReliefValue {
     double depth_m = 0.0;         // below the plain surface, world metres, 0 or more
-    Vec3 gradient{0.0};           // of the depth
-    double friction = 1.0;        // factor
-    double swing_to_depth = 0.0;  // how the depth grows with `swing`
+    Vec3 gradient{0.0};           // gradient of the depth
+    double friction = 1.0;        // factor on the friction
+    double swing_to_depth = 0.0;  // derivative of the depth with respect to `swing`
 };
 
-// The texture at a place (the scene's coordinates). stiffness_n_per_m per hand metre, of the surface. swing: 1 the
-// whole wave, 0 its mean depth.
+// Returns the texture at a place in the scene's coordinates. stiffness_n_per_m: of the surface, per hand metre. swing:
+// 1 for the whole wave, 0 for its mean depth.
 ReliefValue relief_at(const Relief& relief, const ReliefAxes& axes, const Vec3& local_m, double world_m_per_hand_m,
                       double stiffness_n_per_m, double swing) noexcept;
 
-// Lets the depth of a texture run out smoothly towards the borders of its face, so that edges stay where they are;
-// nowhere steeper than kSteepest.
+// Fades the depth of a texture smoothly towards the borders of its face, so that edges stay where they are. The slope
+// never exceeds kSteepest.
 class ReliefBorder {
 public:
     ReliefBorder(ReliefValue& value, double world_m_per_hand_m) noexcept
         : value_(value), start_m_(kStart_hand_m * world_m_per_hand_m) {}
-    // A border this far away; `away`: unit, in the face, away from the border.
+    // Adds a border at this distance. `away`: unit vector in the face, pointing away from the border.
     void add(double distance_m, const Vec3& away) noexcept;
-    void apply() noexcept;  // after the last border
+    void apply() noexcept;  // call it after the last border
 
 private:
-    static constexpr double kStart_hand_m = 1e-3;  // over which the slope sets in
+    static constexpr double kStart_hand_m = 1e-3;  // distance over which the slope sets in
     ReliefValue& value_;
     double start_m_;
     bool outside_ = false;
-    double sum_ = 1.0;  // of 4th powers, over that of the depth
+    double sum_ = 1.0;  // sum of 4th powers of the ratio of depth to bound; the depth itself counts as 1
     Vec3 gradient_{0.0};
 };
 

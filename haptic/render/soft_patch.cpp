@@ -12,8 +12,8 @@ namespace handrail {
 namespace {
 
 constexpr double kShear = 0.5;                // c, for each neighbour
-constexpr double kLeastFootprintCells = 3.0;  // fewer and the sum over cells is no longer the integral
-constexpr double kBack_hand_m = 1e-6;         // a cell that is nearer than this to where it was has come back
+constexpr double kLeastFootprintCells = 3.0;  // with fewer, the sum over cells no longer approximates the integral
+constexpr double kBack_hand_m = 1e-6;         // a cell nearer than this to its rest position has recovered
 
 }  // namespace
 
@@ -77,8 +77,9 @@ Vec3 SoftState::press(const SoftPatch& patch, bool& awake, const HandMotion& han
                  height = glm::dot(from_corner, normal);
     const double step_u = patch.size_u_m / patch.cells_u, step_v = patch.size_v_m / patch.cells_v;
     const double footprint = std::max(radius_m, kLeastFootprintCells * std::max(step_u, step_v));
-    const double deep = radius_m - height;  // e, world metres like everything here
-    // From behind or below the hard floor nothing is soft. The ball cannot get there through the floor, only around it.
+    const double deep = radius_m - height;  // e, in world metres like everything here
+    // From behind or below the hard floor nothing is soft. The proxy cannot get there through the floor, only around
+    // it.
     const double above_floor = glm::dot(ball_m - patch.corner_m, normal) + patch.depth_m;
     const double front = smooth_step(1.0 + above_floor / radius_m);
     const bool near = deep > 0.0 && front > 0.0 && at_u > -footprint && at_u < patch.size_u_m + footprint &&
@@ -91,7 +92,7 @@ Vec3 SoftState::press(const SoftPatch& patch, bool& awake, const HandMotion& han
     const auto absent = [&](std::uint32_t i) { return !patch.part.empty() && patch.part[i] == 0; };
     const double stiffness = patch.stiffness_fraction * hand.stiffest_n_per_m;
 
-    // Cells under the footprint: a box of them.
+    // A rectangular range of cells under the footprint.
     struct Range {
         std::uint32_t first, end;
     };
@@ -107,9 +108,9 @@ Vec3 SoftState::press(const SoftPatch& patch, bool& awake, const HandMotion& han
         return std::max(0.0, 1.0 - (du * du + dv * dv) / (footprint * footprint));  // its square is g
     };
 
-    // 1. The surface gives way to the ball as it is now.
+    // 1. The surface gives way to the proxy at its current position.
     std::fill_n(load_.begin(), cells, 0.0);
-    const double squeeze = std::min(deep, patch.depth_m);  // the hard floor bears the rest
+    const double squeeze = std::min(deep, patch.depth_m);  // the hard floor carries the rest
     for (std::uint32_t iv = rv.first; iv < rv.end; ++iv)
         for (std::uint32_t iu = ru.first; iu < ru.end; ++iu) {
             double du = 0.0, dv = 0.0;
@@ -139,7 +140,7 @@ Vec3 SoftState::press(const SoftPatch& patch, bool& awake, const HandMotion& han
                 const double drive = g * (squeeze - s) + kShear * (neighbours - links * s);
                 if (drive > yields) s = std::min(s + (drive - yields) / (g + kShear * links), patch.depth_m);
             } else {
-                // Implicit in the cell itself, so no step is too long.
+                // Implicit in the cell's own value, so a step of any length is stable.
                 s = (s + share * (g * squeeze + kShear * neighbours)) / (1.0 + share * (g + 1.0 + kShear * links));
             }
             tick_assert(s >= 0.0 && s <= patch.depth_m * (1.0 + 1e-9));

@@ -8,14 +8,14 @@
 namespace handrail {
 namespace {
 
-constexpr double kFlat = 1.0 - 1e-12;  // cosine between a hold and its face's normal; less is an edge
+constexpr double kFlat = 1.0 - 1e-12;  // least cosine between a hold's and its face's normal; less is an edge
 
-// Distances to the other faces of a solid, along this one. A border behind which the solid goes on under another one is
-// none.
+// Distances along this face to the other faces of a solid. A border is ignored if the solid continues there under
+// another one.
 void borders_of_box(const HapticScene& shape, const Obstacle& o, std::uint32_t face, const Vec3& at,
                     ReliefBorder& border) noexcept {
     const Aabb& box = shape.boxes[o.shape];
-    const double rounding = shape.rounding_m(o);  // what is rounded is no longer flat
+    const double rounding = shape.rounding_m(o);  // the rounded part is no longer flat
     for (std::uint32_t side = 0; side < 6; ++side) {
         if (side / 2 == face / 2 || shape.labels[o.first_label + side].hidden) continue;
         const auto axis = static_cast<int>(side / 2);
@@ -41,10 +41,11 @@ void borders_of_brush(const HapticScene& shape, const Obstacle& o, std::uint32_t
     }
 }
 
-// Shading sets in over this much press, so that a touch begins without a jump; over more where facets rise high.
+// Shading sets in over this depth of press, so that a touch begins without a jump; over more if facets rise high.
 constexpr double kShadingSetsIn_hand_m = 1e-3;
 constexpr double kSetInPerRise = 4.0;
-constexpr double kFlatFacet = 1.0 - 1e-10;  // squared cosine between hold and facet; less is an edge or corner
+// Squared cosine between the normals of hold and facet; less is an edge or corner.
+constexpr double kFlatFacet = 1.0 - 1e-10;
 
 struct Rise {
     double height_m = 0.0;
@@ -71,13 +72,13 @@ Rise rise_over_facet(const std::array<Vec3, 3>& p, const MeshShading::Facet& fac
     return rise;
 }
 
-// While the ball rolls round a smooth edge, a term is added that makes the potential a function of the way along the
-// edge's own normal m, so the force stays on m: with d from the edge to the hand, rho = d.n the distance and c the
-// cosine from m to the facets, rho - d.m / c, which is 0 where the facets begin. It runs out towards the edge's ends,
-// since round a corner the ball simply rolls.
+// While the proxy rolls round a smooth edge, a term is added that makes the potential depend only on the distance along
+// the edge's own normal m. The force thus stays along m. With d from the edge to the hand, rho = d.n the distance and c
+// the cosine from m to the facets, the term is rho - d.m / c, which is 0 where the facets begin. It fades towards the
+// edge's ends, because round a corner the proxy simply rolls.
 Rise rise_over_edge(const HapticScene& shape, const std::array<Vec3, 3>& p, const MeshShading::Facet& facet,
                     const Vec3& across, double side, const FieldRequest& request) noexcept {
-    constexpr double kRunOut = 0.1;  // of the edge's length
+    constexpr double kRunOut = 0.1;  // share of the edge's length over which it fades
     const Vec3 foot = request.ball_m - request.normal * request.radius_m;
     std::size_t edge = 0;
     double nearest = 0.0;
@@ -167,11 +168,11 @@ SurfaceField surface_field(const HapticScene& scene, const HapticScene& shape, c
             case ObstacleKind::Cylinder:
             case ObstacleKind::Cone:
             case ObstacleKind::Custom:
-                onto.z = 1.0;  // straight from above
+                onto.z = 1.0;  // projected straight from above
                 break;
         }
         const bool has_borders = o.kind == ObstacleKind::Box || o.kind == ObstacleKind::Brush;
-        // Round an edge the surface stays plain: textures have run out where a face ends.
+        // On an edge the surface stays plain, because textures have faded where a face ends.
         if (has_borders && glm::dot(onto, request.normal) < kFlat) return field;
         ReliefValue value = relief_at(relief, relief_axes(onto), request.hand_m, request.world_m_per_hand_m,
                                       request.stiffness_n_per_m, request.swing);

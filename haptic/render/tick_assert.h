@@ -1,5 +1,5 @@
-// What the servo tick promises to itself. Looked at in the preset debug alone, where a broken promise names its place
-// on stderr and ends the program; elsewhere the condition is not even computed, and the rules of the tick hold: on any
+// Assertions for the servo tick. They are checked only in the preset debug, where a broken one prints its place on
+// stderr and ends the program. Elsewhere the condition is not even computed, and the rules of the tick apply: in any
 // doubt the hand gets zero force.
 #pragma once
 

@@ -17,7 +17,7 @@ bool are_planes(std::span<const Plane> planes) {
 }
 bool is_size(double length_m) { return length_m >= 0.0 && std::isfinite(length_m); }
 
-// How many labels an obstacle has of its own, and what is wrong with its shape.
+// The number of an obstacle's own labels, and what is wrong with its shape.
 struct Looked {
     std::size_t labels = 1;
     const char* fault = nullptr;

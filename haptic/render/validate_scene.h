@@ -1,5 +1,6 @@
-// Whether a HapticScene holds together: what the tick relies on without looking. For tests and the preset debug, after
-// each compiling; app or loading thread. Looks at everything once: about a tenth of what building the scene costs.
+// Checks whether a HapticScene is consistent in everything that the tick relies on without checking. For tests and the
+// preset debug, after each compilation; app or loading thread. Looks at everything once: costs about a tenth of
+// building the scene.
 #pragma once
 
 #include "haptic/render/haptic_scene.h"
@@ -7,8 +8,8 @@
 
 namespace handrail {
 
-// Says the first thing that is wrong: a number that points nowhere, a place that is not finite, a direction without
-// length, a body without a shape. The message is for developers.
+// Reports the first fault: an index out of range, a place that is not finite, a direction without length, a body
+// without a shape. The message is for developers.
 Result<void> validate(const HapticScene& scene);
 
 }  // namespace handrail

@@ -1,13 +1,11 @@
 // The wall between the world and the person's own desk. It stands across the device's workspace, on the side of the
-// person's
-// body. If the person pulls hard enough, it lets the hand through to the desk; the same wall leads back. This file has
-// only the wall and the decay of its force after it breaks; servo_tick keeps the state of the world meanwhile.
+// person's body. If the person pulls hard enough, it lets the hand through to the desk; the same wall leads back. This
+// file has only the wall and the decay of its force after it breaks; servo_tick keeps the state of the world meanwhile.
 //
 // Neither part gives the hand energy. The wall is a spring of stretch e <= depth behind its plane. e grows as the hand
 // moves in, but no faster than 0.15 N a tick (the rest slips, as in a fuse), and shrinks as the hand moves out. After
-// the
-// wall has let go, e only shrinks: with the time constant tau and with every movement back. So the wall never returns
-// more energy than it took in.
+// the wall has let go, e only shrinks: by 1/tau, and with every movement back. So the wall never returns more energy
+// than it took in.
 //
 //    force    /|          breaks at depth
 //            / |__        falls with tau

@@ -37,8 +37,7 @@ inline constexpr double kRimFrom = 0.8;  // share of the workspace radius; withi
 enum class WorkspaceMotion : std::uint8_t { Still, Pushed, Scrolled, Grabbed };
 
 // The rim of a device: a ridge of force inwards, then a nearly free zone in which depth sets the speed. Distances in
-// hand metres from
-// the middle of the device.
+// hand metres from the middle of the device.
 //
 //    force      /\        top_n
 //              /  \______ beyond_n    scrolls
