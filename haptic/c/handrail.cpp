@@ -31,7 +31,7 @@ namespace {
 constexpr double kFarthest_m = 1e6;
 constexpr double kLongestTick_s = 1.0;
 
-// Cut to fit at a whole character of UTF-8, always ended; nothing where there is no room.
+// Truncates at a whole UTF-8 character and always adds the final zero; writes nothing if there is no room.
 void copy_text(const std::string& text, char* out, std::size_t size) noexcept {
     if (!out || size == 0) return;
     std::size_t length = std::min(text.size(), size - 1);
@@ -62,7 +62,7 @@ bool take_feel(const handrail_feel* feel, handrail_hand& hand) noexcept {
     return true;
 }
 
-// Nothing of C++ passes the border: what is thrown becomes a sentence and null.
+// No C++ exception crosses the C interface: it becomes a sentence and a null result.
 template <class Read>
 handrail_world* world_of(Read read, char* error, std::size_t error_size) noexcept {
     try {

@@ -1,7 +1,7 @@
 // The mechanics of a hand on a force-feedback device: one mass with damping, a spring towards where the hand wants to
-// be, dry friction and end stops; and the force on its way to the motor. Shared by the simulated device and the
-// closed-loop simulation, so that what is studied is what scenarios feel. Plain state, no thread of its own; noexcept,
-// no allocation. Metres, newtons, seconds, kilograms.
+// be, dry friction and end stops; and the delay of the force on its way to the motor. The simulated device and the
+// closed-loop simulation share it, so that studies and scenarios use the same hand. Plain state, no thread of its own;
+// noexcept, no allocation. Metres, newtons, seconds, kilograms.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ struct HandMechanics {
     double damping_ns_per_m = 3.2;                             // hand and device together
     double spring_n_per_m = 0.0;                               // towards the hand's target
     double dry_friction_n = 0.05;                              // of the device
-    double reach_m = std::numeric_limits<double>::infinity();  // end stops: a sphere around zero
+    double reach_m = std::numeric_limits<double>::infinity();  // end stops: radius of a sphere around zero
 };
 
 struct HandBody {
@@ -30,18 +30,18 @@ struct HandBody {
 void advance_hand(HandBody& hand, const HandMechanics& mechanics, const Vec3& target_m, const Vec3& force_n,
                   double step_s) noexcept;
 
-// What an encoder says of a place: the nearest whole step along each axis. quantum_m <= 0: the place itself.
+// The position as an encoder reports it: the nearest whole step along each axis. quantum_m <= 0: the position itself.
 Vec3 encoded_m(const Vec3& position_m, double quantum_m) noexcept;
 
-// Commanded forces that the motor gives later. When more than kMost are under way the oldest is let go.
+// Commanded forces that the motor gives later. If more than kMost are pending, the oldest is dropped.
 class HeldForces {
 public:
     static constexpr std::size_t kMost = 64;  // 64 ms of delay at 1 kHz
 
     void give(double from_s, const Vec3& force_n) noexcept;
-    // The newest force whose time has come; the last one is held.
+    // The newest force that is due; the last one is held.
     Vec3 at(double time_s) noexcept;
-    // Zero force, nothing under way.
+    // Zero force, nothing pending.
     void clear() noexcept;
 
 private:

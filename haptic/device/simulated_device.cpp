@@ -12,14 +12,14 @@ namespace {
 constexpr double kHandMassKg = 0.3;
 constexpr double kHandDampingNsPerM = 3.0;
 constexpr double kHandSpringNPerM = 300.0;
-constexpr double kFollowDampingNsPerM = 18.0;  // with the 3 Ns/m alone the hand overshoots a mouse's step by two thirds
+constexpr double kFollowDampingNsPerM = 18.0;  // with only 3 Ns/m, the hand overshoots a mouse's step by two thirds
 constexpr double kRestSpringNPerM = 20.0;
 constexpr double kDeviceMassKg = 0.1;
 constexpr double kDryFrictionN = 0.05;
 constexpr double kSubstepS = 1e-4;
-constexpr double kLongestGapS = 0.5;  // a longer pause of the loop is not made up for step by step
+constexpr double kLongestGapS = 0.5;  // after a longer pause of the loop, the missed steps are skipped
 
-// Counts one sample off a trouble; negative numbers never run out.
+// Counts down the samples of a trouble; a negative number never runs out.
 bool take_one(int& samples) noexcept {
     if (samples == 0) return false;
     if (samples > 0) --samples;

@@ -1,8 +1,8 @@
-// A force-feedback device made of equations, with the hand that holds it: what Handrail is driven by without hardware,
-// in scenarios, in tests and with mouse and keys. Deterministic: the same commands at the same times give the same
-// samples, bit for bit. Push and Rest use the hand of the closed-loop studies behind the stiffness rule: 0.3 kg and 3
-// Ns/m, on a device of 0.1 kg, its DeviceSpec's damping and 0.05 N of dry friction. Follow is a hand that knows where
-// it goes: a spring of 300 N/m, damped to a ratio of 0.8.
+// A force-feedback device made of equations, with the hand that holds it. Handrail uses it without hardware: in
+// scenarios, in tests and with mouse and keys. Deterministic: the same commands at the same times give bit-identical
+// samples. Push and Rest use the hand of the closed-loop studies behind the stiffness rule: 0.3 kg and 3 Ns/m, on a
+// device of 0.1 kg with its DeviceSpec's damping and 0.05 N of dry friction. Follow is a hand that knows its
+// destination: a spring of 300 N/m, damped to a ratio of 0.8.
 #pragma once
 
 #include <cstdint>
@@ -15,10 +15,11 @@
 namespace handrail {
 
 enum class HandMode : std::uint8_t {
-    Move,    // the device's point goes to target_m in a straight line at speed_m_per_s, whatever force acts, and stays
-             // exactly there
-    Follow,  // a hand that wants to be at target_m: spring of 300 N/m; mouse and keys
-    Push,    // a hand that presses with push_n and wants no place
+    // The device's point moves to target_m in a straight line at speed_m_per_s, whatever force acts, and stays exactly
+    // there.
+    Move,
+    Follow,  // a hand that wants to be at target_m, by a spring of 300 N/m; used for mouse and keys
+    Push,    // a hand that presses with push_n and has no target
     Rest,    // Push, with a spring of 20 N/m towards target_m: an arm that leans
 };
 
@@ -26,24 +27,25 @@ enum class HandMode : std::uint8_t {
 struct HandCommand {
     HandMode mode = HandMode::Follow;
     Vec3 target_m{0.0};
-    double speed_m_per_s = 0.0;  // Move only; 0 or less: there at once
+    double speed_m_per_s = 0.0;  // for Move only; 0 or less: arrives at once
     Vec3 push_n{0.0};
     std::uint32_t buttons = 0;
     Vec3 gimbal_rad{0.0};
 };
 
-// Ways to break, for tests and scenarios. Each counts samples from the moment it is published; 0 is sound.
+// Simulated failures, for tests and scenarios. Each counts samples from the moment it is published; 0 means healthy.
 struct DeviceTrouble {
     int not_a_number_samples = 0;
-    int jump_samples = 0;  // jump_m is added to the position; negative: for good
+    int jump_samples = 0;  // jump_m is added to the position; negative: permanently
     Vec3 jump_m{0.0};
-    int silent_samples = 0;  // no new answer: the last position again, fresh = false; negative: for good
+    int silent_samples = 0;  // no new answer: the last position again, fresh = false; negative: permanently
     bool unplugged = false;
     bool hot = false;     // the motors report that they are too warm
-    bool failed = false;  // the driver reports that the device does not do as it is told
+    bool failed = false;  // the driver reports that the device does not obey commands
 };
 
-// Where the hand truly is and what it feels: no encoder step, no trouble. For drawing, scenarios and tests.
+// The true position of the hand and the force that it feels, without encoder steps and failures. For drawing, scenarios
+// and tests.
 struct HandState {
     double time_s = 0.0;
     Vec3 position_m{0.0};
@@ -51,18 +53,18 @@ struct HandState {
     Vec3 force_n{0.0};  // from the motors
 };
 
-// Between the thread that moves the hand and the servo thread; each value has one producer and one consumer.
+// Channels between the thread that moves the hand and the servo thread. Each value has one producer and one consumer.
 struct SimulatedHand {
-    LatestValue<HandCommand> command;    // app -> servo
-    LatestValue<DeviceTrouble> trouble;  // app -> servo
-    LatestValue<HandState> state;        // servo -> app
+    LatestValue<HandCommand> command;    // app to servo
+    LatestValue<DeviceTrouble> trouble;  // app to servo
+    LatestValue<HandState> state;        // servo to app
 };
 
-// Steps of at most 0.1 ms between reads, with the last written force held and, in modes other than Move, felt delay_s
-// later. The point never leaves the sphere of workspace_radius_m but by Move. About 0.5 us per 1 ms tick.
+// Computes steps of at most 0.1 ms between reads. The last written force is held and, in modes other than Move, felt
+// delay_s later. The point leaves the sphere of workspace_radius_m only by Move. About 0.5 us per 1 ms tick.
 class SimulatedDevice final : public HapticDevice {
 public:
-    // The hand starts at rest in `start_m`. `hand` is shared with whoever moves it; never null.
+    // The hand starts at rest at `start_m`. `hand` is shared with the code that moves it; never null.
     SimulatedDevice(const DeviceSpec& spec, std::shared_ptr<SimulatedHand> hand, const Vec3& start_m = Vec3(0.0));
 
     const DeviceSpec& spec() const override { return spec_; }
@@ -78,7 +80,7 @@ private:
 
     DeviceSpec spec_;
     std::shared_ptr<SimulatedHand> hand_;
-    // All below: servo thread only.
+    // All members below: servo thread only.
     HandCommand command_;
     DeviceTrouble trouble_;
     bool started_ = false;

@@ -30,7 +30,7 @@ std::uint32_t translated(std::uint32_t buttons, const std::array<ButtonPlace, N>
     return out;
 }
 
-// From bit 0: square cross circle triangle L1 R1 L2 R2 create options L3 R3.
+// From bit 0 on: square cross circle triangle L1 R1 L2 R2 create options L3 R3.
 constexpr std::array kPadButtons{
     ButtonPlace{0, CompanionButton::West},         ButtonPlace{1, CompanionButton::South},
     ButtonPlace{2, CompanionButton::East},         ButtonPlace{3, CompanionButton::North},
@@ -46,7 +46,7 @@ constexpr std::array kEventButtons{
     ButtonPlace{29, CompanionButton::LeftStick},    ButtonPlace{30, CompanionButton::RightStick}};
 constexpr std::array kPuckButtons{ButtonPlace{0, CompanionButton::South}, ButtonPlace{1, CompanionButton::West}};
 
-// The hat counts eighths of a turn from up; 8 is none.
+// The hat counts eighths of a turn, clockwise from up; 8 means none.
 std::uint32_t hat_buttons(int hat) noexcept {
     std::uint32_t out = 0;
     if (hat == 7 || hat == 0 || hat == 1) out |= bit(CompanionButton::Up);
@@ -92,7 +92,8 @@ private:
     SpaceMouse puck_;
 };
 
-// Coils alone: knocks strong, grain weak, and nearness as a hum, for it has no trigger to say it with.
+// A pad with vibration only: strong pulses for knocks, weak ones for grain. It hums for nearness, because it has no
+// trigger to show it.
 class RumbleCompanion final : public Companion {
 public:
     explicit RumbleCompanion(std::unique_ptr<FfLink> link) : link_(std::move(link)) {}

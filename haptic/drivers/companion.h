@@ -1,6 +1,6 @@
-// A device beside the hand: sticks, buttons or a puck to walk and turn with, and coils or triggers that give cues to
-// the fingers. It never pushes the hand, so it needs no guard and no servo: one thread of its own owns it. Nothing here
-// waits; a reading or a cue takes a system call or two.
+// A device used in addition to the haptic one: sticks, buttons or a puck for walking and turning, and coils or triggers
+// that give cues to the fingers. It never pushes the hand, so it needs no guard and no servo. One separate thread owns
+// it. No function waits; a reading or a cue takes a system call or two.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,8 @@
 
 namespace handrail {
 
-// Buttons by what they are on most pads; a device has some of them. The bit of each in CompanionState::buttons.
+// Buttons, named by their place on most pads; a device has only some of them. The value is the bit in
+// CompanionState::buttons.
 enum class CompanionButton : std::uint8_t {
     South,
     East,
@@ -40,29 +41,31 @@ struct CompanionState {
 
 class Companion {
 public:
-    virtual ~Companion() = default;  // still and loose
-    // The newest; false when the device is gone.
+    virtual ~Companion() = default;  // stops the vibration and loosens the triggers
+    // Returns the newest state in `state`; false if the device is gone.
     virtual bool read(CompanionState& state, double now_s) noexcept = 0;
-    // False when the device is gone. A device without coils does nothing.
+    // Returns false if the device is gone. A device without coils ignores the cue.
     virtual bool cue(const FingerCue& cue) noexcept = 0;
 };
 
 struct FoundCompanion {
-    std::string name;   // as --device takes it: "dualsense", "spacemouse", "rumble-pad"
+    std::string name;   // as --device accepts it: "dualsense", "spacemouse", "rumble-pad"
     std::string model;  // "DualSense"
-    std::string path;   // names it as long as it is plugged in
+    std::string path;   // identifies it while it is plugged in
     bool permitted = true;
-    std::string how_to;  // what it does, to be spoken: "The left stick walks, ..."
+    std::string how_to;  // what it does, suitable for speech: "The left stick walks, ..."
 };
 
-// All that are plugged in, without a word to them: one that somebody else holds open is not disturbed.
+// Finds all devices that are plugged in, without sending them anything: a device that another program has open is not
+// disturbed.
 std::vector<FoundCompanion> find_companions();
 Result<std::unique_ptr<Companion>> open_companion(const FoundCompanion& found);
-// The names in FoundCompanion, and what to call such a device.
+// The possible values of FoundCompanion::name, and the model for such a name.
 std::vector<std::string> companion_names();
 std::string companion_model(std::string_view name);
 
-// A stick's share after a dead band of a tenth and a square, so that it steers finely and a worn stick stays at rest.
+// Shapes a stick's deflection: a dead band of a tenth, then a square, so that it steers finely and a worn stick stays
+// at rest.
 double stick_curve(double share) noexcept;
 
 }  // namespace handrail

@@ -14,7 +14,8 @@ namespace {
 
 constexpr char kDefaultDevice = -1;
 constexpr int kButtons = 8;
-constexpr std::uint8_t kWatchdogTens = 2;  // of 10 ms without a force command, after which the device brakes by itself
+// In units of 10 ms without a force command, after which the device brakes automatically.
+constexpr std::uint8_t kWatchdogTens = 2;
 
 struct Model {
     int code;
@@ -73,7 +74,7 @@ public:
         return sample;
     }
 
-    // After a position that cannot be, zero until one that can.
+    // After an impossible position the force is zero until a possible one arrives.
     void write(const ForceCommand& command) noexcept override {
         if (!open_) return;
         const Vec3 force = believed_ ? held_to(command.force_n, spec_.peak_force_n) : Vec3(0.0);

@@ -1,6 +1,6 @@
-// Force Dimension's omega, sigma, lambda and delta through their maker's library libdhd, loaded when it is installed.
-// The library paces itself and may block, so this lives in the guard process; what stops the force when the guard dies
-// is the library's end and the device's own watchdog. Owner: one thread. Source: the public description of the DHD
+// Force Dimension's omega, sigma, lambda and delta through their maker's library libdhd, loaded if it is installed. The
+// library paces itself and may block, so this class runs in the guard process. If the guard dies, the end of the
+// library and the device's own watchdog stop the force. Owned by one thread. Source: the public description of the DHD
 // interface, SDK 3.17. Library axes: x towards the person, y right, z up; metres, newtons.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace handrail {
 
-// `library`: a path in place of the installed one, for tests. The spec is the row of the model that is found.
+// `library`: a path that replaces the installed one, for tests. The spec is the row of the model that is found.
 Result<std::unique_ptr<HapticDevice>> open_dhd_device(const std::string& library = {});
 
 }  // namespace handrail

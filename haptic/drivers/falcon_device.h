@@ -1,8 +1,8 @@
-// The Novint Falcon: wakes it (firmware), watches it home, and exchanges one force against one position at a time.
-// Whoever owns it calls from one thread. read() waits for the answer to the force that write() sent, at most
-// kAnswerDeadlineS, and its USB calls allocate; so on a live device it belongs into the guard process (hand_guard.h),
-// never on the servo thread. No force before all three legs are homed, after 20 ms without an answer, or at a place the
-// legs cannot be; never above the spec's peak.
+// The Novint Falcon: sends its firmware, watches it home, and exchanges one force against one position at a time. Its
+// owner calls from one thread. read() waits for the answer to the force that write() sent, at most kAnswerDeadlineS,
+// and its USB calls allocate. With a live device it therefore belongs in the guard process (hand_guard.h), never on the
+// servo thread. It gives no force before all three legs are homed, after 20 ms without an answer, or at a position that
+// the legs cannot reach, and never more than the spec's peak.
 #pragma once
 
 #include <filesystem>
@@ -18,18 +18,19 @@
 namespace handrail {
 
 struct FalconOptions {
-    std::vector<std::filesystem::path> firmware_files;  // tried in this order; needed only when none runs yet
-    // Nobody has published the true figure; 10,000 is what the open driver takes. Sources differ by a factor of four.
+    std::vector<std::filesystem::path> firmware_files;  // tried in this order; needed only if none runs yet
+    // Motor counts per newton metre. The true figure is unpublished; 10,000 is what the open driver uses. Sources
+    // differ by a factor of four.
     double counts_per_nm = 10000.0;
-    std::function<void(const std::string&)> tell;  // what goes on while it is woken, in sentences; may be empty
+    std::function<void(const std::string&)> tell;  // gets progress sentences while the device starts; may be empty
 };
 
-// What stands where people put it: HANDRAIL_FALCON_FIRMWARE, the person's data folder, the machine's,
+// The usual places of the firmware file: HANDRAIL_FALCON_FIRMWARE, the person's data folder, the machine's,
 // /lib/firmware/novint, libnifalcon's.
 std::vector<std::filesystem::path> falcon_firmware_files();
-// True for a file that is a whole boot image.
+// Returns true if the file is a complete boot image.
 bool falcon_firmware_is_sound(const std::filesystem::path& file);
-// Where to put the file, for a sentence: the first of the folders.
+// The folder to put the file in, for a sentence: the first of the folders above.
 std::filesystem::path falcon_firmware_folder();
 
 class FalconDevice final : public HapticDevice {
@@ -37,24 +38,24 @@ public:
     static constexpr double kAnswerDeadlineS = 0.005;
     static constexpr double kZeroAfterSilenceS = 0.020;
     static constexpr int kUploadTries = 3;
-    // A leg that keeps its very count while another turns by so much (about 5 mm of the grip) is stuck: no hand is that
-    // still. Over a few answers, so that no two of them can agree by chance.
+    // A leg whose count does not change while another turns by this much (about 5 mm of the grip) is stuck: no hand is
+    // that still. Needed over several answers, so that two of them cannot agree by chance.
     static constexpr int kStuckCounts = 150;
     static constexpr int kStuckAnswers = 10;
-    // Three encoders for three directions leave nothing to check against, and a hand may well draw a few millimetres of
-    // line along which one leg stands still. So suspicion first costs force and not a fault: from kSuspectCounts (about
-    // 2 mm) on it goes down, at kDistrustCounts it is gone, and it is back over 20 answers once the leg moves by a
-    // single count. A movement that would turn the stuck leg alone shows nothing at all.
+    // Three encoders for three directions leave nothing to check against, and a hand may well move a few millimetres
+    // along a line on which one leg stands still. Suspicion therefore first reduces the force instead of raising a
+    // fault. From kSuspectCounts (about 2 mm) on the force falls, and at kDistrustCounts it is zero. It returns over 20
+    // answers once the leg moves by a single count. A movement that would turn only the stuck leg cannot be noticed.
     static constexpr int kSuspectCounts = 50;
     static constexpr int kDistrustCounts = 100;
     static constexpr double kTrustPerAnswer = 0.05;
 
-    // The clock outlives it.
+    // The clock must outlive the device.
     FalconDevice(std::unique_ptr<ByteLink> link, Clock& clock, FalconOptions options = {});
     ~FalconDevice() override;
 
     const DeviceSpec& spec() const override { return spec_; }
-    // Up to a few seconds when the firmware must be sent. Fails in a sentence.
+    // Takes up to a few seconds if the firmware must be sent. Errors are sentences.
     Result<void> open() override;
     DeviceSample read(double now_s) noexcept override;
     void write(const ForceCommand& command) noexcept override;
@@ -63,7 +64,7 @@ public:
     bool firmware_was_running() const { return firmware_was_running_; }
     std::uint8_t homed_legs() const { return status_.homed_legs; }
     std::uint64_t skipped_bytes() const { return reader_.skipped(); }
-    // A look without waking it: true if a firmware answers. Sends no force and no firmware.
+    // Checks, without starting the device, whether its firmware runs and answers. Sends no force and no firmware.
     bool answers();
 
 private:
@@ -89,13 +90,13 @@ private:
     int in_flight_ = 0;
     double answered_s_ = 0.0;
     bool knows_place_ = false;
-    Vec3 grip_m_{0.0}, leg_angles_rad_{0.0};  // Falcon axes, of the last answer
+    Vec3 grip_m_{0.0}, leg_angles_rad_{0.0};  // from the last answer, Falcon axes
     struct Stillness {
         int count = 0;
-        int answers = 0;  // that showed it unchanged
+        int answers = 0;  // number of answers that showed the count unchanged
         std::array<int, 3> others_low{}, others_high{};
     };
-    double trust_ = 1.0;  // share of the force that a leg's stillness leaves
+    double trust_ = 1.0;  // share of the force that is left while a leg is suspected
     bool watches_legs_ = false;
     std::array<Stillness, 3> stillness_{};
 };

@@ -6,8 +6,8 @@ namespace handrail {
 namespace {
 
 constexpr double kThighM = 0.060;
-constexpr double kRodM = 0.1025;     // of the parallelogram
-constexpr double kJointsM = 0.0225;  // both joint offsets of the rod
+constexpr double kRodM = 0.1025;     // length of the parallelogram
+constexpr double kJointsM = 0.0225;  // both joint offsets of the rod together
 constexpr double kGripOutM = 0.01443, kGripAsideM = -0.025;
 constexpr double kShoulderOutM = 0.0400, kShoulderAsideM = -0.02309;
 constexpr double kRadPerCount = (0.01425 / 0.110) * 2.0 * kPi / 1280.0;
@@ -24,7 +24,7 @@ const std::array<LegPlane, 3> kLegs{LegPlane{std::cos(105.0 * kPi / 180.0), std:
                                     LegPlane{std::cos(-15.0 * kPi / 180.0), std::sin(-15.0 * kPi / 180.0)},
                                     LegPlane{std::cos(-135.0 * kPi / 180.0), std::sin(-135.0 * kPi / 180.0)}};
 
-// The grip seen from one leg's shoulder: u outwards, v sideways, w along z; reach: how far the knee is from it in the
+// The grip as seen from one leg's shoulder: u outwards, v sideways, w along z. reach: distance from knee to grip in the
 // leg's plane.
 struct SeenByLeg {
     double u, v, w;
@@ -44,7 +44,7 @@ std::optional<SeenByLeg> seen_by_leg(const Vec3& p, const LegPlane& leg) noexcep
     return seen;
 }
 
-// How the closure of a leg, |grip - knee|^2 - reach^2, changes with the grip's place.
+// The closure of a leg, |grip - knee|^2 - reach^2, and its derivatives by the grip's position.
 struct Closure {
     double value;
     Vec3 by_place;
@@ -81,7 +81,8 @@ std::optional<Vec3> newton(const Vec3& angles, Vec3 p) noexcept {
     return std::nullopt;
 }
 
-// Newton may find the place where the legs meet folded the other way; the inverse knows only the way they are built.
+// Newton's method may find the solution in which the legs are folded the other way. The inverse knows only the real
+// way.
 bool is_built_so(const Vec3& p, const Vec3& angles) noexcept {
     const auto back = falcon_inverse(p);
     return back && p.z > 0.0 && std::abs(back->x - angles.x) < kSameAngleRad &&

@@ -8,7 +8,7 @@
 namespace handrail {
 namespace {
 
-constexpr std::uint8_t kZero = 0x41;  // added to every small number
+constexpr std::uint8_t kZero = 0x41;  // added to every small number on the wire
 constexpr std::uint8_t kBegin = '<', kEnd = '>';
 
 }  // namespace
@@ -30,7 +30,7 @@ FalconFrame pack_falcon_command(const FalconCommand& command) noexcept {
 }
 
 std::array<int, 3> falcon_motor_counts(const Vec3& torques_nm, double counts_per_nm) noexcept {
-    // The motors turn against the thighs.
+    // The sign is reversed, because the motors turn against the thighs.
     const double highest = std::max({std::abs(torques_nm.x), std::abs(torques_nm.y), std::abs(torques_nm.z)});
     if (!is_finite(torques_nm) || !std::isfinite(counts_per_nm) || !(highest > 0.0)) return {0, 0, 0};
     const Vec3 direction = torques_nm / highest;
@@ -72,7 +72,8 @@ std::optional<FalconStatus> FalconFrameReader::next() noexcept {
             }
             status.encoders[leg] = static_cast<std::int16_t>(bits);
         }
-        const auto flags = static_cast<std::uint8_t>(bytes_[13] - kZero);  // wraps: not a small number like the others
+        // Wraps, because it is not a small number like the others.
+        const auto flags = static_cast<std::uint8_t>(bytes_[13] - kZero);
         sound = sound && flags < 0x80;
         if (sound) {
             status.buttons = flags & 15;

@@ -1,6 +1,6 @@
-// The Novint Falcon's wire: frames of 16 bytes each way, and the boot image that its processor takes after power-on.
-// Pure values, any thread; nothing here allocates but the sentences of a refused image. Source: what the open driver
-// libnifalcon and its users published about the wire; the image is TI's 8-bit boot table for the C28x.
+// The wire protocol of the Novint Falcon: frames of 16 bytes each way, and the boot image that its processor takes
+// after power-on. Pure values, any thread; nothing allocates except the sentences about a refused image. Source: what
+// the open driver libnifalcon and its users published about the wire. The image is TI's 8-bit boot table for the C28x.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace handrail {
 
-inline constexpr int kFalconMostCounts = 4095;  // of a motor command, either way
+inline constexpr int kFalconMostCounts = 4095;  // greatest motor command, in either direction
 inline constexpr std::size_t kFalconFrameBytes = 16;
 
 struct FalconCommand {
@@ -30,15 +30,15 @@ struct FalconStatus {
 };
 
 using FalconFrame = std::array<std::uint8_t, kFalconFrameBytes>;
-// Motors out of range are held at its ends, so that no value can wrap.
+// Motor values out of range are clamped, so that no value can wrap.
 FalconFrame pack_falcon_command(const FalconCommand& command) noexcept;
 
-// Motor counts for thigh torques in Nm. What is not finite is zero; what is too much is scaled down, all three by the
-// same factor, so that the direction of the force stays. Counts are rounded towards zero.
+// Motor counts for thigh torques in Nm. Torques that are not finite give zero. Torques that are too large are scaled
+// down, all three by the same factor, so that the direction of the force stays. Counts are rounded towards zero.
 std::array<int, 3> falcon_motor_counts(const Vec3& torques_nm, double counts_per_nm) noexcept;
 
-// Finds the frames in a stream of bytes. A byte that cannot belong to a frame is skipped, and the search goes on at the
-// next '<'.
+// Finds the frames in a stream of bytes. A byte that cannot belong to a frame is skipped, and the search continues at
+// the next '<'.
 class FalconFrameReader {
 public:
     void clear() noexcept { size_ = 0; }
@@ -49,13 +49,15 @@ public:
 private:
     void drop(std::size_t bytes) noexcept;
 
-    std::array<std::uint8_t, 256> bytes_{};  // sixteen frames, where one is ever in flight; the oldest bytes give way
+    // Room for sixteen frames, while at most one is in flight; the oldest bytes are dropped.
+    std::array<std::uint8_t, 256> bytes_{};
     std::size_t size_ = 0;
     std::uint64_t skipped_ = 0;
 };
 
 // Walks the boot table: key 0x08AA, eight reserved words, entry address, blocks of word count, address and data, a zero
-// count at the very end. Refuses in one sentence what is cut, too long, or something else. `name` is the file's.
+// count at the very end. Refuses, with one sentence, an image that is truncated, too long, or something else. `name` is
+// the name of the file.
 Result<void> check_falcon_firmware(std::span<const std::uint8_t> image, const std::string& name);
 
 }  // namespace handrail

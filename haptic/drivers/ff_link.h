@@ -1,5 +1,5 @@
-// A device with Linux force feedback: what a driver needs of an evdev node, and what an emulator can stand in for. One
-// thread at a time; calls take a system call each and do not wait. Private to haptic/drivers.
+// A device with Linux force feedback: what a driver needs of an evdev node, and what an emulator can replace. One
+// thread at a time; each call takes a system call and does not wait. Private to haptic/drivers.
 #pragma once
 
 #include <cstdint>
@@ -15,20 +15,21 @@ struct FfAbilities {
     bool rumble = false, constant = false, gain = false, stick = false;  // stick: it has the axes x and y
 };
 
-// One effect at a time, replaced in place. Levels 0 to 1.
+// Plays one effect at a time, replaced in place. Levels 0 to 1.
 class FfLink {
 public:
     virtual ~FfLink() = default;
     virtual FfAbilities abilities() const = 0;
-    // Both coils until told otherwise; false when the device is gone or refuses.
+    // Drives both coils until the next call. Returns false if the device is gone or refuses.
     virtual bool rumble(double strong, double weak) noexcept = 0;
-    // A force of this level towards an angle: 0 towards the person, clockwise seen from above, so 1/4 turn is left.
+    // A force of this level in the direction of an angle: 0 is towards the person, then clockwise seen from above, so
+    // 1/4 turn is left.
     virtual bool constant(double level, double towards_rad) noexcept = 0;
     virtual bool stop() noexcept = 0;
     // Share of its strength that the device may use, 0 to 1.
     virtual bool gain(double share) noexcept = 0;
-    // Takes what happened since; false when the device is gone. Axes -1 to 1, right and towards the person positive, as
-    // the kernel has them.
+    // Takes all input since the last call; returns false if the device is gone. Axes -1 to 1, positive to the right and
+    // towards the person, as in the kernel.
     struct Stick {
         double x = 0.0, y = 0.0;
         std::uint32_t buttons = 0;

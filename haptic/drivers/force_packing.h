@@ -1,5 +1,5 @@
-// The last link of every driver: no force leaves for a device that is not a number, or is more than the device may
-// give. Pure; real-time safe.
+// The last step of every driver: no force leaves for a device if it is not finite, or exceeds what the device may give.
+// Pure; real-time safe.
 #pragma once
 
 #include <algorithm>
@@ -9,13 +9,13 @@
 
 namespace handrail {
 
-// The force itself where it is weak enough, else the peak in the same direction, however large it was; nothing where it
-// is no number.
+// Returns the force unchanged if it is at most the peak, otherwise the peak in the same direction, however large the
+// force was. Returns zero if it is not finite.
 inline Vec3 held_to(const Vec3& force_n, double peak_n) noexcept {
     if (!is_finite(force_n) || !(peak_n > 0.0)) return Vec3(0.0);
     const double largest = std::max({std::abs(force_n.x), std::abs(force_n.y), std::abs(force_n.z)});
     if (largest == 0.0) return Vec3(0.0);
-    const Vec3 direction = force_n / largest;  // squares of what is left neither overflow nor vanish
+    const Vec3 direction = force_n / largest;  // scaled so that squares neither overflow nor vanish
     const double length = std::sqrt(glm::dot(direction, direction));
     return largest <= peak_n / length ? force_n : direction * (peak_n / length);
 }

@@ -29,7 +29,7 @@ DeviceSample ForceStick::read(double) noexcept {
 
 void ForceStick::write(const ForceCommand& command) noexcept {
     if (!open_ || lost_) return;
-    // A force up cannot be given, but one that is no number says that nothing of it is to be believed.
+    // The stick cannot give an upward force. A command that is not finite is rejected as a whole.
     if (!is_finite(command.force_n)) {
         lost_ = !link_->constant(0.0, 0.0);
         return;

@@ -1,6 +1,7 @@
-// A force-feedback joystick as a hand in a plane: right and forward, no up. Its constant force is renewed each tick and
-// its place is what the kernel tells, so walls are softer and later than on a device built for it. Lives in the guard
-// process. Owner: one thread. Source: the kernel's force feedback interface; USB PID 1.0 behind it.
+// A force-feedback joystick as a hand that moves in a plane: right and forward, not up. Its constant force is renewed
+// in each tick, and the kernel reports its position. Walls are therefore softer and later than on a device built for
+// it. Runs in the guard process. Owned by one thread. Source: the kernel's force feedback interface; USB PID 1.0 behind
+// it.
 #pragma once
 
 #include <memory>

@@ -22,7 +22,7 @@
 namespace handrail {
 namespace {
 
-constexpr int kZeroExchanges = 5;  // until two are answered
+constexpr int kZeroExchanges = 5;  // most exchanges of zero force, until two of them are answered
 
 constexpr std::array kFalconIds{UsbId{0x0403, 0xcb48}};
 
@@ -34,14 +34,14 @@ std::string place_of(const UsbDeviceInfo& usb) {
     return phrase("device.usb_place", {{"bus", usb.bus}, {"device", usb.address}});
 }
 
-// The first sound file of firmware; empty: there is none.
+// The first valid firmware file; empty if there is none.
 std::filesystem::path falcon_firmware_file() {
     for (const std::filesystem::path& file : falcon_firmware_files())
         if (falcon_firmware_is_sound(file)) return file;
     return {};
 }
 
-// A neutral frame or two: no force, no firmware.
+// Sends a neutral frame or two: no force, no firmware.
 void look_at_falcon(const UsbDeviceInfo& usb, FoundDevice& found) {
     auto link = open_usb_link(usb);
     if (!link) {
@@ -104,7 +104,7 @@ void look_at_pad(const HidDeviceInfo& hid, const PadIdentity& id, FoundDevice& d
     device.usable = device.problem.empty();
 }
 
-// True where there is one.
+// Returns true if at least one was found.
 bool find_hid_devices(std::vector<FoundDevice>& found) {
     const std::size_t before = found.size();
     for (const HidDeviceInfo& hid : list_hid_devices()) {
@@ -131,8 +131,8 @@ bool find_hid_devices(std::vector<FoundDevice>& found) {
     return found.size() > before;
 }
 
-// Devices that only their maker's library can speak to. Their numbers on USB say that one is there; the library itself
-// is loaded in the guard alone, when the device is chosen.
+// Devices that only their maker's library can control. Their USB numbers show that one is plugged in. The library
+// itself is loaded only in the guard, when the device is chosen.
 struct Maker {
     UsbId id;
     std::string_view name, default_device;
@@ -208,7 +208,7 @@ void find_inverse3(std::vector<FoundDevice>& found) {
     found.push_back(std::move(device));
 }
 
-// Pads that a driver of ours already speaks to over hidapi (`known`) have event nodes too; they are told once.
+// Pads that one of our drivers controls over hidapi (`known`) have event nodes too; they are reported only once.
 void find_ff_devices(std::vector<FoundDevice>& found, bool known) {
     for (const FfDeviceInfo& ff : list_ff_devices()) {
         const bool stick = ff.abilities.constant && ff.abilities.stick;
@@ -238,7 +238,7 @@ Result<std::unique_ptr<HapticDevice>> open_force_stick() {
     return fail(phrase("drivers.no_force_stick"));
 }
 
-// Without `firmware_files` only one that is awake opens.
+// Without `firmware_files` this opens only a Falcon whose firmware runs.
 Result<std::unique_ptr<HapticDevice>> open_falcon(std::string_view serial, Clock& clock,
                                                   std::vector<std::filesystem::path> firmware_files,
                                                   const std::function<void(const std::string&)>& tell) {
@@ -329,7 +329,7 @@ Result<std::unique_ptr<HapticDevice>> open_device(std::string_view name, std::st
 }
 
 Result<void> zero_device(std::string_view name, std::string_view serial, Clock& clock) {
-    // A Falcon that has no firmware holds no force, and sending one takes seconds.
+    // A Falcon without firmware holds no force, and sending the firmware takes seconds.
     auto device = name == "falcon" ? open_falcon(serial, clock, {}, nullptr)
                                    : open_device(name, serial, clock, [](const std::string&) {});
     if (!device) return tl::unexpected(device.error());

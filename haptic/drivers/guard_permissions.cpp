@@ -12,13 +12,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What libusb and udev tell of devices, and what the C library looks up of the process itself.
+// What libusb and udev read about devices, and what the C library reads about the process itself.
 void permit_finding_devices(Permissions& permissions) {
     permissions.read.insert(permissions.read.end(), {"/sys", "/run/udev", "/etc/udev", "/proc/self"});
     permissions.device_events = true;
 }
 
-// A library is often a link to the version that is installed elsewhere.
+// Permits link targets as well, because a library is often a link to a version installed elsewhere.
 void permit_folder_with_links(const fs::path& folder, std::vector<fs::path>& paths) {
     paths.push_back(folder);
     std::error_code none;
@@ -35,7 +35,7 @@ void permit_folders_of(const char* variable, std::vector<fs::path>& paths) {
     }
 }
 
-// A maker's library is loaded after the guard is confined, and looks for its settings where its installer put them.
+// A maker's library is loaded after the guard is confined, and reads its settings where its installer put them.
 void permit_makers_library(Permissions& permissions) {
     permissions.read.insert(permissions.read.end(), {"/usr", "/lib", "/lib64", "/opt", "/etc", "/var/lib"});
     for (const char* variable : {"LD_LIBRARY_PATH", "GTDD_HOME", "OH_SDK_BASE"})
@@ -54,7 +54,7 @@ Permissions guard_permissions(std::string_view device) {
     Permissions permissions;
     permissions.calls = Calls::Drive;
 #if defined(HANDRAIL_SANITIZED)
-    permissions.read.emplace_back("/proc");  // where a sanitizer looks for leaks
+    permissions.read.emplace_back("/proc");  // a sanitizer looks for leaks there
 #endif
     if (device == "inverse3") {
         permissions.tcp_ports.push_back(kHaplyPort);
@@ -64,7 +64,7 @@ Permissions guard_permissions(std::string_view device) {
     if (device == "falcon") permit_falcon(permissions);
     else if (device == "force-stick") permissions.read_and_write.emplace_back("/dev/input");
     else permit_makers_library(permissions);
-    // Their devices are on USB, FireWire, serial and parallel ports, and on Ethernet.
+    // Such devices are on USB, FireWire, serial and parallel ports, and Ethernet.
     if (is_found_only_by_opening(device)) {
         permissions.read_and_write.emplace_back("/dev");
         permissions.any_internet = true;

@@ -1,5 +1,5 @@
-// What a guard keeps of the person's rights when it is confined: what its device's driver needs, and no more. Pure but
-// for the environment's variables. Main thread of the guard, once.
+// The permissions that a guard keeps when it is confined: what its device's driver needs, and no more. Pure except for
+// environment variables. Called once, on the guard's main thread.
 #pragma once
 
 #include <array>
@@ -9,12 +9,12 @@
 
 namespace handrail {
 
-// The variables that a guard gets of the person's environment: where makers' libraries and their settings are, where
-// the Falcon's firmware is, and how umockdev plays devices.
+// The environment variables that a guard inherits: the places of makers' libraries and their settings, of the Falcon's
+// firmware, and those with which umockdev emulates devices.
 inline constexpr std::array<std::string_view, 8> kGuardVariables{
     "LD_LIBRARY_PATH", "GTDD_HOME", "OH_SDK_BASE", "HOME", "XDG_DATA_HOME", "HANDRAIL_*", "LD_PRELOAD", "UMOCKDEV_DIR"};
 
-// `device` as in open_device.
+// `device`: a name as for open_device.
 Permissions guard_permissions(std::string_view device);
 
 }  // namespace handrail

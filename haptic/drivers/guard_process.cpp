@@ -9,7 +9,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
-extern "C" {  // glibc 2.36 forgot to say so itself
+extern "C" {  // missing in the headers of glibc 2.36
 #include <sys/pidfd.h>
 }
 
@@ -27,16 +27,18 @@ extern "C" {  // glibc 2.36 forgot to say so itself
 namespace handrail {
 namespace {
 
-constexpr int kGuardPriority = 71;       // just above the servo thread that waits for it
-constexpr int kReliefPriority = 72;      // above the guard that it watches
-constexpr unsigned kMostOfOneTryS = 40;  // of taking the force away; more than a device takes to open
+constexpr int kGuardPriority = 71;   // just above the servo thread, which waits for it
+constexpr int kReliefPriority = 72;  // above the guard, which it watches
+// Longest single attempt to take the force away; more than a device takes to open.
+constexpr unsigned kMostOfOneTryS = 40;
 constexpr rlim_t kMostDescriptors = 256;
 constexpr rlim_t kMostFileBytes = rlim_t{16} << 20;
 constexpr rlim_t kMostMemoryBytes = rlim_t{1} << 30;
-constexpr std::size_t kStackBytes = std::size_t{1}
-                                    << 20;  // of each thread that a library starts: they are locked whole
+constexpr std::size_t kStackBytes = std::size_t{1}  // Stack of each thread that a library starts. Kept small, because
+                                                    // locked stacks count in full.
+                                    << 20;
 constexpr std::size_t kProbeBytes = std::size_t{32} << 20;
-constexpr std::string_view kNever = "-1000", kLikeAnyOther = "0";  // to be ended for want of memory
+constexpr std::string_view kNever = "-1000", kLikeAnyOther = "0";  // scores for being killed when memory runs out
 
 void lower_limit(__rlimit_resource what, rlim_t most) noexcept {
     rlimit limit{};
@@ -47,13 +49,14 @@ void lower_limit(__rlimit_resource what, rlim_t most) noexcept {
 }
 
 #if defined(HANDRAIL_SANITIZED)
-constexpr bool kKeepsShadow = true;  // terabytes of reserved addresses, which can be neither bounded nor locked
+// The sanitizer's terabytes of reserved addresses can be neither limited nor locked.
+constexpr bool kKeepsShadow = true;
 #else
 constexpr bool kKeepsShadow = false;
 #endif
 
-// Everything there is now is brought in, what comes later is locked as it is touched. Below a limit every later growth
-// would fail once it is reached, so a limit that leaves no room counts as not allowed.
+// Locks all current pages, and later ones when they are first touched. Under a memory limit every allocation would fail
+// once the limit is reached, so a limit without room counts as not permitted.
 bool lock_all_memory() noexcept {
     if (kKeepsShadow || ::mlockall(MCL_CURRENT) != 0) return false;
     if (::mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0) {
@@ -72,8 +75,9 @@ bool write_oom_score(std::string_view score) noexcept {
     return file.get() >= 0 && ::write(file.get(), score.data(), score.size()) == static_cast<ssize_t>(score.size());
 }
 
-// The kernel ends whoever frees most when memory runs out; a guard frees nothing worth a force that stays on. Only
-// administrators may go below zero, but anybody may leave the rank above it that desktops give their programs.
+// When memory runs out, the kernel kills the process that frees the most. A guard frees little, and killing it could
+// leave a force on. Only administrators may go below zero, but every process may drop the raised score that desktops
+// give their programs.
 bool ask_to_be_spared() noexcept { return write_oom_score(kNever) || (write_oom_score(kLikeAnyOther), false); }
 
 void protect(HandMailbox& mailbox, int priority) {
@@ -91,10 +95,10 @@ void protect(HandMailbox& mailbox, int priority) {
     if (!ask_to_be_spared()) mailbox.spared = false;
     sched_param wish{};
     wish.sched_priority = priority;
-    ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &wish);  // ordinary scheduling does too, less evenly
+    ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &wish);  // ordinary scheduling works too, less evenly
 }
 
-// Null when it is none, or could be cut off below us by whoever else holds it.
+// Returns null if it is not a mailbox, or if another process could shrink it while it is mapped.
 HandMailbox* map_mailbox(int fd) noexcept {
     struct stat facts {};
     const int seals = ::fcntl(fd, F_GET_SEALS);
@@ -128,9 +132,9 @@ int guard_process(int argc, char** argv, const NamedDevices& devices) {
     for (const int number :
          {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGTSTP, SIGTTIN, SIGTTOU, SIGUSR1, SIGUSR2, SIGXFSZ})
         ::signal(number, SIG_IGN);
-    ::setsid();  // what is sent to the program's group is not for the guards
-    // Nor do they keep the program's input and output open: whoever reads what it says to its end waits for the program
-    // alone.
+    ::setsid();  // signals to the program's group must not reach the guards
+    // The guards must not keep the program's input and output open either: a process that reads its output to the end
+    // must wait for the program alone.
     if (const Descriptor nowhere(::open("/dev/null", O_RDWR | O_CLOEXEC)); nowhere.get() > STDOUT_FILENO) {
         ::dup2(nowhere.get(), STDIN_FILENO);
         ::dup2(nowhere.get(), STDOUT_FILENO);
@@ -138,13 +142,13 @@ int guard_process(int argc, char** argv, const NamedDevices& devices) {
     HandMailbox* mailbox = map_mailbox(std::atoi(argv[2]));
     if (!mailbox) return 2;
     const int life_fd = std::atoi(argv[3]), third_fd = std::atoi(argv[4]);
-    // The program has told what is wrong with that file; where it cannot be read any more, English is spoken.
+    // The program has already reported a fault in that file. If it is no longer readable, the guard speaks English.
     (void)speak_language(argv[5], argv[6]);
     const std::string name = argv[7], serial = argc > 8 ? argv[8] : "";
     if (role == kRelieveRole) {
         protect(*mailbox, kReliefPriority);
         (void)confine(devices.permissions(name));
-        // A driver that does not come back must not keep this process for ever.
+        // A driver that does not return must not keep this process for ever.
         const auto zero_in_time = [&] {
             ::alarm(kMostOfOneTryS);
             auto zeroed = devices.zero(name, serial);
@@ -155,7 +159,7 @@ int guard_process(int argc, char** argv, const NamedDevices& devices) {
                              [third_fd] { ::pidfd_send_signal(third_fd, SIGKILL, nullptr, 0); });
     }
     protect(*mailbox, kGuardPriority);
-    (void)confine(devices.permissions(name));  // what the kernel lacks, `handrail devices` reports
+    (void)confine(devices.permissions(name));  // `handrail devices` reports what the kernel lacks
     return guard_hand(
         *mailbox, third_fd, life_fd,
         [&](const std::function<void(const std::string&)>& tell) { return devices.open(name, serial, tell); },

@@ -11,7 +11,7 @@
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
-extern "C" {  // glibc 2.36 forgot to say so itself
+extern "C" {  // missing in the headers of glibc 2.36
 #include <sys/pidfd.h>
 }
 
@@ -35,14 +35,14 @@ namespace handrail {
 namespace fs = std::filesystem;
 namespace {
 
-// The guard's descriptors begin here.
+// First number of the descriptors that a guard inherits.
 constexpr int kFirstFd = 3;
 constexpr std::string_view kGuardProgram = "handrail-guard";
 constexpr std::size_t kLongestSentence = 4096;
-constexpr int kGivenUpMs = 50;      // whether the opening was given up
-constexpr int kWatchPriority = 71;  // as the first guard, above the servo
-// A second guard beats at every look. It stands still after 50 ms, so that another one is there within 100 ms; until
-// its first beat it has 2 s to be loaded.
+constexpr int kGivenUpMs = 50;      // how often a waiting open() checks whether it was given up
+constexpr int kWatchPriority = 71;  // the priority of the first guard, above the servo
+// A second guard beats at every look. It counts as frozen after 50 ms, so that a replacement is there within 100 ms.
+// Until its first beat it has 2 s to load.
 constexpr int kReliefStillLooks = 5;
 constexpr int kReliefLoadLooks = 200;
 
@@ -81,7 +81,7 @@ Result<void> GuardedDevice::start(const char* role, int third_fd, int& life_fd, 
     Descriptor ours(ends[0]);
     const Descriptor theirs(ends[1]);
 
-    // Numbers out of the way of 3, 4 and 5 first, so that no descriptor is overwritten before it is passed on.
+    // First moves them to numbers other than 3, 4 and 5, so that no descriptor is overwritten before it is passed on.
     std::array<int, 3> high{};
     const std::array<int, 3> passed{memory_fd_, theirs.get(), third_fd};
     for (std::size_t i = 0; i < passed.size(); ++i) high[i] = ::fcntl(passed[i], F_DUPFD_CLOEXEC, 64);
@@ -110,13 +110,14 @@ Result<void> GuardedDevice::start(const char* role, int third_fd, int& life_fd, 
     return {};
 }
 
-// The second one is started with the first, so that it is ready before there can be any force.
+// The second guard starts with the first, so that it is ready before there can be any force.
 Result<void> GuardedDevice::start_guards() {
     const auto problem = [](int error) { return fail(phrase("guard.cannot_start", {{"reason", reason_of(error)}})); };
     if (guard_program_.empty()) return fail(phrase("guard.no_program", {{"program", kGuardProgram}}));
     memory_fd_ = ::memfd_create("handrail-hand", MFD_CLOEXEC | MFD_ALLOW_SEALING);
     if (memory_fd_ < 0 || ::ftruncate(memory_fd_, sizeof(HandMailbox)) != 0) return problem(errno);
-    // Who holds it may write it, but never cut off what the others have mapped: they would die of SIGBUS.
+    // Processes with this descriptor may write the memory, but never shrink it: the others have it mapped and would die
+    // of SIGBUS.
     if (::fcntl(memory_fd_, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) != 0) return problem(errno);
     void* mapped = ::mmap(nullptr, sizeof(HandMailbox), PROT_READ | PROT_WRITE, MAP_SHARED, memory_fd_, 0);
     if (mapped == MAP_FAILED) return problem(errno);
@@ -229,8 +230,8 @@ void GuardedDevice::write(const ForceCommand& command) noexcept {
     [[maybe_unused]] const ssize_t written = ::write(wake_fd_, &one, sizeof one);
 }
 
-// Waits for it, at most so long, and ends it then. One that is in a driver which does not let go even of that is left
-// behind.
+// Waits at most this long for the process, then kills it. A process stuck in a driver, which even that does not end, is
+// left behind.
 void GuardedDevice::end_process(pid_t& process, double seconds) noexcept {
     if (process <= 0) return;
     SteadyClock clock;
@@ -266,8 +267,8 @@ void GuardedDevice::close() noexcept {
                                             mailbox_->relief.load(std::memory_order_acquire) == ReliefState::Watching)
         (void)start_relief();
     if (life_fd_ >= 0) ::close(std::exchange(life_fd_, -1));
-    // The guard may still be waking a device; it looks at us only between two steps of that, and zeroes the force when
-    // it does. With a device open it has 100 ms for each round, or the second guard ends it.
+    // The guard may still be starting a device. It checks for the program only between two steps of that, and then
+    // zeroes the force. With a device open it has 100 ms for each round, or the second guard ends it.
     end_process(guard_, kEndS);
     if (mailbox_ && relief_process() > 0 && mailbox_->holds.load(std::memory_order_acquire)) await_zero();
     watch_ = {};
@@ -301,7 +302,8 @@ std::vector<std::string> GuardedDevice::take_news() {
     return std::exchange(news_, {});
 }
 
-// A second guard that hangs in a driver, or one that failed as often as it is replaced, never says that it failed.
+// A second guard that hangs in a driver, or the last of the permitted replacements that failed, never reports its
+// failure.
 void GuardedDevice::notice_long_zeroing() {
     const double now_s = SteadyClock().now_s();
     const auto zero_is_due = [this] {
@@ -316,10 +318,10 @@ void GuardedDevice::notice_long_zeroing() {
 void GuardedDevice::watch_guards(const std::stop_token& end) {
     sched_param wish{};
     wish.sched_priority = kWatchPriority;
-    ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &wish);  // ordinary scheduling does too, less evenly
+    ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &wish);  // ordinary scheduling works too, less evenly
     StillCount guard(mailbox_->beats.load(std::memory_order_acquire));
     StillCount relief(mailbox_->relief_beats.load(std::memory_order_acquire));
-    bool relief_beats = true;  // it has, since it was started
+    bool relief_beats = true;  // it has beaten since it was started
     int looks = 0;
     for (SteadyClock clock; !end.stop_requested(); clock.sleep_until_s(clock.now_s() + kLookMs * 1e-3)) {
         const bool guard_holds = mailbox_->holds.load(std::memory_order_acquire) && guard_lives();
@@ -339,7 +341,7 @@ void GuardedDevice::watch_guards(const std::stop_token& end) {
     }
 }
 
-// Ends the one there is, should it still be there: two must never hold the device.
+// Kills the present one if it still exists, because two must never hold the device.
 void GuardedDevice::replace_relief() {
     if (reliefs_left_ == 0) return;
     --reliefs_left_;

@@ -1,12 +1,12 @@
-// The guard process: small, apart from the program, and the only one that holds a real device. It exchanges the newest
-// force against the newest sample, and when the program dies, freezes or ends, it is still there to send zero.
-// Libraries that allocate, lock, block or crash do so here, where the servo thread never waits for them.
+// The guard process: small, separate from the program, and the only one that holds a real device. It exchanges the
+// newest force against the newest sample. When the program dies, freezes or ends, the guard is still there to send
+// zero. Libraries that allocate, lock, block or crash do so here, where the servo thread never waits for them.
 //
-// What zeroes the force: no new command for kZeroAfterS (a frozen program, a servo that hangs); the program's end of
-// the socket closed (it ended, however: kill -9 closes it too). Whoever watches the guard itself is the second guard
-// (relief_guard.h): when this one dies or stands still with a device open, that one sends zero. When the driver itself
-// hangs for kStuckS and nobody ended it, the guard ends by itself. When the device is unplugged the guard looks for it
-// again twice a second.
+// The force becomes zero if no new command comes for kZeroAfterS (a frozen program, a servo that hangs), or if the
+// program's end of the socket closes (it ended in some way; kill -9 closes it too). The second guard watches this one
+// (relief_guard.h): if this one dies or freezes with a device open, the second guard sends zero. If the driver itself
+// hangs for kStuckS and nothing ended the guard, it ends itself. After the device is unplugged, the guard looks for it
+// twice a second.
 #pragma once
 
 #include <functional>
@@ -23,19 +23,19 @@ inline constexpr double kZeroAfterS = 0.020;
 inline constexpr double kLookAgainS = 0.5;
 inline constexpr double kStuckS = 0.25;
 
-// Finds and opens the device, also again after it was unplugged. What goes on is told in sentences.
+// Finds and opens the device, also after it was unplugged. Reports progress in sentences.
 using OpenDevice =
     std::function<Result<std::unique_ptr<HapticDevice>>(const std::function<void(const std::string&)>& tell)>;
 
 // The first byte of each message from the guard to the program; the rest is a sentence.
 enum class GuardMessage : char { News = 'n', Ready = 'r', Failed = 'f' };
 
-// A message that does not wait: a program that does not listen must not hold up its guard.
+// Sends a message without waiting, because a program that does not listen must not block its guard.
 void send_message(int life_fd, GuardMessage kind, const std::string& sentence);
 
-// The guard's whole life, on the calling thread. wake_fd: eventfd that counts new commands. life_fd: socket to the
-// program. stuck: called from another thread when one exchange lasts longer than kStuckS; ends the process, or is told
-// in tests. Returns the exit status.
+// Runs the guard for its whole life, on the calling thread. wake_fd: eventfd that counts new commands. life_fd: socket
+// to the program. stuck: called from another thread if one exchange lasts longer than kStuckS; it ends the process, or
+// notifies a test. Returns the exit status.
 int guard_hand(HandMailbox& mailbox, int wake_fd, int life_fd, const OpenDevice& open_device,
                const std::function<void()>& stuck);
 

@@ -1,7 +1,6 @@
-// What the program and its two guard processes share: the newest force one way, the newest sample the other, and what
-// each guard is about, in memory that all map. Nobody waits for another or takes a lock, and nobody trusts what stands
-// here further than a force or a sample goes. All are built from the same sources; kMailboxMark is compared all the
-// same.
+// Shared memory of the program and its two guard processes: the newest force one way, the newest sample the other way,
+// and the state of each guard. No process waits for another or takes a lock. A process trusts nothing in it beyond the
+// range of a force or a sample. All are built from the same sources; kMailboxMark is compared all the same.
 #pragma once
 
 #include <atomic>
@@ -13,11 +12,11 @@
 
 namespace handrail {
 
-// What the second guard is about.
+// What the second guard is doing.
 enum class ReliefState : std::uint8_t {
-    Watching,  // the first guard holds the device, or nothing is to be held yet
-    Zeroing,   // the first guard is gone, or is being ended; the device may push
-    Zero,      // the device took a force of zero, or the first guard had let it go before it ended
+    Watching,  // the first guard holds the device, or there is nothing to hold yet
+    Zeroing,   // the first guard is gone or is being killed; the device may push
+    Zero,      // the device accepted a force of zero, or the first guard released it before it ended
     Failed,    // the device could not be reached; it may push
 };
 
@@ -26,14 +25,15 @@ struct HandMailbox {
         0x68616e647261696cULL + sizeof(ForceCommand) * 256 + sizeof(DeviceSample);
 
     std::uint64_t mark = kMailboxMark;
-    LatestValue<ForceCommand> command;    // program -> guard; device frame
-    LatestValue<DeviceSample> answer;     // guard -> program; one for each exchange
-    std::atomic<std::uint32_t> beats{0};  // the guard counts its rounds, at least one in 5 ms while it holds the device
-    std::atomic<std::uint32_t> relief_beats{0};              // the second guard counts its looks, one in 10 ms
-    std::atomic<bool> holds{false};                          // the guard's: a device is open, so it may push
-    std::atomic<ReliefState> relief{ReliefState::Watching};  // the second guard's
+    LatestValue<ForceCommand> command;    // program to guard; device frame
+    LatestValue<DeviceSample> answer;     // guard to program; one for each exchange
+    std::atomic<std::uint32_t> beats{0};  // counts the guard's rounds, at least one in 5 ms while it holds the device
+    std::atomic<std::uint32_t> relief_beats{0};              // counts the second guard's looks, one in 10 ms
+    std::atomic<bool> holds{false};                          // set by the guard: a device is open, so it may push
+    std::atomic<ReliefState> relief{ReliefState::Watching};  // set by the second guard
     std::atomic<bool> memory_locked{true},
-        spared{true};  // either guard sets false: its memory may be swapped out; it may be ended for want of memory
+        // A guard sets false if its memory may be swapped out, or if it may be killed when memory runs out.
+        spared{true};
 };
 
 static_assert(std::is_trivially_copyable_v<ForceCommand> && std::is_trivially_copyable_v<DeviceSample>);

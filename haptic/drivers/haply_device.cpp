@@ -52,7 +52,7 @@ std::string force_message(const std::string& device_id, const Vec3& force_n) {
         .dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
-// "2.1", of what the first snapshot says about the device's making; empty where it says nothing.
+// The firmware version, such as "2.1", if the first snapshot's device information states it; otherwise empty.
 std::string firmware_of(const Json& device) {
     const Json* config = member(device, "config");
     const Json* info = config ? member(*config, "device_info") : nullptr;
@@ -85,7 +85,7 @@ public:
             run_until(kOpenDeadlineS, [&] { return problem != boost::asio::error::would_block; });
             if (problem) return fail(phrase("drivers.haply_other"));
             open_ = true;
-            // A first snapshot comes unasked.
+            // The service sends a first snapshot without a request.
             for (const double deadline_s = clock_.now_s() + kOpenDeadlineS; clock_.now_s() < deadline_s && !lost_;)
                 if (receive(deadline_s) && !device_id_.empty()) return {};
             return fail(phrase("drivers.haply_no_device"));
@@ -109,7 +109,8 @@ public:
     }
 
     void write(const ForceCommand& command) noexcept override {
-        if (!open_ || lost_ || in_flight_ > 1) return;  // the service answers each; more would only queue
+        // The service answers every message; more of them would only queue up.
+        if (!open_ || lost_ || in_flight_ > 1) return;
         const bool allowed = state_.homed && clock_.now_s() - answered_s_ <= kZeroAfterSilenceS;
         const Vec3 force = allowed ? held_to(command.force_n, spec_.peak_force_n) : Vec3(0.0);
         guarded([&] { return send(force); });
@@ -165,8 +166,8 @@ private:
         });
         run_until(kAnswerDeadlineS, [this] { return written_; });
         if (!written_)
-            lost_ = true;  // a local service that takes no message for so long has hung; its buffer must not outlive
-                           // this call
+            // A local service that accepts no message for this long has hung. Its buffer must not outlive this call.
+            lost_ = true;
         if (!lost_) {
             ++in_flight_;
             sent_s_ = clock_.now_s();
@@ -174,7 +175,7 @@ private:
         return !lost_;
     }
 
-    // One message, sound or not; a read that is not done by the deadline goes on with the next call.
+    // Receives one message, valid or not. A read that is unfinished at the deadline continues in the next call.
     bool receive(double deadline_s) {
         if (!reading_) {
             reading_ = true;
@@ -190,7 +191,7 @@ private:
         const std::string text = beast::buffers_to_string(incoming_.data());
         incoming_.consume(incoming_.size());
         if (in_flight_ > 0) --in_flight_;
-        if (device_id_.empty()) note_firmware(text);  // stands in the first one only
+        if (device_id_.empty()) note_firmware(text);  // only the first message contains it
         return parse_haply_state(text, device_id_, state_);
     }
 

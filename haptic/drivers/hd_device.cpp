@@ -25,7 +25,7 @@ constexpr Handle kInvalid = 0xFFFFFFFFU;
 constexpr Enum kButtonsParameter = 0x2000, kPosition = 0x2050, kGimbal = 0x2150, kModel = 0x2501,
                kCalibrationStyle = 0x2555, kStiffness = 0x2602, kMaxForce = 0x2603, kForce = 0x2700,
                kForceOutput = 0x4000, kForceClamping = 0x4001, kCalibrated = 0x5000,
-               kCalibrationNeedsUpdate = 0x5001;  // anything else: by hand, such as into the inkwell
+               kCalibrationNeedsUpdate = 0x5001;  // any other value: calibrated by hand, for example in the inkwell
 constexpr unsigned short kPriority = 32767;
 constexpr unsigned kFirstForceError = 0x0200, kWarmMotors = 0x0200, kLastForceError = 0x0204,
                    kFirstDeviceError = 0x0300, kLastDeviceError = 0x0304;
@@ -80,7 +80,8 @@ public:
         DeviceSample sample = sample_.read();
         sample.fresh = fresh;
         sample.connected = handle_ != kInvalid &&
-                           !lost_.load(std::memory_order_acquire);  // first: by then the reason stands beside it
+                           // Read first, because the reason is set before this flag.
+                           !lost_.load(std::memory_order_acquire);
         sample.hot = hot_.load(std::memory_order_acquire);
         sample.failed = failed_.load(std::memory_order_acquire);
         return sample;
@@ -107,7 +108,7 @@ public:
     }
 
 private:
-    // Only what lies between two frames of the library happens here, on its thread.
+    // Runs on the library's thread, between the begin and end of one of its frames.
     unsigned int tick() noexcept {
         call_.begin_frame(handle_);
         Vec3 theirs{0.0};
@@ -138,7 +139,7 @@ private:
         sample.homed = calibration == kCalibrated;
         sample_.publish(sample);
         for (ErrorInfo error = call_.get_error(); error.code != 0; error = call_.get_error()) {
-            // The library has switched the motors off: too warm, too fast, too strong. They stay off until the device
+            // The library has switched the motors off: too warm, too fast or too strong. They stay off until the device
             // is opened again.
             if (error.code >= kFirstForceError && error.code <= kLastForceError) {
                 (error.code == kWarmMotors ? hot_ : failed_).store(true, std::memory_order_release);
@@ -165,7 +166,8 @@ private:
         value = 0.0;
         call_.get_double(kStiffness, &value);
         if (value > 0.0 && std::isfinite(value))
-            spec_.rated_stiffness_n_per_m = std::min(spec_.rated_stiffness_n_per_m, value * 1000.0);  // told per mm
+            // The library states it per mm.
+            spec_.rated_stiffness_n_per_m = std::min(spec_.rated_stiffness_n_per_m, value * 1000.0);
         while (call_.get_error().code != 0) {
         }
     }
@@ -176,10 +178,10 @@ private:
     Handle handle_ = kInvalid;
     unsigned long scheduled_ = 0;
     bool running_ = false;
-    bool stopped_ = false;  // library thread
+    bool stopped_ = false;  // library thread only
     std::atomic<bool> ending_{false}, lost_{false}, hot_{false}, failed_{false};
-    LatestValue<Vec3> force_{Vec3(0.0)};  // owner -> library thread
-    LatestValue<DeviceSample> sample_;    // library thread -> owner
+    LatestValue<Vec3> force_{Vec3(0.0)};  // owner to library thread
+    LatestValue<DeviceSample> sample_;    // library thread to owner
 };
 
 }  // namespace

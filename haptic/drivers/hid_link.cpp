@@ -37,13 +37,13 @@ private:
     std::unique_ptr<hid_device, DeviceEnd> device_;
 };
 
-// hidapi keeps its last error in one place for all threads, and looks around and opens through it.
+// Needed because hidapi stores its last error in one place for all threads, and lists and opens devices through it.
 std::mutex& hidapi_lock() {
     static std::mutex lock;
     return lock;
 }
 
-// Names are Latin enough for a sentence; what is not becomes a question mark.
+// Names are Latin enough for a sentence; any other character becomes a question mark.
 std::string narrow(const wchar_t* text) {
     std::string out;
     for (; text && *text; ++text) out += *text >= 32 && *text < 127 ? static_cast<char>(*text) : '?';

@@ -15,11 +15,12 @@ namespace {
 constexpr std::uint8_t kOutputCrc = 0xA2, kInputCrc = 0xA1;
 constexpr std::size_t kCommonOutput = 47, kBluetoothReport = 78, kDualShockUsbOutput = 32;
 constexpr std::size_t kChecksum = 4;
-constexpr unsigned kImprovedRumbleFrom = 0x0224;  // the firmware that replaced the first motors' emulation
+// Firmware version from which on rumble no longer emulates the older motors.
+constexpr unsigned kImprovedRumbleFrom = 0x0224;
 
 std::uint16_t zones_from(int first) noexcept { return static_cast<std::uint16_t>((0x3ff << first) & 0x3ff); }
 
-// Zone mask, then 3 bits of strength - 1 for each zone.
+// Writes a zone mask, then 3 bits of strength - 1 for each zone.
 void put_zones(TriggerEffect& effect, int first, int strength) noexcept {
     const std::uint16_t mask = zones_from(first);
     std::uint32_t packed = 0;
@@ -115,11 +116,11 @@ std::vector<std::uint8_t> pad_output_report(PadModel model, PadBus bus, const Pa
                                             int sequence) {
     std::vector<std::uint8_t> report;
     if (model == PadModel::DualShock4) {
-        // Only the flag of the coils, so that the light stays as the kernel has it.
+        // Sets only the flag of the coils, so that the light stays as the kernel set it.
         report.resize(bus == PadBus::Usb ? kDualShockUsbOutput : kBluetoothReport);
         const std::size_t at = bus == PadBus::Usb ? 1 : 3;
         report[0] = bus == PadBus::Usb ? 0x05 : 0x11;
-        if (bus == PadBus::Bluetooth) report[1] = 0xC0 | 4;  // with a checksum; inputs every 4 ms
+        if (bus == PadBus::Bluetooth) report[1] = 0xC0 | 4;  // 0xC0: with a checksum; 4: input every 4 ms
         report[at] = 0x01;
         report[at + 3] = output.weak;
         report[at + 4] = output.strong;
@@ -127,7 +128,8 @@ std::vector<std::uint8_t> pad_output_report(PadModel model, PadBus bus, const Pa
         return report;
     }
     std::array<std::uint8_t, kCommonOutput> common{};
-    common[0] = 0x04 | 0x08 | 0x02 | (improved_rumble ? 0x00 : 0x01);  // both triggers, coils for rumble
+    // Flags of both triggers and of the coils as rumble.
+    common[0] = 0x04 | 0x08 | 0x02 | (improved_rumble ? 0x00 : 0x01);
     common[2] = output.weak;
     common[3] = output.strong;
     std::copy(output.right.begin(), output.right.end(), common.begin() + 10);
@@ -167,7 +169,7 @@ std::optional<PadInput> parse_pad_input(PadModel model, PadBus bus, std::span<co
     input.left_y = -stick(block[1]);
     input.right_x = stick(block[2]);
     input.right_y = -stick(block[3]);
-    // The DualShock 4 tells buttons first, the DualSense triggers and a counter.
+    // The DualShock 4 sends buttons first, the DualSense triggers and a counter.
     const auto keys = block.subspan(sense ? 7 : 4, 3), triggers = block.subspan(sense ? 4 : 7, 2);
     input.left_trigger = triggers[0] / 255.0;
     input.right_trigger = triggers[1] / 255.0;
@@ -186,7 +188,7 @@ PlaystationPad::~PlaystationPad() { close(); }
 
 Result<void> PlaystationPad::open() {
     if (bus_ == PadBus::Bluetooth) {
-        // A fresh link sends short reports until this one was asked for: calibration, unused here.
+        // A fresh connection sends short reports until this one was requested; its content, the calibration, is unused.
         std::array<std::uint8_t, 64> calibration{};
         calibration[0] = model_ == PadModel::DualSense ? 0x05 : 0x02;
         if (link_->feature(calibration) < 0) return fail(phrase("drivers.pad_silent"));

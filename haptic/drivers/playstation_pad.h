@@ -1,8 +1,8 @@
-// Sony's DualSense and DualShock 4: what their sticks, triggers and buttons do, and cues to the fingers by two voice
-// coils and, on the DualSense, two triggers that resist. No wall: a cue tells of one. Over USB or Bluetooth, where each
-// report carries a checksum. Any one thread; the pad is read at most 250 times a second and written at most 125, and
-// read() and write() cost a system call each. Sources: the Linux drivers hid-playstation and hid-sony for reports and
-// checksum; published descriptions of the trigger effects.
+// Sony's DualSense and DualShock 4: reads their sticks, triggers and buttons, and gives cues to the fingers by two
+// voice coils and, on the DualSense, two triggers that resist. It renders no walls; a cue only indicates one. Over USB,
+// or over Bluetooth, where each report carries a checksum. Any one thread. The pad is read at most 250 times a second
+// and written at most 125 times; read() and write() cost a system call each. Sources: the Linux drivers hid-playstation
+// and hid-sony for reports and checksum; published descriptions of the trigger effects.
 #pragma once
 
 #include <array>
@@ -22,26 +22,25 @@ namespace handrail {
 enum class PadModel : std::uint8_t { DualSense, DualShock4 };
 enum class PadBus : std::uint8_t { Usb, Bluetooth };
 
-// Sony's pads by their numbers on the bus.
+// A Sony pad identified by its USB or Bluetooth numbers.
 struct PadIdentity {
     PadModel model = PadModel::DualSense;
     std::string_view name, spoken;  // "dualsense", "DualSense Edge"
 };
 std::optional<PadIdentity> playstation_pad(std::uint16_t vendor, std::uint16_t product) noexcept;
 
-// The kernel gives such a pad an event node too, by the pad's own name.
+// The kernel also creates event nodes for such a pad, under the pad's own name.
 bool is_event_node_of_a_playstation_pad(std::string_view name) noexcept;
 
 struct PadInput {
-    double left_x = 0.0, left_y = 0.0, right_x = 0.0, right_y = 0.0;  // -1 to 1, right and forward positive
-    double left_trigger = 0.0, right_trigger = 0.0;                   // 0 to 1
-    int hat = 8;                                                      // 0 up, clockwise to 7; 8 none
-    // From bit 0: square cross circle triangle L1 R1 L2 R2 create options L3 R3 PS touch mute.
+    double left_x = 0.0, left_y = 0.0, right_x = 0.0, right_y = 0.0;  // range -1 to 1, right and forward positive
+    double left_trigger = 0.0, right_trigger = 0.0;                   // range 0 to 1
+    int hat = 8;                                                      // 0 up, then clockwise to 7; 8 none
+    // From bit 0 on: square cross circle triangle L1 R1 L2 R2 create options L3 R3 PS touch mute.
     std::uint32_t buttons = 0;
 };
 
-// Ten zones along the pull of a trigger, 0 to 9. Built by the functions below; values out of range are held at its
-// ends.
+// Ten zones along the pull of a trigger, 0 to 9. Built by the functions below, which clamp values out of range.
 using TriggerEffect = std::array<std::uint8_t, 11>;
 TriggerEffect trigger_off() noexcept;
 TriggerEffect trigger_resists(int from_zone, int strength_1_to_8) noexcept;
@@ -50,33 +49,35 @@ TriggerEffect trigger_vibrates(int from_zone, int strength_1_to_8, int frequency
 
 struct PadOutput {
     TriggerEffect left = trigger_off(), right = trigger_off();
-    std::uint8_t strong = 0, weak = 0;  // rumble of the left and the right coil
+    std::uint8_t strong = 0, weak = 0;  // rumble of the left coil (strong) and the right coil (weak)
 };
 
 PadOutput pad_output_for(const FingerCue& cue) noexcept;
 
-// Reports as bytes. A Bluetooth input with a wrong checksum, and anything that is no full input report, is nothing.
+// Convert reports to and from bytes. A Bluetooth input with a wrong checksum, and anything that is not a full input
+// report, gives nothing.
 std::vector<std::uint8_t> pad_output_report(PadModel model, PadBus bus, const PadOutput& output, bool improved_rumble,
                                             int sequence);
 std::optional<PadInput> parse_pad_input(PadModel model, PadBus bus, std::span<const std::uint8_t> report) noexcept;
-// CRC-32 as in zip over one leading byte (0xA2 output, 0xA1 input, 0xA3 feature) and the report without its last four.
+// CRC-32 as in zip, over one leading byte (0xA2 output, 0xA1 input, 0xA3 feature) and the report without its last four
+// bytes.
 std::uint32_t pad_checksum(std::uint8_t leading, std::span<const std::uint8_t> bytes) noexcept;
 
 class PlaystationPad {
 public:
     PlaystationPad(std::unique_ptr<HidLink> link, PadModel model, PadBus bus);
-    ~PlaystationPad();  // triggers loose, coils still
+    ~PlaystationPad();  // loosens the triggers and stops the coils
     PlaystationPad(const PlaystationPad&) = delete;
     PlaystationPad& operator=(const PlaystationPad&) = delete;
 
-    // Over Bluetooth asks for full reports; asks the DualSense for its firmware.
+    // Requests full reports over Bluetooth, and the firmware version from a DualSense.
     Result<void> open();
-    // The newest input that is waiting, or that comes in time; nothing when there was none.
+    // Returns the newest input that is waiting, or that comes in time; nothing if there was none.
     std::optional<PadInput> read(double timeout_s) noexcept;
     bool write(const PadOutput& output);
     void close() noexcept;
     bool lost() const { return lost_; }
-    // "2.36" on a DualSense, else empty.
+    // "2.36" on a DualSense, otherwise empty.
     const std::string& firmware() const { return firmware_; }
 
 private:

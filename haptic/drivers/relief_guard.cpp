@@ -13,13 +13,14 @@
 namespace handrail {
 namespace {
 
-constexpr int kDyingMs = 500;  // for the kernel to end the first guard; it may be in a driver that does not let go
+// Time for the kernel to end the first guard, which may be in a driver that does not return.
+constexpr int kDyingMs = 500;
 constexpr auto kBetweenTries = std::chrono::milliseconds(10);
 constexpr auto kBetweenLateTries = std::chrono::milliseconds(500);
-// More than a device takes to open: a first guard without a program that has not ended by then hangs.
+// More than a device takes to open. If the first guard has lost its program and has not ended by then, it hangs.
 constexpr double kOrphanS = 35.0;
 
-// True when the first guard has ended; false when it holds a device and stands still, or hangs without a program.
+// Returns true if the first guard has ended; false if it holds a device and froze, or hangs without a program.
 bool watch(HandMailbox& mailbox, int guard_fd, int life_fd) {
     const SteadyClock clock;
     std::array<pollfd, 2> watched{pollfd{guard_fd, POLLIN, 0}, pollfd{life_fd, POLLRDHUP, 0}};
@@ -31,12 +32,13 @@ bool watch(HandMailbox& mailbox, int guard_fd, int life_fd) {
         if (watched[0].revents != 0) return true;
         if (events > 0 &&
             watched[1].revents !=
-                0) {  // the program is gone; the first guard sees that as well, lets the device go and ends
+                // The program is gone. The first guard notices that as well, releases the device and ends.
+                0) {
             watched[1].fd = -1;
             orphaned_s = clock.now_s();
             continue;
         }
-        if (events != 0) continue;  // a signal: no look
+        if (events != 0) continue;  // interrupted by a signal: does not count as a look
         if (orphaned_s >= 0.0 && clock.now_s() - orphaned_s > kOrphanS) return false;
         still =
             guard.look(mailbox.beats.load(std::memory_order_acquire), !mailbox.holds.load(std::memory_order_acquire));
@@ -44,7 +46,7 @@ bool watch(HandMailbox& mailbox, int guard_fd, int life_fd) {
     return false;
 }
 
-// Beats on a thread of its own while a driver opens, zeroes and closes the device, which may take seconds.
+// Beats on a separate thread while a driver opens, zeroes and closes the device, which may take seconds.
 std::jthread beat_meanwhile(HandMailbox& mailbox) noexcept {
     try {
         return std::jthread([&mailbox](const std::stop_token& end) {
@@ -53,7 +55,7 @@ std::jthread beat_meanwhile(HandMailbox& mailbox) noexcept {
                 mailbox.relief_beats.fetch_add(1, std::memory_order_release);
         });
     } catch (const std::system_error&) {
-        return {};  // then the program replaces us if the driver takes longer than it waits
+        return {};  // the program then replaces this process if the driver takes longer than the program waits
     }
 }
 
@@ -85,7 +87,7 @@ int relieve_guard(HandMailbox& mailbox, int guard_fd, int life_fd, const ZeroDev
         }
         const double tried_s = clock.now_s() - begun_s;
         if (tried_s > kZeroTriesS && !std::exchange(told, true)) {
-            // The reason first: whoever sees the state reads it at once.
+            // The reason is sent first, because a reader that sees the state reads it at once.
             send_message(life_fd, GuardMessage::Failed, zeroed.error().sentence());
             mailbox.relief = ReliefState::Failed;
         }

@@ -1,5 +1,5 @@
 // 3Dconnexion's SpaceMouse: a puck that is pressed, not moved; for walking and turning, without force. Any one thread.
-// Source: the reports as its HID descriptor and open drivers describe them.
+// Source: its HID descriptor, and descriptions of the reports in open drivers.
 #pragma once
 
 #include <array>
@@ -12,29 +12,29 @@
 
 namespace handrail {
 
-// Device frame: x right, y forward, z up; turn about the same axes, right-handed. All -1 to 1, 0 at rest, after dead
-// band and curve.
+// Device frame: x right, y forward, z up; rotations about the same axes, right-handed. All -1 to 1, 0 at rest, after
+// dead band and curve.
 struct PuckState {
     Vec3 move{0.0}, turn{0.0};
     std::uint32_t buttons = 0;
 };
 
-// 3Dconnexion's, and Logitech's, who sold theirs before and sells much else.
+// Recognises 3Dconnexion's pucks and those of Logitech, who sold them before and also sells many other devices.
 bool is_space_mouse(const HidDeviceInfo& device) noexcept;
 
 class SpaceMouse {
 public:
-    static constexpr double kDeadBand = 0.08;     // of full deflection: a resting hand moves nobody
-    static constexpr double kSilentAfterS = 0.1;  // a puck that stops telling is at rest
+    static constexpr double kDeadBand = 0.08;     // share of full deflection, so that a resting hand moves nothing
+    static constexpr double kSilentAfterS = 0.1;  // a puck that sends nothing for this long is at rest
 
     explicit SpaceMouse(std::unique_ptr<HidLink> link) : link_(std::move(link)) {}
 
-    // Takes what is waiting; never waits.
+    // Takes the reports that are waiting; never waits.
     const PuckState& poll(double now_s) noexcept;
     bool lost() const { return lost_; }
     bool light(bool on) noexcept;
 
-    // One report as bytes; false when it is none of the puck's.
+    // Takes one report as bytes; returns false if it is not one of the puck's.
     bool take(std::span<const std::uint8_t> report, double now_s) noexcept;
 
 private:

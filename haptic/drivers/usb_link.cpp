@@ -29,7 +29,7 @@ Context make_context() {
     return Context(libusb_init(&context) == 0 ? context : nullptr);
 }
 
-// Calls visit(device, descriptor) for every device until it gives true.
+// Calls visit(device, descriptor) for every device until it returns true.
 template <class Visit>
 void for_each_device(libusb_context* context, Visit&& visit) {
     libusb_device** devices = nullptr;
@@ -48,7 +48,7 @@ std::string text_of(libusb_device_handle* handle, std::uint8_t index) {
     return length > 0 ? std::string(text.begin(), text.begin() + length) : std::string();
 }
 
-// The usual reasons in the language spoken, the others in the library's words.
+// The usual reasons in the language of the program, the others in libusb's words.
 std::string reason_of_usb(int status) {
     switch (status) {
         case LIBUSB_ERROR_IO:
@@ -67,7 +67,7 @@ std::string reason_of_usb(int status) {
 }
 
 unsigned milliseconds(double seconds) noexcept {
-    // 0 would wait for ever.
+    // At least 1, because 0 would wait for ever.
     return static_cast<unsigned>(std::clamp(std::ceil(seconds * 1000.0), 1.0, 10000.0));
 }
 
@@ -81,7 +81,7 @@ public:
                                        kControlTimeoutMs) >= 0;
     }
     int write(std::span<const std::uint8_t> bytes, double timeout_s) noexcept override {
-        // libusb only reads what it writes.
+        // libusb does not modify the bytes that it writes.
         return bulk(kBulkOut, const_cast<unsigned char*>(bytes.data()), bytes.size(), timeout_s);
     }
     int read(std::span<std::uint8_t> room, double timeout_s) noexcept override {
@@ -99,7 +99,7 @@ private:
         return goes_on ? done : kLost;
     }
 
-    Context context_;  // outlives the handle
+    Context context_;  // must outlive the handle
     UsbHandle handle_;
 };
 

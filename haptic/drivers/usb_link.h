@@ -1,5 +1,5 @@
-// USB devices through libusb: which of the known ones are plugged in, and a ByteLink to one of them. Any one thread.
-// Calls allocate and lock.
+// USB devices through libusb: lists which of the known ones are plugged in, and opens a ByteLink to one of them. Any
+// one thread. Calls allocate and lock.
 #pragma once
 
 #include <cstdint>
@@ -15,21 +15,21 @@ namespace handrail {
 
 struct UsbId {
     std::uint16_t vendor = 0;
-    std::uint16_t product = 0;  // 0: any of the vendor's
+    std::uint16_t product = 0;  // 0: any product of the vendor
 };
 
 struct UsbDeviceInfo {
     UsbId id;
     int bus = 0, address = 0;
-    std::string serial, product_name;  // empty where it may not be asked
-    bool permitted = true;             // to open it
-    std::string problem;               // why it cannot be opened, as libusb says it; empty when it can
+    std::string serial, product_name;  // empty if it may not be queried
+    bool permitted = true;             // may be opened
+    std::string problem;               // why it cannot be opened, in libusb's words; empty if it can
 };
 
-// Those among `wanted` that are plugged in, by bus and address. Fails when USB cannot be looked at at all.
+// The devices among `wanted` that are plugged in, by bus and address. Fails if USB cannot be queried at all.
 Result<std::vector<UsbDeviceInfo>> list_usb_devices(std::span<const UsbId> wanted);
 
-// Claims interface 0; bulk endpoints 0x02 out and 0x81 in, vendor requests to the device, as the FTDI chips have them.
+// Claims interface 0; bulk endpoints 0x02 out and 0x81 in, vendor requests to the device, as on the FTDI chips.
 Result<std::unique_ptr<ByteLink>> open_usb_link(const UsbDeviceInfo& device);
 
 }  // namespace handrail

@@ -1,6 +1,6 @@
-// A maker's closed library, loaded when it is installed and never linked or shipped. Symbols are asked for by name, and
-// one that is missing is a sentence, not a crash. Any thread; loading runs the library's own start-up code, so it
-// happens in the guard process.
+// A maker's closed library, loaded if it is installed and never linked or shipped. Symbols are looked up by name; a
+// missing one gives a sentence, not a crash. Any thread. Loading runs the library's own start-up code, so it happens in
+// the guard process.
 #pragma once
 
 #include <initializer_list>
@@ -12,19 +12,19 @@ namespace handrail {
 
 class VendorLibrary {
 public:
-    // The first of the names that the loader finds. Fails with what is missing, in a sentence.
+    // Loads the first of the names that the loader finds. Fails with a sentence about what is missing.
     static Result<VendorLibrary> load(std::initializer_list<std::string> names, const std::string& maker);
     VendorLibrary(VendorLibrary&& other) noexcept;
     VendorLibrary& operator=(VendorLibrary&&) = delete;
     ~VendorLibrary();
 
-    // Looks a function up into `function`; the first one missing is remembered.
+    // Looks a function up into `function`; remembers the first one that is missing.
     template <class Function>
     VendorLibrary& get(const char* name, Function*& function) {
         function = reinterpret_cast<Function*>(find(name));
         return *this;
     }
-    // Everything that was asked for is there.
+    // Succeeds if every requested function was found.
     Result<void> complete() const;
 
 private:

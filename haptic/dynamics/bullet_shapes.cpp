@@ -10,8 +10,8 @@
 namespace handrail {
 namespace {
 
-// Bullet rounds its convex shapes by a margin, 40 mm unless told otherwise; less of it for what is thin. The outside
-// stays where it is.
+// Bullet rounds its convex shapes by a margin, 40 mm by default; thin shapes get less. The outer surface stays where it
+// is.
 constexpr double kMargin_m = 2e-3;
 
 btTransform upright(const Vec3& middle_m, const Vec3& axis) {
@@ -26,8 +26,8 @@ bool is_box(const ConvexSolid& solid) {
            });
 }
 
-// The corners of the solid with its faces moved in, about its middle; no corners when that leaves nothing or loses a
-// face.
+// The corners of the solid with its faces moved inwards, relative to its middle. No corners if nothing is left or a
+// face vanishes.
 std::vector<Vec3> corners_moved_in(const ConvexSolid& solid, double by_m) {
     std::vector<Plane> planes = solid.planes;
     const Vec3 middle = solid.bounds_m.centre_m();

@@ -1,5 +1,5 @@
-// Bullet's shapes for parts of the dynamics scene. Private to this folder: Bullet's headers stay in it. Source:
-// Bullet 3.24, double precision.
+// Bullet's shapes for parts of the dynamics scene. Private to this folder, because Bullet's headers must stay in it.
+// Source: Bullet 3.24, double precision.
 #pragma once
 
 #include <BulletCollision/CollisionShapes/btTriangleInfoMap.h>
@@ -22,19 +22,19 @@ inline Placement ours(const btTransform& at) {
     return {ours(at.getOrigin()), {q.w(), q.x(), q.y(), q.z()}, 1.0};
 }
 
-// Owns the shapes that it made; goes after the world that uses them.
+// Owns the shapes that it made; must outlive the world that uses them.
 class BulletShapes {
 public:
-    // One part, and where it stands in the frame of its own coordinates.
+    // One part, and its pose in the frame of its own coordinates.
     struct Part {
         btCollisionShape* shape = nullptr;
         btTransform at = btTransform::getIdentity();
     };
     Part part(const DynamicsPiece& piece);
-    // All parts as one; child i is pieces[i]. A single part at zero without a turn stays what it is unless `compound`
-    // is asked for.
+    // Combines all parts into one shape; child i is pieces[i]. A single part at zero without rotation stays as it is,
+    // unless `compound` is set.
     btCollisionShape* together(const std::vector<DynamicsPiece>& pieces, bool compound);
-    // Null where there are none. Knows its own inner edges.
+    // Null if the mesh is empty. The shape knows its inner edges.
     btCollisionShape* sheets(const TriangleMesh& mesh);
 
     ~BulletShapes();
@@ -47,7 +47,7 @@ private:
         return raw;
     }
 
-    std::vector<std::unique_ptr<btCollisionShape>> shapes_;  // parts before what is made of them
+    std::vector<std::unique_ptr<btCollisionShape>> shapes_;  // parts come before the shapes made of them
     std::unique_ptr<btTriangleIndexVertexArray> triangles_;
     std::unique_ptr<btTriangleInfoMap> edges_;
 };

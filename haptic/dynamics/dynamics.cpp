@@ -18,20 +18,20 @@ namespace handrail {
 namespace {
 
 constexpr double kH = Dynamics::kStep_s;
-constexpr double kMostReach_m = 0.1;  // contacts are known so far before they happen: what the hand's model lives on
-constexpr double kMostSpeed_m_per_s = 20.0;  // 83 mm a step: less than that reach
+constexpr double kMostReach_m = 0.1;         // contacts are found this far ahead; the hand's model depends on it
+constexpr double kMostSpeed_m_per_s = 20.0;  // 83 mm a step, which is less than kMostReach_m
 constexpr double kMostTurn_rad_per_s = 60.0;
-constexpr double kJammed_m = 3e-3;      // so deep in a driven thing a body is jammed
-constexpr double kMostDrive_n = 400.0;  // no door or train pushes harder
-constexpr double kCatchUp_m = 2e-3;     // a step, after it waited
-constexpr int kJammedSteps = 60;        // before it tries again
-constexpr double kOutside_m = 5.0;      // so far outside of everything a body is put back
+constexpr double kJammed_m = 3e-3;      // a body this deep in a driven thing is jammed
+constexpr double kMostDrive_n = 400.0;  // no door or train pushes harder than this
+constexpr double kCatchUp_m = 2e-3;     // movement of a driven thing in each step after it waited
+constexpr int kJammedSteps = 60;        // steps before it tries again
+constexpr double kOutside_m = 5.0;      // a body this far outside of everything is put back
 constexpr double kHit_m_per_s = 0.15;
 constexpr double kHitAgain_s = 0.05;
-constexpr double kPressed_m = 1e-3;  // so deep in somebody who walks a body goes along
+constexpr double kPressed_m = 1e-3;  // a body this deep in the walker is carried along
 constexpr double kWhole = 1e-6;
-constexpr int kMovingSteps = 12;   // between two words of rolling or sliding: 20 a second
-constexpr int kFallingSteps = 24;  // without touching anything
+constexpr int kMovingSteps = 12;   // steps between two events of rolling or sliding: 20 a second
+constexpr int kFallingSteps = 24;  // steps without touching anything
 
 enum Kind : int { kBuilding, kSheets, kDriven, kBody, kWalker };
 Kind kind_of(const btCollisionObject& object) { return static_cast<Kind>(object.getUserIndex2()); }
@@ -40,21 +40,21 @@ const btSphereShape* ball_of(const btCollisionShape& shape) {
     return shape.getShapeType() == SPHERE_SHAPE_PROXYTYPE ? static_cast<const btSphereShape*>(&shape) : nullptr;
 }
 
-// The point of a rolling part that is lowest along a normal. A point ahead of it would come down while the part rolls
-// and be thrown up.
+// The point of a rolling part that is lowest along a normal. Any point ahead of it would come down while the part
+// rolls, and throw the part up.
 btVector3 lowest(const btCollisionObjectWrapper& part, const btVector3& on_body, const btVector3& normal) {
     const btTransform& at = part.getWorldTransform();
     if (const btSphereShape* ball = ball_of(*part.getCollisionShape()))
         return at.getOrigin() - normal * ball->getRadius();
     if (part.getCollisionShape()->getShapeType() != CYLINDER_SHAPE_PROXYTYPE) return on_body;
     const btVector3 axis = at.getBasis().getColumn(2), out = normal - axis * axis.dot(normal);
-    if (out.length2() < 0.25) return on_body;  // it stands rather than lies
+    if (out.length2() < 0.25) return on_body;  // it stands upright
     const double along = axis.dot(on_body - at.getOrigin());
     return at.getOrigin() + axis * along -
            out.normalized() * static_cast<const btCylinderShape*>(part.getCollisionShape())->getRadius();
 }
 
-// A contact of a body with part `piece` of the building goes to where it can be touched.
+// Moves a contact of a body with part `piece` of the building to a face that can be touched.
 void put_on_open_face(const DynamicsScene& scene, std::uint32_t piece, btManifoldPoint& contact,
                       const btCollisionObjectWrapper& body, const btCollisionObject& building, bool building_is_b) {
     const btVector3 on_building = building_is_b ? contact.m_positionWorldOnB : contact.m_positionWorldOnA;
@@ -64,7 +64,7 @@ void put_on_open_face(const DynamicsScene& scene, std::uint32_t piece, btManifol
                                            ours(body.getCollisionObject()->getWorldTransform().getOrigin()));
     if (verdict.kind == SeamVerdict::Kind::True) return;
     btVector3 face_normal = normal,
-              on_face = on_building - normal;  // no contact: a metre apart, so it goes with the next refresh
+              on_face = on_building - normal;  // not a contact: set a metre apart, so that the next refresh drops it
     if (verdict.kind == SeamVerdict::Kind::Face) {
         const Plane& face = scene.building[piece].solid.planes[verdict.face];
         face_normal = bullet(face.normal);
@@ -80,7 +80,8 @@ void put_on_open_face(const DynamicsScene& scene, std::uint32_t piece, btManifol
     contact.m_distance1 = (on_body - on_face).dot(face_normal);
 }
 
-// Bullet calls this for every contact that it finds or finds again. One per process: the scene comes with the object.
+// Bullet calls this for every contact that it finds or refreshes. There is one callback for the whole process, so the
+// scene comes with the object.
 bool contact_added(btManifoldPoint& contact, const btCollisionObjectWrapper* a, int part_a, int index_a,
                    const btCollisionObjectWrapper* b, int part_b, int index_b) {
     const btCollisionObject &object_a = *a->getCollisionObject(), &object_b = *b->getCollisionObject();
@@ -111,7 +112,8 @@ void set_up_bullet() {
     });
 }
 
-// Contacts nearer to each other than the threshold of their pair are one, so small things need a small one.
+// Bullet merges contacts that are nearer to each other than the threshold of their pair, so small bodies need a small
+// one.
 class Dispatcher final : public btCollisionDispatcher {
 public:
     explicit Dispatcher(btCollisionConfiguration* configuration) : btCollisionDispatcher(configuration) {
@@ -134,19 +136,19 @@ private:
 struct Body {
     std::unique_ptr<btRigidBody> rigid;
     Stick stick;
-    double inertial_kg = 0.0;  // as it is now: two hands may ask for more than its mass
-    bool waiting = false;      // held still until fewer move
-    bool forced = false;       // there are forces of the step below
-    bool told = false;         // its place was told since it moved last
+    double inertial_kg = 0.0;  // effective mass at present; pushes of two hands may raise it above the body's mass
+    bool waiting = false;      // held still until fewer bodies move
+    bool forced = false;       // some of the forces below act in this step
+    bool told = false;         // its pose was reported since it last moved
     Vec3 kept_m_per_s{0.0}, kept_rad_per_s{0.0};
-    std::optional<btTransform> sleeps_at;  // since it fell asleep
-    // Forces of the step.
+    std::optional<btTransform> sleeps_at;  // pose since it fell asleep
+    // Forces in this step.
     std::array<Vec3, 2> hand_n{Vec3(0.0), Vec3(0.0)}, hand_nm{Vec3(0.0), Vec3(0.0)};
-    std::array<double, 2> pushed_s{-1e9, -1e9};  // last time each hand pushed
-    double near_s = -1e9;                        // last time a hand was near
+    std::array<double, 2> pushed_s{-1e9, -1e9};  // when each hand last pushed it
+    double near_s = -1e9;                        // when a hand was last near
     std::array<double, 2> least_kg{0.0, 0.0};
     Vec3 lead_n{0.0}, lead_nm{0.0}, shove_n{0.0};
-    // What is heard of it.
+    // State for its sound events.
     Vec3 speed_before{0.0};
     double hit_s = -1e9;
     int moving = 0, airborne = 0;
@@ -157,10 +159,10 @@ struct Driven {
     std::unique_ptr<btRigidBody> rigid;
     Placement to;  // local
     bool present = true, blocked = false;
-    int jammed = 0;           // steps to wait still
-    bool catches_up = false;  // it was held up, and does not jump to where it should be
-    double way_m = 0.0;       // of the last step
-    Vec3 pushed{0.0};         // the way it pressed what is jammed; back it may go
+    int jammed = 0;           // steps that it still waits
+    bool catches_up = false;  // it was held up, so it approaches its commanded pose gradually
+    double way_m = 0.0;       // distance moved in the last step
+    Vec3 pushed{0.0};         // direction in which it pressed the jammed body; it may move back
 };
 
 struct Lead {
@@ -170,14 +172,14 @@ struct Lead {
     Rotation turn;
 };
 
-// By somebody who walks.
+// A push by the walker.
 struct Shove {
     std::uint32_t body = kNoBody;
     Vec3 speed_m_per_s{0.0};  // level, not zero
     double most_n = 0.0, left_s = 0.0;
 };
 
-// What a body touches hardest in one step.
+// The strongest contact of a body in one step.
 struct Touched {
     double impulse = 0.0;
     FeatureId feature = kNoFeature;
@@ -186,7 +188,7 @@ struct Touched {
     bool any = false;
 };
 
-// Small turn that leads from one rotation to another, as a vector.
+// The small rotation that leads from one orientation to another, as a vector.
 Vec3 turn_between(const Rotation& from, const Rotation& to) {
     const Rotation d = to * Rotation{from.w, -from.x, -from.y, -from.z};
     const double two = d.w < 0.0 ? -2.0 : 2.0;
@@ -198,7 +200,7 @@ Vec3 at_most(const Vec3& v, double most) {
     return length > most ? v * (most / length) : v;
 }
 
-// Bullet's world with everything in it; its parts go in the reverse order.
+// Bullet's world with everything in it. The members are destroyed in reverse order.
 struct World {
     BulletShapes shapes;
     btDefaultCollisionConfiguration configuration;
@@ -214,20 +216,20 @@ struct World {
     std::array<std::vector<HandPush>, 2> pushes;
     std::vector<Lead> leads;
     std::vector<Shove> shoves;
-    // Kept only for their memory.
+    // Scratch buffers, kept to avoid allocations.
     std::vector<Touched> touched;
     std::vector<std::pair<double, std::uint32_t>> order;
 
     explicit World(const DynamicsScene& scene);
     ~World();
 
-    // Something overlapped it on the last step.
+    // Returns true if a body overlapped the walker in the last step.
     bool walker_pressed();
     btRigidBody* kinematic(std::unique_ptr<btRigidBody>& owner, btCollisionShape* shape, const DynamicsScene& scene,
                            Kind kind, int index, const Placement& at);
 };
 
-constexpr int kStillGroup = 2, kFreeGroup = 1;  // what stands or is driven does not meet its like
+constexpr int kStillGroup = 2, kFreeGroup = 1;  // still and driven objects do not collide with each other
 
 void mark(btCollisionObject& object, const DynamicsScene& scene, Kind kind, int index) {
     object.setUserPointer(const_cast<DynamicsScene*>(&scene));
@@ -255,7 +257,7 @@ World::World(const DynamicsScene& scene) {
     world.setGravity(bullet(scene.gravity_m_per_s2));
     world.setLatencyMotionStateInterpolation(false);
     world.setForceUpdateAllAabbs(false);
-    // Pushed out of what it is in, a body is not thrown.
+    // A body that overlaps another object is pushed out without gaining speed.
     world.getSolverInfo().m_splitImpulsePenetrationThreshold = -1e-4;
     const auto add_still = [&](btCollisionShape* shape, Kind kind) {
         auto object = std::make_unique<btCollisionObject>();
@@ -263,7 +265,8 @@ World::World(const DynamicsScene& scene) {
         mark(*object, scene, kind, 0);
         object->setFriction(1.0);
         object->setRestitution(1.0);
-        object->setActivationState(ISLAND_SLEEPING);  // else whatever lies on it is collided for ever
+        // Otherwise bodies that rest on it would be collided with it for ever.
+        object->setActivationState(ISLAND_SLEEPING);
         world.addCollisionObject(object.get(), kStillGroup, kFreeGroup);
         still.push_back(std::move(object));
     };
@@ -291,9 +294,9 @@ World::World(const DynamicsScene& scene) {
         rigid.setRollingFriction(body.nature.rolling * body.half_width_m);
         rigid.setSpinningFriction(body.nature.rolling * body.half_width_m);
         rigid.setRestitution(body.nature.elasticity);
-        rigid.setSleepingThresholds(0.01, 0.02);  // Bullet's own would stop what a hand pushes slowly
-        // Its middle is swept whenever it could come through what the rest of it is in already, by a sphere so small
-        // that it is seldom in that too: a sweep that begins in something finds nothing.
+        rigid.setSleepingThresholds(0.01, 0.02);  // Bullet's defaults would stop bodies that a hand pushes slowly
+        // The centre is swept whenever it could pass through an object that the rest of the body already overlaps. The
+        // sphere is so small that it seldom overlaps too: a sweep that begins inside an object finds nothing.
         rigid.setCcdMotionThreshold(0.1 * body.half_width_m);
         rigid.setCcdSweptSphereRadius(0.1 * body.half_width_m);
         world.addRigidBody(&rigid, kFreeGroup, kStillGroup | kFreeGroup);
@@ -321,7 +324,7 @@ struct Dynamics::Impl {
     double begin_s = 0.0;
     std::uint64_t steps = 0;
     std::uint32_t game = 1;
-    std::vector<Placement> things;  // as told last
+    std::vector<Placement> things;  // poses that were last reported
 
     double now_s() const { return begin_s + static_cast<double>(steps) * kH; }
     Vec3 local(const Vec3& world_m) const { return world_m - scene->origin_m; }
@@ -341,7 +344,7 @@ struct Dynamics::Impl {
     void limit_awake(DynamicsFrame& out);
     void put_back(std::size_t body, std::vector<BodyEvent>& events);
     double gap_to_m(std::size_t body, const Vec3& local_m) const;
-    // It lies or is held still, and that was told.
+    // Returns true if the body rests or is held still, and that was reported.
     bool is_silent(std::size_t i) const {
         const Body& body = world->bodies[i];
         return !body.rigid->isActive() && (body.rested || body.waiting);
@@ -356,7 +359,7 @@ struct Dynamics::Impl {
     void jam(const btCollisionObject& thing, const btVector3& to_body, const btManifoldPoint& contact);
 };
 
-// What of each push lies in this step, or before it.
+// Applies the part of each push that is in this step or before it.
 void Dynamics::Impl::take_pushes(unsigned hand) {
     const double end_s = now_s() + kH;
     std::vector<HandPush>& list = world->pushes[hand];
@@ -366,7 +369,9 @@ void Dynamics::Impl::take_pushes(unsigned hand) {
         double part = (end_s - push.time_s) / push.dt_s;
         part = part < kWhole         ? 0.0
                : part > 1.0 - kWhole ? 1.0
-                                     : part;  // what rounding left over of a tick that ends with the step is none
+                                     // Snapped, because a rest from rounding of a tick that ends with the step does not
+                                     // count.
+                                     : part;
         if (part > 0.0) {
             body.forced = true;
             body.hand_n[hand] += push.force_n * (part * push.dt_s / kH);
@@ -388,7 +393,7 @@ void Dynamics::Impl::take_pushes(unsigned hand) {
     list.resize(kept);
 }
 
-// Critically damped, with the body's weight carried, as far as the force allows.
+// Critically damped. The force also carries the body's weight, as far as it suffices.
 void Dynamics::Impl::apply_lead(const Lead& lead) {
     constexpr double kRate = 12.0;  // 1/s
     Body& body = world->bodies[lead.body];
@@ -408,7 +413,7 @@ void Dynamics::Impl::apply_lead(const Lead& lead) {
     wake(lead.body);
 }
 
-// Towards the speed within a few steps, with what its friction takes added.
+// Reaches the wanted speed within a few steps; the force includes what friction takes.
 void Dynamics::Impl::apply_shove(Shove& shove) {
     constexpr double kWithin_s = 4.0 * kH;
     Body& body = world->bodies[shove.body];
@@ -423,8 +428,8 @@ void Dynamics::Impl::apply_shove(Shove& shove) {
     shove.left_s -= kH;
 }
 
-// A light body between two hands is given more inertia, its weight unchanged: at this rate it could not be led
-// otherwise.
+// A light body between two hands gets more inertia, with unchanged weight, because at this step rate two hands could
+// not move it stably otherwise.
 void Dynamics::Impl::weigh(std::size_t i) {
     Body& body = world->bodies[i];
     const DynamicsBody& is = scene->bodies[i];
@@ -528,8 +533,8 @@ void Dynamics::Impl::drive_things() {
     }
 }
 
-// Holds still what is too many, and lets it go on when there is room: first what somebody is about to touch or moves,
-// then in the order of the scene.
+// If too many bodies move, holds some still and lets them continue when there is room: first those that a person moves
+// or is about to touch, then in the order of the scene.
 void Dynamics::Impl::limit_awake(DynamicsFrame& out) {
     std::size_t active = 0;
     for (const Body& body : world->bodies) active += body.rigid->isActive();
@@ -551,12 +556,13 @@ void Dynamics::Impl::limit_awake(DynamicsFrame& out) {
     };
     for (std::size_t i = 0; i < world->bodies.size(); ++i)
         if (world->bodies[i].waiting && wanted(i)) go_on(world->bodies[i]);
-    // Bullet wakes whatever is near a body that moves. Those that lie still sleep on: if newcomers had to wait for them
-    // instead, they would wake them again each time that it is their turn, and no one of all would ever sleep.
+    // Bullet wakes every body near one that moves. Bodies that rest sleep on. If newcomers had to wait for them
+    // instead, they would wake them again at each of their turns, and none of the bodies would ever sleep.
     for (std::size_t i = world->bodies.size(); i-- > 0 && active > kMostAwake;) {
         btRigidBody& r = rigid(i);
         if (r.getActivationState() != WANTS_DEACTIVATION || wanted(i)) continue;
-        // Woken for one step again and again it would creep: contacts lift it by what gravity has no time to take back.
+        // A body that is woken for single steps again and again would creep: contacts lift it by amounts that gravity
+        // has no time to reverse.
         constexpr double kCreep_m = 2e-4;
         if (const auto& slept_at = world->bodies[i].sleeps_at;
             slept_at && r.getWorldTransform().getOrigin().distance2(slept_at->getOrigin()) < kCreep_m * kCreep_m) {
@@ -616,7 +622,7 @@ void Dynamics::Impl::put_back(std::size_t i, std::vector<BodyEvent>& events) {
                       scene->origin_m + scene->bodies[i].start.position_m});
 }
 
-// What rests on a lift may weigh what it likes; what stands before a door may not.
+// A body that rests on a lift may be of any weight; a body in front of a door may not.
 void Dynamics::Impl::jam(const btCollisionObject& thing, const btVector3& to_body, const btManifoldPoint& contact) {
     Driven& driven = world->driven[static_cast<std::size_t>(thing.getUserIndex())];
     const bool deep = contact.getDistance() < -kJammed_m - driven.way_m,
@@ -626,7 +632,7 @@ void Dynamics::Impl::jam(const btCollisionObject& thing, const btVector3& to_bod
     driven.pushed = ours(to_body);
 }
 
-// The strongest contact of each body with what it touches.
+// Finds the strongest contact of each body.
 void Dynamics::Impl::note_touched() {
     const auto silent = [this](const btCollisionObject& object) {
         return kind_of(object) == kBody && is_silent(static_cast<std::size_t>(object.getUserIndex()));
@@ -657,7 +663,7 @@ void Dynamics::Impl::note_touched() {
     }
 }
 
-// child: which part of the building or of its sheets. None of these where it is negative.
+// child: which part of the building or of its sheets; negative: none.
 FeatureId Dynamics::Impl::feature_of(const btCollisionObject& object, int child) const {
     const auto part = static_cast<std::size_t>(child), which = static_cast<std::size_t>(object.getUserIndex());
     switch (kind_of(object)) {
@@ -680,7 +686,7 @@ void Dynamics::Impl::hear(std::vector<BodyEvent>& events) {
         if (!is_silent(i)) hear_body(i, std::exchange(world->touched[i], {}), events);
 }
 
-// Impacts by the change of speed that no force explains; rolling, sliding, falling and resting by what is touched.
+// Detects impacts by a change of speed that no force explains; rolling, sliding, falling and resting by the contacts.
 void Dynamics::Impl::hear_body(std::size_t i, const Touched& t, std::vector<BodyEvent>& events) {
     Body& body = world->bodies[i];
     const Vec3 v = ours(body.rigid->getLinearVelocity()), w = ours(body.rigid->getAngularVelocity());
@@ -726,7 +732,8 @@ void Dynamics::Impl::tell_near(DynamicsFrame& out, unsigned hand) {
     if (!hands[hand].present()) return;
     auto& order = world->order;
     for (std::size_t i = 0; i < world->bodies.size(); ++i) {
-        const bool mine = now_s() - world->bodies[i].pushed_s[hand] < 0.5;  // what it pushes or holds comes first
+        // Bodies that this hand pushes or holds come first.
+        const bool mine = now_s() - world->bodies[i].pushed_s[hand] < 0.5;
         order[i] = {gap_to_m(i, local(hands[hand].at_m)) - (mine ? 1e6 : 0.0), static_cast<std::uint32_t>(i)};
     }
     const std::size_t count = std::min(DynamicsFrame::kNear, world->bodies.size());
@@ -761,7 +768,7 @@ void Dynamics::Impl::tell_near(DynamicsFrame& out, unsigned hand) {
     out.near_count[hand] = static_cast<std::uint8_t>(count);
 }
 
-// The contacts of the bodies that are told of. Of more than fit the deepest stay.
+// Adds the contacts of the reported bodies. If there are too many, the deepest stay.
 void Dynamics::Impl::add_planes(DynamicsFrame& out) {
     const auto gap = [](const BodyWord& word, const ContactPlane& plane) {
         return glm::dot(plane.normal, PlacedFrame(word.at).to_world(plane.own_m)) - plane.offset_m;
@@ -896,8 +903,8 @@ void Dynamics::walker(const Vec3& feet_m, double radius_m, double height_m) {
     }
     const double way = glm::length(at.position_m - ours(w.walker->getWorldTransform().getOrigin()));
     w.walker->setWorldTransform(bullet(at));
-    // Who walks stops a hair before a body, and with a speed of its own would throw the heaviest. Only what it has been
-    // driven into goes along with it.
+    // The walker stops just short of a body. With a speed of its own it would throw even the heaviest. Only a body that
+    // overlaps the walker is carried along.
     if (way > 0.5 || !w.walker_pressed()) w.walker->setInterpolationWorldTransform(bullet(at));
     w.walker->forceActivationState(way > 1e-9 ? ACTIVE_TAG : ISLAND_SLEEPING);
     w.world.updateSingleAabb(w.walker.get());

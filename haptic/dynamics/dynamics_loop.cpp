@@ -63,7 +63,7 @@ void carry_out(Dynamics& dynamics, const std::vector<BodyPose>& driven) {
         dynamics.drive(static_cast<std::uint32_t>(i), driven[i].at, driven[i].present);
 }
 
-// Everything handed over until now.
+// Takes everything that was handed over until now.
 void DynamicsLoop::take() {
     row_.orders = 0;
     for (Order order; orders_.pop(order); ++row_.orders) carry_out(dynamics_, order);
@@ -94,7 +94,7 @@ void DynamicsLoop::one_step() {
 }
 
 bool DynamicsLoop::step_until(double now_s) {
-    // Rounding must not make a step at the very moment one tick late.
+    // The small addition prevents rounding from delaying a step by one tick.
     const double due = std::floor((now_s - dynamics_.time_s()) / Dynamics::kStep_s + 1e-6);
     if (!(due >= 1.0)) return false;
     int steps = kMostBehind;

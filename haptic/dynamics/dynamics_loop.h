@@ -1,6 +1,6 @@
-// Drives Dynamics: a thread of its own at 240 Hz, paced by a Clock, and every hand-over to and from it. Each channel
-// has one producer and one consumer. Without start() the same loop is stepped by its owner in virtual time: whatever
-// was handed over before a step counts in it, so the same calls give the same bits.
+// Drives Dynamics on a separate thread at 240 Hz, paced by a Clock, and does every hand-over to and from it. Each
+// channel has one producer and one consumer. Without start(), the owner steps the same loop in virtual time. Everything
+// handed over before a step counts in it, so the same calls give bit-identical results.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@
 
 namespace handrail {
 
-// Does to the engine what was asked for, and tells it where driven things are.
+// Carry out a request of the app, and set the poses of driven things.
 void carry_out(Dynamics& dynamics, const BodyEngine::Order& order);
 void carry_out(Dynamics& dynamics, const std::vector<BodyPose>& driven);
 
@@ -27,18 +27,19 @@ class DynamicsLoop : public BodyEngine {
 public:
     using EventRing = SpscRing<BodyEvent, 256>;
 
-    // recording: gets each step, and outlives the loop; null: nothing is kept.
+    // recording: gets each step, and must outlive the loop; null: no recording.
     explicit DynamicsLoop(std::shared_ptr<const DynamicsScene> scene, double begin_s = 0.0,
                           EngineRecording* recording = nullptr);
     ~DynamicsLoop() override;
 
-    // Makes the thread. The clock outlives the loop, and its time is that of the hands. stop() joins; more often does
+    // Starts the thread. The clock must outlive the loop and be the clock of the hands. stop() joins; further calls do
     // no harm.
     void start(Clock& clock);
     void stop();
-    // Every whole step that ended by now; the thread's body, or for the owner of virtual time. After a stall at most
-    // kMostBehind steps are made up for and the rest of the time is let go: bodies then move slower than the clock,
-    // which nobody who touches them can tell from a heavier machine. False: none was due.
+    // Runs every whole step that has ended by now_s; called by the thread, or by the owner of virtual time. After a
+    // stall at most kMostBehind steps are made up for, and the rest of the time is dropped: bodies then move slower
+    // than the clock, which a person who touches them cannot distinguish from heavier ones. Returns false if no step
+    // was due.
     bool step_until(double now_s);
 
     // Servo thread of each hand.
@@ -55,7 +56,7 @@ public:
     const DynamicsFrame& frame_for_app() const override { return for_app_.read(); }
     bool take_event(BodyEvent& event) override { return events_.pop(event); }
 
-    // Steps that were made up for late, and seconds let go, since the start; any thread.
+    // Steps made up for late, and seconds dropped, since the start; any thread.
     std::uint64_t late_steps() const { return late_steps_.load(std::memory_order_relaxed); }
     double lost_s() const { return lost_s_.load(std::memory_order_relaxed); }
 
@@ -64,7 +65,7 @@ public:
 private:
     struct Driven {
         DrivenPoses poses;
-        std::uint32_t number = 0;  // how often it was told, this time too
+        std::uint32_t number = 0;  // counts the calls of drive(), this one included
     };
 
     void take();
@@ -80,7 +81,7 @@ private:
     std::uint32_t drives_ = 0;  // app thread
     EventRing events_;
     DynamicsFrame now_;
-    EngineRow row_;  // of the step that is made
+    EngineRow row_;  // row of the current step
     std::vector<BodyEvent> heard_;
     std::atomic<std::uint64_t> late_steps_{0};
     std::atomic<double> lost_s_{0.0};

@@ -1,6 +1,6 @@
-// What a recording keeps of each step of the engine of what is free to move: how much it had of the app and of both
-// hands until then, and what of the step others could hear, so that the same step can be computed again. Whoever
-// records takes the rows out of the ring; the engine only puts them in.
+// What a recording keeps of each engine step: how much input it had from the app and both hands until then, and which
+// results others could see, so that the step can be computed again. The engine only adds rows to the ring; the recorder
+// takes them out.
 #pragma once
 
 #include <array>
@@ -15,29 +15,29 @@ namespace handrail {
 struct EngineRow {
     static constexpr double kNoHand_s = -1.0;
 
-    std::uint32_t engine = 0;               // which of those that a session had after each other, from 1
-    std::uint64_t step = 0;                 // DynamicsFrame::number of what it came to
-    double time_s = 0.0;                    // the end of the step
-    std::uint64_t skipped = 0;              // steps' time that was let go before it, since nobody could make up for it
-    std::uint32_t orders = 0;               // of the app, taken in this step
-    std::uint32_t driven = 0;               // how often it had been told where driven things are
-    std::array<double, 2> places_s{};       // HandPlace::time_s of the newest it knew of each hand; 0: of none yet,
-                                            // kNoHand_s: that it is away
-    std::array<std::uint32_t, 2> pushes{};  // of each hand, taken in this step
-    std::uint32_t events = 0;               // that found room
-    bool published = false;                 // the others could see how this step ended
+    std::uint32_t engine = 0;   // which of the session's engines, counted from 1
+    std::uint64_t step = 0;     // DynamicsFrame::number of the resulting frame
+    double time_s = 0.0;        // time of the end of the step
+    std::uint64_t skipped = 0;  // steps that were dropped before it, because they could not be made up for
+    std::uint32_t orders = 0;   // requests of the app taken in this step
+    std::uint32_t driven = 0;   // number of drive() calls received so far
+    // HandPlace::time_s of the newest place known of each hand; 0: none yet; kNoHand_s: the hand is away.
+    std::array<double, 2> places_s{};
+    std::array<std::uint32_t, 2> pushes{};  // pushes of each hand taken in this step
+    std::uint32_t events = 0;               // events that found room
+    bool published = false;                 // the result of this step was published
 };
 
-// From one engine at a time to whoever records.
+// Passes rows from one engine at a time to the recorder.
 struct EngineRecording {
     static constexpr std::size_t kRows = 1024;  // 4 s
     SpscRing<EngineRow, kRows> rows;
-    std::atomic<std::uint64_t> lost{0};  // that found no room
+    std::atomic<std::uint64_t> lost{0};  // rows that found no room
 
     // App thread.
-    std::uint32_t engines = 0;           // that were given it so far
-    std::uint64_t orders = 0;            // asked for so far, of all of them
-    std::vector<std::uint64_t> refused;  // which of these found no room, from 1
+    std::uint32_t engines = 0;           // number of engines that were given the ring so far
+    std::uint64_t orders = 0;            // number of requests so far, over all engines
+    std::vector<std::uint64_t> refused;  // numbers, from 1, of the requests that found no room
 
     void push(const EngineRow& row) {
         if (!rows.push(row)) lost.fetch_add(1, std::memory_order_relaxed);

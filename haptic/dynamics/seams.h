@@ -1,7 +1,7 @@
-// Where convex parts of a building meet flush, an engine finds contacts on their hidden sides: a sliding box is caught,
-// a rolling ball bumped. This says of a contact on one part whether it is a true one, whether it belongs on an open
-// face instead, or is none at all. Pure; looks at the few parts that the compiled scene names as neighbours; any
-// thread. A twin that asks every part of the building stands in tests/unit/dynamics.
+// Where convex parts of a building meet flush, an engine finds contacts on their hidden sides: a sliding box gets
+// caught, a rolling ball bumps. This code judges a contact on one part: it is real, it belongs on an open face instead,
+// or it is no contact at all. Pure; any thread. It looks at the few parts that the compiled scene names as neighbours.
+// A reference version that checks every part of the building is in tests/unit/dynamics.
 #pragma once
 
 #include <cstdint>
@@ -20,13 +20,14 @@ struct SeamVerdict {
     std::uint32_t face = 0;
 };
 
-constexpr double kSeamAhead_m = 4e-3;    // a face is shut where the place this far in front of it lies in another part
-constexpr double kSeamOn_m = 3e-3;       // a contact belongs to faces this near
-constexpr double kSeamPressed_m = 0.02;  // so far a body may be pressed into what stands beside what it stands on
+constexpr double kSeamAhead_m = 4e-3;  // a face is shut where the point this far in front of it is inside another part
+constexpr double kSeamOn_m = 3e-3;     // a contact belongs to faces that are this near
+// Depth to which a body may be pressed into an object next to the one it stands on.
+constexpr double kSeamPressed_m = 0.02;
 
-// covered(face, point): whether the point lies in another part, grown by a lip, that may cover this face.
-// A body that is pressed a little into a wall stands on floor that the wall covers: so a face counts as open where it
-// is open a little nearer to the body's middle.
+// covered(face, point): whether the point is inside another part, grown by kLip_m, that may cover this face. A body
+// pressed slightly into a wall stands on floor that the wall covers. A face therefore also counts as open if it is open
+// slightly nearer to the body's centre.
 template <class Covered>
 SeamVerdict judge_seam(const DynamicsPiece& piece, const Vec3& at_m, const Vec3& normal, const Vec3& body_m,
                        Covered&& covered) {
@@ -56,13 +57,13 @@ SeamVerdict judge_seam(const DynamicsPiece& piece, const Vec3& at_m, const Vec3&
     return verdict;
 }
 
-// Whether the point lies in the solid grown by a lip.
+// Returns true if the point is in the solid grown by kLip_m.
 inline bool in_grown(const DynamicsPiece& piece, const Vec3& point_m) noexcept {
     return contains(piece.solid, point_m, DynamicsScene::kLip_m);
 }
 
-// Local coordinates of the scene; normal: away from the building; body_m: the body's middle. Round parts have no faces:
-// always true.
+// Local coordinates of the scene; normal: away from the building; body_m: the body's centre. Round parts have no faces,
+// so a contact on them is always real.
 inline SeamVerdict judge_seam(const DynamicsScene& scene, std::uint32_t piece, const Vec3& at_m, const Vec3& normal,
                               const Vec3& body_m) noexcept {
     return judge_seam(scene.building[piece], at_m, normal, body_m, [&](std::uint32_t face, const Vec3& p) {

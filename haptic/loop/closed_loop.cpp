@@ -39,7 +39,7 @@ ClosedLoop::ClosedLoop(const LoopSettings& settings, const Vec3& start_m)
 
 double ClosedLoop::unit() { return static_cast<double>(random_()) / 4294967296.0; }
 
-// Twelve uniform numbers make one that is normal to three sigma and the same with every standard library.
+// Twelve uniform numbers give one that is normal up to three sigma and identical with every standard library.
 Vec3 ClosedLoop::noise_m() {
     if (settings_.noise_m == 0.0) return Vec3(0.0);
     Vec3 sum(-6.0);

@@ -187,10 +187,10 @@ bool ProxySolver::renew_holding_cuts(const HapticScene& scene) noexcept {
     return stale;
 }
 
-// Round the edge of a solid in one go: when one solid alone holds the ball and the goal lies within the ball's reach
-// outside it, or below a smooth part of it, the nearest place is known. Two straight pieces lead there, the first in
-// the cut at the ball, the second in the cut at the goal. Without it an edge pressed 4.5 mm deep by a 5 mm ball takes
-// 45 rounds.
+// Rolls round the edge of a solid in one step. If a single solid holds the proxy, and the goal is within the proxy's
+// radius outside it or below a smooth part of it, the nearest place is known. Two straight pieces lead there, the first
+// in the cut at the proxy, the second in the cut at the goal. Without this step, an edge pressed 4.5 mm deep by a 5 mm
+// proxy takes 45 rounds.
 bool ProxySolver::arc_step(const HapticScene& scene, double way_left_m) noexcept {
     if (basis_.count != 1 || cuts_.one_sided > 0) return false;
     const int i = basis_.index[0];

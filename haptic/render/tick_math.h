@@ -36,7 +36,7 @@ struct SineCosine {
 // large numbers lose only their own rounding.
 inline SineCosine sine_of_turns(double turns) noexcept {
     const double rest = turns - std::floor(turns + 0.5);  // -0.5 to 0.5
-    const double half = 0.5 * kPi * rest;                 // half of the angle is computed; at most 0.79 in size
+    const double half = 0.5 * kPi * rest;                 // a quarter of the angle; at most 0.79 in size
     const double x2 = half * half;
     double sine = 1.0, cosine = 1.0;
     for (int k = 8; k >= 1; --k) {
