@@ -15,7 +15,7 @@ DynamicsPiece piece_of(const Solid& solid, FeatureId feature) {
     return make_piece(solid.shape, feature, material);
 }
 
-// What a thing of the building is called where a body meets it: the whole, or its first named face.
+// The feature that names a part of the building when a body meets it: the whole, or else its first named face.
 FeatureId feature_of(const Solid& solid) {
     if (solid.feature) return solid.feature;
     for (const FeatureId face : solid.face_features)
@@ -56,7 +56,7 @@ std::shared_ptr<const DynamicsScene> compile_dynamics(const Scene& scene, std::s
         else if (done.bodies[free[i].placed] == kNoBody)
             fault =
                 builder.add_body(pieces, placed.feature, static_cast<std::uint32_t>(free[i].placed), placed.at, nature);
-        else continue;  // named twice
+        else continue;  // requested twice
         if (fault != BodyFault::None) {
             done.refused.push_back({i, fault});
             continue;

@@ -1,5 +1,5 @@
-// Scene -> DynamicsScene: the building as it stands, placed models that are driven, and those that are free. App or
-// worker thread.
+// Scene -> DynamicsScene: the still building, the placed models that are driven, and those that are free. App or
+// background thread.
 #pragma once
 
 #include <cstdint>
@@ -12,28 +12,28 @@
 
 namespace handrail {
 
-// A placed model that is free to move.
+// A placed model that can move freely.
 struct FreeThing {
-    std::size_t placed = 0;  // place in Scene::placed, and so in HapticScene::bodies
+    std::size_t placed = 0;  // index in Scene::placed, and so in HapticScene::bodies
     BodyNature nature;
-    double density_kg_per_m3 = 0.0;  // > 0: the mass follows from the volume instead
+    double density_kg_per_m3 = 0.0;  // > 0: the mass is computed from the volume instead
 };
 
 struct DynamicsReport {
     struct Refused {
-        std::size_t thing = 0;  // of the things asked for
+        std::size_t thing = 0;  // index among the requested things
         BodyFault fault = BodyFault::None;
     };
     std::vector<Refused> refused;  // these stay driven
     std::vector<std::uint32_t>
-        driven;  // per placed model its place in DynamicsScene::driven; kNoBody: free, or nothing of it has volume
-    std::vector<std::uint32_t> bodies;  // likewise in DynamicsScene::bodies
-    std::vector<double> mass_kg;        // per body
+        driven;  // for each placed model its index in DynamicsScene::driven; kNoBody: it is free, or has no volume
+    std::vector<std::uint32_t> bodies;  // for each placed model its index in DynamicsScene::bodies, or kNoBody
+    std::vector<double> mass_kg;        // for each body
 };
 
-// Solids and movers that are still part of the building are fixed, with their round shapes; so are triangles, as
-// sheets. A free thing needs solids: a model of triangles alone has no volume. Null when nothing is free in the end:
-// then there is no engine and no thread, and nothing costs anything. origin_m: HapticScene::origin_m.
+// Solids and movers that are still part of the building become fixed, with their round shapes; triangles become fixed
+// sheets. A free thing needs solids, because a model of triangles alone has no volume. Returns null if nothing is free
+// in the end; then there is no engine, no thread and no cost. origin_m: HapticScene::origin_m.
 std::shared_ptr<const DynamicsScene> compile_dynamics(const Scene& scene, std::span<const FreeThing> free,
                                                       const Vec3& origin_m, DynamicsReport* report = nullptr);
 

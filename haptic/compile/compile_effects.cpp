@@ -47,7 +47,7 @@ std::vector<MagnetTarget> targets_of(const Effect& effect, const Scene& scene) {
     const Feature* thing = effect.pull == MagnetPull::Object ? scene.find(effect.belongs_to) : nullptr;
     const Aabb box = thing && !thing->bounds_m.empty() ? thing->bounds_m : bounds_of(effect);
     const Vec3 middle = box.centre_m();
-    std::array<Vec3, 3> half{};  // axes, the longest first
+    std::array<Vec3, 3> half{};  // half axes, the longest first
     std::array<int, 3> order{0, 1, 2};
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return box.size_m()[a] > box.size_m()[b]; });
     for (std::size_t i = 0; i < 3; ++i) half[i][order[i]] = 0.5 * box.size_m()[order[i]];
@@ -90,7 +90,7 @@ EffectLaw law_of(const Effect& effect, const Scene& scene) {
     return VibrationLaw{effect.direction, effect.strength_n, effect.frequency_hz};
 }
 
-// The same as seen from a body that stands there.
+// Converts the effect to the frame of a body at that pose.
 void bring_into(EffectVolume& effect, const PlacedFrame& frame) {
     const auto plane = [&](const Vec3& normal, double offset_m) {
         return Plane{frame.turned_back(normal), (offset_m - glm::dot(normal, frame.position_m)) / frame.scale};

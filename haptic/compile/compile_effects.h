@@ -1,4 +1,4 @@
-// Effects of a Scene -> effect volumes with their laws. App or worker thread.
+// Effects of a Scene -> effect volumes with their laws. App or background thread.
 #pragma once
 
 #include "haptic/render/haptic_scene.h"
@@ -6,8 +6,8 @@
 
 namespace handrail {
 
-// After the bodies: an effect that belongs to one hangs on it, in its frame. What a reader has let through is sound and
-// is taken.
+// Call it after the bodies were added: an effect that belongs to a body is attached to it, in its frame. Effects that a
+// reader has accepted are sound and are all added.
 void add_effects(HapticSceneBuilder& builder, const Scene& scene);
 
 }  // namespace handrail

@@ -25,7 +25,7 @@ Relief relief_of(const TextureWave& wave) {
     return relief;
 }
 
-// Pictures of many materials may be the same one; its levels are made once.
+// The reliefs of the scene. Many materials may use the same picture; its levels are made once.
 class Reliefs {
 public:
     std::int32_t add(const Material& material, const MaterialSpec* known) {
@@ -75,8 +75,9 @@ HapticMaterial compile_material(const Material& material, MaterialSource source,
     return compiled;
 }
 
-// Textures lie on a mesh straight along the axis in which its thing is thinnest: continuous over every edge, whatever
-// the facets. On z where two are equal. Of a thing that moves its own axes count, and the texture goes with it.
+// The axis along which textures are projected on a mesh: the one in which its thing is thinnest, so that the texture is
+// continuous over every edge, whatever the facets. z if two are equal. For a moving thing its own axes count, and the
+// texture moves with it.
 std::vector<std::uint8_t> mesh_axes(const Scene& scene) {
     std::vector<Aabb> boxes(scene.features.size());
     const auto include = [&](FeatureId feature, const MeshTriangle& t) {
@@ -96,7 +97,7 @@ std::vector<std::uint8_t> mesh_axes(const Scene& scene) {
     return axes;
 }
 
-// An object, mover or volume is named as a whole; a wall by its face.
+// An object, mover or volume has one name as a whole; a wall has one for each face.
 std::vector<SurfaceLabel> labels_of(const Solid& solid) {
     std::vector<SurfaceLabel> labels(solid.shape.planes.size());
     for (std::size_t face = 0; face < labels.size(); ++face) {
@@ -107,8 +108,8 @@ std::vector<SurfaceLabel> labels_of(const Solid& solid) {
     return labels;
 }
 
-// Triangles of one feature and material that are touched from the same side are one surface. label: instead of their
-// own.
+// Triangles of one feature and material that are touched from the same side form one surface. label: replaces the
+// triangles' own labels; null: keep them.
 void add_triangles_of(HapticSceneBuilder& builder, const std::vector<MeshTriangle>& triangles, TouchSide side,
                       const SurfaceLabel* label, const MeshOptions& options, MeshReport& report) {
     std::vector<SurfaceLabel> labels;
@@ -143,7 +144,7 @@ void add_triangles(HapticSceneBuilder& builder, const std::vector<MeshTriangle>&
         add_triangles_of(builder, triangles, side, label, options, report);
 }
 
-// A round solid is felt as what it is, under the name of its first face.
+// A round solid keeps its exact shape, under the name of its first face.
 void add_touchable(HapticSceneBuilder& builder, const Solid& solid, std::span<const SurfaceLabel> labels,
                    const RoundedSolid* rounded) {
     std::visit(Overloaded{[&](std::monostate) {
@@ -158,7 +159,7 @@ void add_touchable(HapticSceneBuilder& builder, const Solid& solid, std::span<co
                solid.round);
 }
 
-// The hard rest of a solid, and the patch that gives way above it.
+// Adds the hard rest of a solid, and the patch that gives way above it.
 void add_soft_solid(HapticSceneBuilder& builder, const Solid& solid) {
     const SoftFace& soft = *solid.soft;
     std::vector<Plane> planes = solid.shape.planes;
@@ -176,7 +177,7 @@ void add_soft_solid(HapticSceneBuilder& builder, const Solid& solid) {
     patch.recovery_s = soft.recovery_s;
     patch.yield_n = soft.yield_n;
     patch.outline_m = corners;
-    // Along the longest edge.
+    // u points along the longest edge.
     double longest = 0.0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Vec3 edge = corners[(i + 1) % corners.size()] - corners[i];
@@ -201,7 +202,7 @@ void add_soft_solid(HapticSceneBuilder& builder, const Solid& solid) {
     builder.add_soft(std::move(patch));
 }
 
-// Nothing when edges stay sharp.
+// Returns nothing if edges stay sharp.
 std::vector<RoundedSolid> rounded_solids(const Scene& scene, double radius_m, const std::stop_token& stop,
                                          CompileReport& report) {
     if (!(radius_m > 0.0)) return {};
@@ -211,8 +212,8 @@ std::vector<RoundedSolid> rounded_solids(const Scene& scene, double radius_m, co
     return solids;
 }
 
-// What of a model can be touched, all under one name and of one material. One that is set down larger is as large to
-// the hand, so its own rounding is less.
+// The touchable parts of a model, all with one name and one material. The rounding is for the hand, so a model that is
+// placed enlarged gets a smaller rounding in its own metres.
 std::shared_ptr<const HapticScene> compile_model(const PlacedModel& placed, const CompileOptions& options,
                                                  CompileReport& report) {
     const Scene& model = *placed.model;

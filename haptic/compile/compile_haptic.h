@@ -1,4 +1,4 @@
-// Scene -> HapticScene: the only haptic code that knows Scene. App or worker thread.
+// Scene -> HapticScene: the only haptic code that knows Scene. App or background thread.
 #pragma once
 
 #include <memory>
@@ -11,24 +11,27 @@
 
 namespace handrail {
 
-// Which values surfaces get that the file leaves open.
+// Where surfaces get the values that the file does not set.
 enum class MaterialSource {
-    KeysOnly,  // only keys written in the world count (the `touch` contract)
-    Library,   // a named or guessed material brings its library values (exploring)
+    KeysOnly,  // only keys written in the world count, as `touch` requires
+    Library,   // a named or guessed material contributes its library values, for exploring
 };
 
 struct CompileOptions {
     MaterialSource materials = MaterialSource::KeysOnly;
-    // HapticScene::world of the scene that this one follows with something added or removed; 0: another world.
+    // HapticScene::world of the scene that this one replaces with something added or removed; 0: a new world.
     std::uint32_t world = 0;
-    // What is done to mesh triangles of one feature and material, of the scene and of each model.
+    // Processing of mesh triangles of one feature and material, in the scene and in each model.
     MeshOptions mesh = kExactMesh;
-    bool shade_meshes = false;     // let facets be felt as the curve they stand for (mesh_shading.h)
-    double edge_rounding_m = 0.0;  // of convex edges of solids, world metres (round_edges.h); 0: sharp, at no cost
+    // Makes facets feel like the curved surface that they approximate (mesh_shading.h).
+    bool shade_meshes = false;
+    // Radius for convex edges of solids, world metres (round_edges.h); 0: sharp, at no cost.
+    double edge_rounding_m = 0.0;
     std::stop_token
-        stop;  // asked from another thread: what is being made is not wanted any more, and null comes back soon
+        // Requested from another thread to cancel; the result is then null and comes soon.
+        stop;
 };
-// As somebody who explores feels a world.
+// The options for a person who explores a world.
 CompileOptions exploring(double edge_rounding_m, std::uint32_t world = 0);
 
 struct CompileReport {
@@ -36,13 +39,13 @@ struct CompileReport {
     RoundingReport rounding;
 };
 
-// Placed models become bodies, in their order; beyond HapticScene::kMostBodies they are left out. Solids and movers
-// become convex obstacles (boxes recognised as boxes), mesh triangles become sheets, liquids become volumes. The
-// generation is a number that differs for every compiled scene of this process. What was done is added to the report
-// where one is given.
+// Placed models become bodies, in their order; those beyond HapticScene::kMostBodies are left out. Solids and movers
+// become convex obstacles (boxes are recognised as boxes), mesh triangles become sheets, liquids become volumes. The
+// generation is unique among the compiled scenes of this process. What was done is added to the report, if one is
+// given.
 std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, const CompileOptions& options,
                                                   CompileReport* report = nullptr);
-// Everything sharp and exact; a library's materials bring shading too.
+// Compiles everything sharp and exact; with a library's materials also with shading.
 std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, MaterialSource materials);
 
 }  // namespace handrail

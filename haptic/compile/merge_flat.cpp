@@ -10,9 +10,9 @@ namespace handrail {
 namespace {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFFU;
-constexpr double kRim_m = 1e-9;  // what counts as on one line, seen along the normal; where corners may lie off the
-                                 // plane, a thousandth of that
-constexpr double kLowestSeed_m = 1e-7;  // a triangle lower than this has no plane of its own
+// Tolerance for points on one line, seen along the normal; corners may be off the plane by a thousandth of it.
+constexpr double kRim_m = 1e-9;
+constexpr double kLowestSeed_m = 1e-7;  // a triangle lower than this does not define a plane
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
@@ -48,7 +48,7 @@ public:
     }
 
 private:
-    // Half-edge 3 t + k leads from corner k of triangle t to the next one.
+    // Half-edge 3 t + k goes from corner k of triangle t to the next corner.
     std::uint32_t origin(std::uint32_t h) const { return mesh_.triangles[h / 3][h % 3]; }
     std::uint32_t target(std::uint32_t h) const { return mesh_.triangles[h / 3][(h % 3 + 1) % 3]; }
     const Vec3& corner(std::uint32_t t, std::size_t k) const { return mesh_.points_m[mesh_.triangles[t][k]]; }
@@ -88,8 +88,8 @@ private:
         }
     }
 
-    // A small triangle knows the plane of a large patch badly: as long as more is found that way, the patch is sought
-    // again with the mean plane of what was.
+    // A small triangle gives a poor estimate of a large patch's plane. While more triangles are found, the search is
+    // repeated with the mean plane of the patch.
     void find_patch(std::uint32_t seed) {
         constexpr int kRounds = 8;
         std::size_t found = 0;
@@ -124,8 +124,8 @@ private:
         return true;
     }
 
-    // All that hangs together with the seed, within the bound of a plane, facing the same way. True when something was
-    // left out for lying too far off it.
+    // Collects all triangles connected to the seed that are within the bound of a plane and face the same way. Returns
+    // true if some were left out because they are too far off it.
     bool grow_patch(std::uint32_t seed, const Vec3& normal, const Vec3& base) {
         normal_ = normal;
         base_ = base;
@@ -208,8 +208,8 @@ private:
         return false;
     }
 
-    // Makes a polygon of triangles whose border is given by half-edges, if their union is convex: all of the border on
-    // the hull and no area missing.
+    // Makes a polygon of triangles whose border is given by half-edges, if their union is convex: the whole border is
+    // on the hull and no area is missing.
     bool take(const std::vector<std::uint32_t>& border, const std::vector<std::uint32_t>& triangles, double area) {
         std::vector<std::uint32_t> points;
         points.reserve(border.size());
@@ -236,7 +236,7 @@ private:
         return true;
     }
 
-    // True when the patch goes over into a triangle beside it without a crease.
+    // Returns true if the patch continues into a neighbouring triangle without a crease.
     bool on_curve() const {
         constexpr double kCreaseCosine = 0.8660254037844386;  // 30 degrees, as for shading
         for (const std::uint32_t t : patch_)
@@ -269,8 +269,8 @@ private:
         return t;
     }
 
-    // Joins the polygons on both sides of a half-edge, over all the edges in a row that they share, if what comes out
-    // is convex.
+    // Joins the polygons on both sides of a half-edge, over all consecutive edges that they share, if the result is
+    // convex.
     bool join(std::uint32_t h) {
         const std::uint32_t here = ring_of(h), there = ring_of(twin_[h]);
         if (here == there) return false;
@@ -281,8 +281,7 @@ private:
             first = prev_[first];
         const std::uint32_t before = prev_[first], after = next_[last], there_after = next_[twin_[first]],
                             there_before = prev_[twin_[last]];
-        if (before == last || there_before == twin_[first])
-            return false;  // one of them has nothing but what they share
+        if (before == last || there_before == twin_[first]) return false;  // one of them consists only of shared edges
         const auto convex = [&](std::uint32_t in, std::uint32_t out) {
             const Vec2 a = flat_[target(in)] - flat_[origin(in)], b = flat_[target(out)] - flat_[origin(out)];
             const double longer = std::max(glm::length(a), glm::length(b));
@@ -310,7 +309,7 @@ private:
                 else if (twin_[h] != kNone && h < twin_[h]) inner.push_back(h);
             }
         }
-        // Edges out of the patch end it; their twins are put back below.
+        // Edges that leave the patch count as its border; their twins are restored below.
         std::vector<std::uint32_t> cut_off;
         for (const std::uint32_t h : outside_) cut_off.push_back(std::exchange(twin_[h], kNone));
         const auto length2 = [&](std::uint32_t h) {
@@ -325,7 +324,7 @@ private:
             for (const std::uint32_t h : inner) more = join(h) || more;
             std::erase_if(inner, [&](std::uint32_t h) { return ring_of(h) == ring_of(twin_[h]); });
         }
-        std::vector<std::pair<std::uint32_t, std::uint32_t>> members;  // polygon, triangle
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> members;  // pairs of polygon and triangle
         for (const std::uint32_t t : patch_) members.emplace_back(ring_of(3 * t), t);
         std::sort(members.begin(), members.end());
         for (std::size_t i = 0; i < members.size();) {
@@ -352,11 +351,11 @@ private:
     const double bound_m_;
     const std::uint32_t count_;
     std::vector<std::uint32_t> twin_, next_, prev_, ring_;
-    std::vector<std::uint32_t> patch_of_;  // the patch a triangle was put in, by its seed
-    std::vector<Vec2> flat_;               // points in the plane of the present patch
+    std::vector<std::uint32_t> patch_of_;  // the patch of each triangle, named by its seed
+    std::vector<Vec2> flat_;               // points in the plane of the current patch
     FlatMerge result_;
 
-    // The present patch.
+    // The current patch.
     std::vector<std::uint32_t> patch_, outside_;
     Vec3 normal_{0.0}, base_{0.0}, across_{0.0}, along_{0.0};
     double size_m_ = 0.0, rim_m_ = 0.0;

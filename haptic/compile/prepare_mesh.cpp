@@ -13,9 +13,9 @@ namespace handrail {
 namespace {
 
 constexpr std::uint32_t kNoPoint = 0xFFFFFFFFU;
-constexpr double kLowest_m = 1e-7;  // below this height over its longest edge a triangle is that edge for touch too
+constexpr double kLowest_m = 1e-7;  // a triangle lower than this over its longest edge feels like that edge
 
-// Points by a key of three integers: a table with open addressing that holds indices.
+// Finds points by a key of three integers: a table with open addressing that contains indices.
 class PointTable {
 public:
     using Key = std::array<std::int64_t, 3>;
@@ -31,7 +31,7 @@ public:
             if (keys_[point] == key) visit(point);
         }
     }
-    // Points come in rising order from 0.
+    // Call it for points in rising order from 0.
     void add(const Key& key) {
         std::size_t i = hash(key);
         while (slots_[i & (slots_.size() - 1)] != kNoPoint) ++i;
@@ -59,7 +59,7 @@ Sorted sorted(const Corners& t) {
     return s;
 }
 
-// The corners of a triangle's longest edge, the lower first; equal for a point.
+// The corners of a triangle's longest edge, the lower index first; equal for a triangle that is a point.
 std::pair<std::uint32_t, std::uint32_t> longest_edge(const TriangleMesh& mesh, const Corners& t) {
     double longest = -1.0;
     std::pair<std::uint32_t, std::uint32_t> edge{t[0], t[0]};
@@ -91,8 +91,8 @@ void keep(TriangleMesh& mesh, std::vector<std::uint32_t>& surfaces, const std::v
     surfaces.resize(kept);
 }
 
-// Drops triangles without area whose longest edge is an edge of one with area (a point: a corner), so that nothing of
-// them is missed; and all but the first of those with the same corners and surface.
+// Drops triangles without area whose longest edge is also an edge of a triangle with area (or, for a point, a corner),
+// so that nothing is lost. Also drops all but the first of the triangles with the same corners and surface.
 void tidy_triangles(TriangleMesh& mesh, std::vector<std::uint32_t>& surfaces, MeshReport& report) {
     std::vector<bool> dropped(mesh.triangles.size(), false), flat(mesh.triangles.size(), false),
         used(mesh.points_m.size(), false);
@@ -129,7 +129,7 @@ void tidy_triangles(TriangleMesh& mesh, std::vector<std::uint32_t>& surfaces, Me
     keep(mesh, surfaces, dropped);
 }
 
-// Leaves out points that no triangle uses.
+// Removes points that no triangle uses.
 void compact(TriangleMesh& mesh) {
     std::vector<std::uint32_t> place(mesh.points_m.size(), kNoPoint);
     std::vector<Vec3> points;
@@ -145,7 +145,7 @@ void compact(TriangleMesh& mesh) {
     mesh.points_m.shrink_to_fit();
 }
 
-// In two digits below a millimetre; nothing below a millionth of one is worth its zeros.
+// Two digits for values below a millimetre; values below a millionth of a millimetre become 0.
 double in_millimetres(double m) {
     if (m < 1e-9) return 0.0;
     if (m >= 1e-3) return 1e3 * m;
@@ -161,7 +161,8 @@ TriangleMesh weld_corners(std::span<const Vec3> corners_m, double tolerance_m, M
     TriangleMesh mesh;
     mesh.triangles.resize(corners_m.size() / 3);
     PointTable table(corners_m.size());
-    std::vector<Vec3> distinct;  // under tolerance: places that were met, each once, in the table too
+    // For weld_corners with a tolerance: the distinct positions, which the table contains too.
+    std::vector<Vec3> distinct;
     std::vector<std::uint32_t> stands_for;
     const auto bits = [](double v) { return std::bit_cast<std::int64_t>(v == 0.0 ? 0.0 : v); };
     PointTable cells(tolerance_m > 0.0 ? corners_m.size() : 0);

@@ -12,28 +12,31 @@
 namespace handrail {
 namespace {
 
-constexpr double kOfThickness = 0.25;  // a solid is rounded by at most this share of how thick it is
-constexpr double kLeastShare = 0.25;   // of what was asked for; less is not felt, and the solid stays sharp
-constexpr double kFlush = 1e-6;        // sine below which two faces are one
-constexpr int kMostCuts = 300;         // of one solid's extension by its neighbours, before it counts as not covered
+constexpr double kOfThickness = 0.25;  // a solid is rounded by at most this share of its thickness
+// Share of the requested radius; a smaller rounding is not felt, so the solid stays sharp.
+constexpr double kLeastShare = 0.25;
+constexpr double kFlush = 1e-6;  // sine of the angle below which two faces count as one
+// Most cuts of one solid's extension by its neighbours before it counts as not covered.
+constexpr int kMostCuts = 300;
 
-enum class Edges : std::uint8_t { Apart, Rounded, TooThin, AtSeam };  // Apart: nothing to do with rounding
+enum class Edges : std::uint8_t { Apart, Rounded, TooThin, AtSeam };  // Apart: the solid is not to be rounded
 
-// An edge as the face on its left has it: counter-clockwise seen from outside.
+// An edge with the direction that the face on its left gives it: counter-clockwise seen from outside.
 struct Edge {
     Vec3 from_m, to_m;
-    std::uint32_t face, beyond;  // the face on the other side
+    std::uint32_t face, beyond;  // beyond: the face on the other side
 };
 
 struct Part {
     Edges edges = Edges::Apart;
     double radius_m = 0.0;
-    std::vector<double> out_m;  // by face: how far it is moved out into what covers it
+    std::vector<double> out_m;  // for each face, how far it is moved outwards into its covering neighbour
     std::vector<Edge> all_edges;
     std::vector<std::uint32_t> near;
 
     bool rounded() const { return edges == Edges::Rounded; }
-    // How far beyond a face's plane the flat of its neighbours goes on; negative where the edge is rounded off.
+    // How far beyond a face's plane the flat part of the adjacent faces extends; negative if the edge is rounded off
+    // there.
     double flat_beyond_m(std::uint32_t face) const { return rounded() ? out_m[face] - radius_m : 0.0; }
     double felt_radius_m() const { return rounded() ? radius_m : 0.0; }
 };
@@ -43,7 +46,7 @@ bool is_touchable(const Solid& solid) {
            std::holds_alternative<std::monostate>(solid.round);
 }
 
-// The least way between a face and the corner farthest behind it.
+// The smallest distance between a face and the corner farthest behind it.
 double thickness_m(const ConvexSolid& solid) {
     double least = std::numeric_limits<double>::infinity();
     for (const Plane& plane : solid.planes) {
@@ -71,7 +74,7 @@ public:
         for (std::uint32_t i = 0; i < parts_.size() && !stopped(); ++i) extend(i);
         if (stopped()) return {};
         find_seams();
-        // What turns sharp may open a seam to the next.
+        // A solid that turns sharp may open a seam to the next one.
         for (bool changed = true; changed && !stopped();) {
             changed = false;
             for (const Seam& seam : seams_)
@@ -98,7 +101,7 @@ private:
         return true;
     }
 
-    // 1. Who touches whom, and edges with the faces on both sides.
+    // 1. Finds which solids touch, and the edges with the faces on both sides.
     void find_neighbours() {
         for (std::uint32_t i = 0; i < parts_.size(); ++i) {
             if (!is_touchable(solid(i))) continue;
@@ -128,11 +131,11 @@ private:
         }
     }
 
-    // 2. By how much each solid can be rounded.
+    // 2. Chooses how much each solid can be rounded.
     void choose_radius(std::uint32_t i) {
         Part& part = parts_[i];
         if (!is_touchable(solid(i)) || solid(i).soft) return;
-        // What nobody can touch needs no rounding.
+        // A solid that nobody can touch needs no rounding.
         if (std::find(solid(i).face_hidden.begin(), solid(i).face_hidden.end(), false) == solid(i).face_hidden.end())
             return;
         part.radius_m = std::min(radius_m_, kOfThickness * thickness_m(shape(i)));
@@ -148,8 +151,8 @@ private:
         }
     }
 
-    // 3. What is wholly covered goes on into what covers it: as far as the neighbours' own rounding reaches and then
-    // its own, or at least its own.
+    // 3. Extends wholly covered faces into the solids that cover them: as far as the neighbours' own rounding reaches
+    //   plus their own radius, or else by their own radius alone.
     void extend(std::uint32_t i) {
         Part& part = parts_[i];
         if (!part.rounded()) return;
@@ -172,8 +175,8 @@ private:
         part.edges = Edges::AtSeam;
     }
 
-    // How far a neighbour that touches this face is rounded off there: where its own face is covered as wholly as this
-    // one, not at all.
+    // How far a neighbour that touches this face is rounded off there. It is zero where the neighbour's own face is
+    // also wholly covered.
     double rounded_off_beyond_m(std::uint32_t i, std::uint32_t face) const {
         double farthest = 0.0;
         for (const std::uint32_t j : parts_[i].near)
@@ -190,12 +193,12 @@ private:
         return glm::dot(one.normal, other.normal) < -1.0 + kFlush * kFlush;
     }
 
-    // Things that may move away cover only themselves.
+    // A thing that may move away can cover only parts of itself.
     std::uint32_t group(std::uint32_t i) const {
         return solid(i).role == SolidRole::Mover ? solid(i).feature.value : kNoFeature.value;
     }
 
-    // The solid behind these planes; no faces when there is none.
+    // The solid behind these planes; it has no faces if there is none.
     ConvexSolid built(const std::vector<Plane>& planes, std::uint32_t near_solid) const {
         const Aabb& around = shape(near_solid).bounds_m;
         BuiltSolid made =
@@ -212,7 +215,7 @@ private:
         });
     }
 
-    // Is all of a piece inside these solids together?
+    // Returns true if all of a piece is inside the union of these solids.
     bool covered(const ConvexSolid& piece, const std::vector<std::uint32_t>& solids, std::size_t next) {
         if (piece.faces.empty()) return true;
         for (std::size_t k = next; k < solids.size(); ++k)
@@ -239,10 +242,10 @@ private:
         return true;
     }
 
-    // 4. Where a groove would open between two solids, whatever is done, or unless they go on far enough.
+    // 4. Finds where a groove would open between two solids: in any case, or unless both extend far enough.
     struct Seam {
         std::uint32_t one, other;
-        const Edge *of_one, *of_other;  // null: they cannot both stay flush unless they are sharp
+        const Edge *of_one, *of_other;  // null: both can stay flush only if they are sharp
     };
 
     void find_seams() {
@@ -274,7 +277,7 @@ private:
         return !seam.of_one || opens_seam(seam.one, *seam.of_one, seam.other, *seam.of_other);
     }
 
-    // The same line, opposite ways, for more than a point.
+    // Returns true if both edges are on the same line, in opposite directions, over more than a point.
     bool run_together(const Edge& a, const Edge& b) const {
         const Vec3 along = a.to_m - a.from_m, back = b.to_m - b.from_m;
         if (glm::dot(along, back) >= 0.0) return false;
@@ -293,15 +296,16 @@ private:
     bool opens_seam(std::uint32_t i, const Edge& a, std::uint32_t j, const Edge& b) const {
         const Plane &face_a = shape(i).planes[a.face], &face_b = shape(j).planes[b.face];
         const Plane &end_a = shape(i).planes[a.beyond], &end_b = shape(j).planes[b.beyond];
-        if (face_to_face(face_a, face_b)) return false;  // the faces that touch: the seam's other pair of faces tells
-        // They meet in this line only: flush with a wedge of air below, or each with an edge of its own.
+        // These are the faces that touch; the seam's other pair of faces decides.
+        if (face_to_face(face_a, face_b)) return false;
+        // They meet only in this line: either flush with a wedge of air below, or each with its own edge.
         if (!face_to_face(end_a, end_b))
             return glm::dot(face_a.normal, face_b.normal) > 1.0 - kFlush * kFlush || !lies_beyond_a_face(i, j);
         const Vec3 onwards = end_a.normal - face_b.normal * glm::dot(end_a.normal, face_b.normal);
         const double rises = glm::dot(face_a.normal, onwards);
-        if (rises > kFlush) return false;  // an inner corner: the ball closes it
+        if (rises > kFlush) return false;  // an inner corner: the proxy cannot enter the groove
         if (rises < -kFlush) return true;  // an outer edge between two solids
-        // Names and materials change at the very border, so neither surface may go on under the other.
+        // Names and materials change exactly at the border, so neither surface may continue below the other.
         const auto goes_on = [](const Part& part, const Edge& edge) {
             return part.rounded() && part.flat_beyond_m(edge.beyond) > 0.0;
         };
@@ -317,7 +321,7 @@ private:
                solid(i).face_features[f] == solid(j).face_features[g];
     }
 
-    // Is one of two solids wholly in front of a face of the other?
+    // Returns true if one of two solids is wholly in front of a face of the other.
     bool lies_beyond_a_face(std::uint32_t i, std::uint32_t j) const {
         const auto in_front = [this](const ConvexSolid& solid, const ConvexSolid& other) {
             return std::any_of(solid.planes.begin(), solid.planes.end(), [&](const Plane& plane) {
@@ -327,7 +331,7 @@ private:
         return in_front(shape(i), shape(j)) || in_front(shape(j), shape(i));
     }
 
-    // Faces in one plane that look the same way and lie over each other.
+    // Returns true if faces in one plane that face the same way overlap.
     bool share_a_face(std::uint32_t i, std::uint32_t j) const {
         std::vector<Vec3> rest, scratch;
         for (std::uint32_t f = 0; f < shape(i).planes.size(); ++f)
@@ -347,8 +351,8 @@ private:
                std::abs(signed_distance(a.planes[f], b.faces[g].points_m.front())) <= touch_m_;
     }
 
-    // 5. Where corners of flush solids meet, each seam may be shut and a hole yet be left between them (a windmill of
-    // four).
+    // 5. Closes holes: where corners of flush solids meet, each seam may be closed and a hole may still remain
+    //   between them, for example among four solids in a windmill pattern.
     bool close_holes(std::uint32_t i) {
         const ConvexSolid& s = shape(i);
         std::vector<SolidFace> here;
@@ -376,8 +380,8 @@ private:
         std::uint32_t solid, face;
     };
 
-    // Looks at places about a corner, in its plane: each that is on one of the solids as filed is on the flat of one as
-    // felt, unless it lies so near to an edge of the whole building that it may well be rounded off.
+    // Samples places around a corner, in its plane. Each place on one of the original solids must be on the flat part
+    // of a rounded one, unless it is so near to an edge of the whole building that rounding is expected there.
     bool leaves_hole(const Vec3& at, const Vec3& normal, double widest_m, const std::vector<SolidFace>& here) {
         constexpr int kWays = 12;
         const Vec3 u = any_perpendicular(normal), v = glm::cross(normal, u);
@@ -402,12 +406,13 @@ private:
         return false;
     }
 
-    // Does a ball that touches the surface here from within lie wholly inside the building? Told from places on it.
+    // Returns true if a ball that touches the surface here from within is wholly inside the building, judged by sample
+    // points on the ball.
     bool ball_reaches(const Vec3& p, const Vec3& normal, double radius_m) {
         constexpr int kPlaces = 60;
         const Vec3 middle = p - normal * radius_m;
         index_.find(grown(Aabb{middle, middle}, radius_m), around_);
-        for (int k = 0; k < kPlaces; ++k) {  // a spiral over the sphere
+        for (int k = 0; k < kPlaces; ++k) {  // points on a spiral over the sphere
             const double z = 1.0 - 2.0 * (k + 0.5) / kPlaces, angle = 2.399963 * k, out = std::sqrt(1.0 - z * z);
             const Vec3 place = middle + Vec3(out * std::cos(angle), out * std::sin(angle), z) * (0.99 * radius_m);
             if (std::none_of(around_.begin(), around_.end(), [&](std::uint32_t j) {
@@ -456,7 +461,7 @@ private:
     double radius_m_, touch_m_;
     std::vector<Part> parts_;
     std::vector<Seam> seams_;
-    BoxIndex index_;                     // over the solids
+    BoxIndex index_;                     // index of the solids' boxes
     std::vector<std::uint32_t> around_;  // query results
     int cuts_left_ = 0;
 };

@@ -1,8 +1,8 @@
-// Rounds the convex edges of a building's solids as a hand should feel them (S30, G7). A solid becomes all that a ball
-// of the rounding's radius reaches inside it: faces stay where they are, edges and corners turn round. Where a
-// neighbour wholly covers a face, the solid first goes on into the neighbour, so that what is flush stays flush; where
-// that cannot be and a groove would open between two solids, both stay sharp. In an inner corner a gap narrower than
-// the rounding may stay, which no ball of at least that radius feels. Worker thread; about 0.1 ms a solid.
+// Rounds the convex edges of a building's solids for the hand (S30, G7). A rounded solid is everything that a ball of
+// the rounding's radius reaches inside it: faces stay where they are, edges and corners become round. Where a neighbour
+// wholly covers a face, the solid is first extended into the neighbour, so that flush surfaces stay flush. If that is
+// impossible and a groove would open between two solids, both stay sharp. In an inner corner a gap narrower than the
+// rounding may remain, which a proxy of at least that radius does not feel. Background thread; about 0.1 ms a solid.
 #pragma once
 
 #include <cstdint>
@@ -17,34 +17,35 @@ namespace handrail {
 struct RoundingReport {
     static constexpr std::size_t kMostNames = 3;
     static constexpr std::size_t kMostRounded =
-        100'000;               // solids of a scene; of more all stay sharp: it takes some 40 us for each
-    double radius_m = 0.0;     // what was asked for
-    std::size_t rounded = 0;   // solids
-    std::size_t less = 0;      // of them: rounded by less, a quarter of their thickness
-    std::size_t too_thin = 0;  // sharp: a quarter of their thickness is less than a quarter of what was asked for
-    std::size_t at_seams = 0;  // sharp: a groove would open to a neighbour
-    std::size_t too_many = 0;  // all sharp: so many solids are more than kMostRounded
-    std::vector<std::string> thin_names, seam_names;  // of the first few
+        100'000;            // most solids of a scene; if there are more, all stay sharp, because each takes some 40 us
+    double radius_m = 0.0;  // the requested radius
+    std::size_t rounded = 0;  // number of rounded solids
+    std::size_t less = 0;     // how many of these are rounded by less, namely a quarter of their thickness
+    // Sharp, because a quarter of their thickness is less than a quarter of the requested radius.
+    std::size_t too_thin = 0;
+    std::size_t at_seams = 0;  // sharp, because a groove would open to a neighbour
+    std::size_t too_many = 0;  // not 0: all are sharp, because this number of solids exceeds kMostRounded
+    std::vector<std::string> thin_names, seam_names;  // names of the first few
 
     RoundingReport& operator+=(const RoundingReport& other);
-    // For the honesty report; none when nothing was asked for.
+    // Sentences for the honesty report; none if no rounding was requested.
     std::vector<std::string> sentences() const;
 };
 
-// A solid as it is felt: its planes, which lie where the file has them but where a neighbour covers them, and the
-// radius of its edges; 0: sharp, as filed.
+// A solid as the hand feels it: its planes, which are where the file has them except where a neighbour covers them, and
+// the radius of its edges; 0: sharp, as in the file.
 struct RoundedSolid {
     std::vector<Plane> planes;
     Aabb bounds_m;
     double rounding_m = 0.0;
 };
 
-// World metres of a rounding given in millimetres of the hand. At scales for details, closer to 1:15 than to 1:60,
-// edges are sharp: they are what is looked for.
+// Converts a rounding in millimetres of the hand to world metres. At scales for details, closer to 1:15 than to 1:60,
+// edges stay sharp, because the person is looking for them.
 double edge_rounding_m(double rounding_hand_mm, double world_m_per_hand_m);
 
-// One for each solid of the scene; none at all where they are too many, or a stop was asked for meanwhile. Touchable
-// solids of flat faces are rounded; soft ones, exact round shapes and volumes are not.
+// Returns one for each solid of the scene; none at all if there are too many, or if a stop was requested. Rounds
+// touchable solids with flat faces, but not soft ones, exact round shapes or volumes.
 std::vector<RoundedSolid> round_edges(const Scene& scene, double radius_m, RoundingReport& report,
                                       const std::stop_token& stop = {});
 

@@ -1,6 +1,6 @@
 #include "haptic/compile/simplify_mesh.h"
 
-// The library is not written for these warnings.
+// The library's headers trigger these warnings.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wold-style-cast"
 #pragma GCC diagnostic ignored "-Wshadow"
@@ -43,7 +43,7 @@ SimplifiedMesh collapsed(const TriangleMesh& mesh, std::span<const std::uint32_t
     SimplifiedMesh out;
     std::vector<bool> locked(points.size(), false);
     std::vector<std::uint32_t> surface_of(points.size(), 0xFFFFFFFFU);
-    omerr().disable();  // what does not fit is an answer here
+    omerr().disable();  // triangles that do not fit are an expected result here
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const Corners& c = mesh.triangles[t];
         const bool three = c[0] != c[1] && c[1] != c[2] && c[2] != c[0];
@@ -74,9 +74,9 @@ SimplifiedMesh collapsed(const TriangleMesh& mesh, std::span<const std::uint32_t
     decimater.module(flipping).set_max_normal_deviation(60.0);
     if (decimater.initialize()) decimater.decimate();
 
-    // Points keep their numbers: those that are gone are not used any more.
+    // Points keep their numbers; points that are gone are no longer used.
     out.mesh.points_m = mesh.points_m;
-    for (const auto face : half.faces()) {  // skips the deleted
+    for (const auto face : half.faces()) {  // skips the deleted faces
         Corners c{};
         std::size_t k = 0;
         for (const auto vertex : half.fv_range(face)) c[k++] = static_cast<std::uint32_t>(vertex.idx());
@@ -100,7 +100,7 @@ double measured_distance(const TriangleMesh& a, const TriangleMesh& b, double sp
     }
     const Bvh bvh(boxes);
     double farthest = 0.0;
-    std::uint32_t last = 0;  // neighbours in a have neighbours in b
+    std::uint32_t last = 0;  // neighbouring points of a have neighbouring places in b
     for (const Corners& t : a.triangles) {
         const Vec3 p = a.points_m[t[0]], q = a.points_m[t[1]], r = a.points_m[t[2]];
         const double longest = std::max({glm::length(q - p), glm::length(r - q), glm::length(p - r)});
@@ -137,7 +137,7 @@ SimplifiedMesh simplify_mesh(const TriangleMesh& mesh, std::span<const std::uint
     const double spacing_m = std::max(bound_m, std::sqrt(area / kMostSamples));
     double allowed = bound_m;
     for (int i = 0; i < kTries;
-         ++i, allowed *= 0.75) {  // what is checked on the way are corners; faces lie up to a third farther off
+         ++i, allowed *= 0.75) {  // the collapses check only corners, while faces may be up to a third farther away
         SimplifiedMesh coarse = collapsed(mesh, surfaces, allowed);
         if (coarse.mesh.triangles.size() >= mesh.triangles.size() || coarse.mesh.triangles.empty()) return as_it_was;
         coarse.spacing_m = spacing_m;

@@ -14,27 +14,29 @@
 namespace handrail {
 namespace {
 
-constexpr double kDeepest_m = 1.5;  // a wall; what goes deeper into it is a corridor, and stays as it is
-constexpr double kFrame_m = 0.1;    // frames and skirtings beside a doorway, which are cut with the wall
-// Before and behind the wall, beyond frames: where walls would be met that stand across.
+constexpr double kDeepest_m = 1.5;  // greatest depth of a wall; a deeper passage is a corridor and stays as it is
+constexpr double kFrame_m = 0.1;    // depth of frames and skirtings next to a doorway, which are cut with the wall
+// Depth of the strips before and behind the wall, beyond the frames, in which crossing walls are looked for.
 constexpr double kStrip_m = 0.15;
-constexpr double kLeastLeaf_m = 1.0;    // high; lower ones are hatches and flaps
-constexpr double kBesideLeaf_m = 0.5;   // how far beyond a leaf of the same size the opening may still go on
-constexpr double kWidestChord_m = 6.0;  // across an opening without a door
-constexpr int kPlacesBeside = 4;        // at which it is looked for, to eight sides of where the rooms meet
-constexpr double kBeside_m = 0.15;      // between them
-constexpr double kHighest_m = 4.0;      // above the middle of an opening; a ceiling farther up is none of it
-constexpr double kAtAThing_m = 0.25;    // of a mark or sound to the thing it belongs to
-constexpr double kOfTheWorld = 0.1;     // a thing of this share of the whole world is what the world is about
-constexpr double kLevel = 0.1;          // sine: of a face that counts as upright
+constexpr double kLeastLeaf_m = 1.0;  // least height of a leaf; lower ones are hatches and flaps
+// How far the opening may extend beyond its leaf on each side, in addition to half the leaf's width.
+constexpr double kBesideLeaf_m = 0.5;
+constexpr double kWidestChord_m = 6.0;  // longest line across an opening without a door
+constexpr int kPlacesBeside = 4;        // number of places to try in each of eight directions from where the rooms meet
+constexpr double kBeside_m = 0.15;      // distance between these places
+constexpr double kHighest_m = 4.0;      // greatest distance from the middle of an opening to its floor or ceiling
+constexpr double kAtAThing_m = 0.25;    // greatest distance from a mark or sound to the thing that it belongs to
+// A thing with at least this share of the whole world's width is the subject of the world.
+constexpr double kOfTheWorld = 0.1;
+constexpr double kLevel = 0.1;  // sine of the greatest tilt of a face that counts as upright
 
 using namespace doorway;
 
-// Upright faces of one leaf, in the doorway.
+// Upright faces of one leaf, as it is in the closed doorway.
 struct Leaf {
     FeatureId feature;
     std::vector<Vec3> points_m;
-    Vec3 through{0.0};  // out of its largest face
+    Vec3 through{0.0};  // normal of its largest face
     double area_m2 = 0.0;
 
     void add(std::span<const Vec3> face_m, const Vec3& shift_m) {
@@ -81,7 +83,7 @@ public:
     }
 
 private:
-    // Before each piece of work.
+    // Called before each piece of work.
     bool goes_on() {
         if (stop_.stop_requested()) return false;
         if (looks_) looks_();
@@ -107,7 +109,7 @@ private:
         return *index_;
     }
 
-    // The first of the building that a straight line meets.
+    // The first part of the building that a straight line meets.
     Probe probe(const Vec3& from, const Vec3& way, double reach_m) {
         Aabb box{from, from};
         box.include(from + way * reach_m);
@@ -165,7 +167,7 @@ private:
             const auto mover = std::find_if(scene_.movers.begin(), scene_.movers.end(),
                                             [&](const Mover& m) { return m.feature == placed.feature; });
             if (mover == scene_.movers.end()) continue;
-            // In the doorway, wherever it is now.
+            // As it is in the closed doorway, wherever it is now.
             Leaf& leaf = *leaf_of(placed.feature);
             for (const Solid& solid : placed.model->solids) add_solid(leaf, solid, mover->pivot_m);
             for (const MeshTriangle& t : placed.model->triangles) add_triangle(leaf, t, mover->pivot_m);
@@ -192,7 +194,7 @@ private:
                         Vec3(0.0, 0.0, z[0] + length(z) * (0.2 + 0.3 * static_cast<double>(i)));
         const double reach_m = 1.5 * length(s) + kBesideLeaf_m;
         Sides sides = look_aside(opening.along, places, reach_m);
-        // A leaf that is sunk into its frame tells the width itself.
+        // If the leaf is sunk into its frame, its own width counts.
         if (!sides.inside) {
             if (sides.low) opening.low_m = middle_s - *sides.low;
             if (sides.high) opening.high_m = middle_s + *sides.high;
@@ -213,7 +215,7 @@ private:
     }
 
     struct Sides {
-        std::optional<double> low, high;  // to the nearest wall; none: there is none
+        std::optional<double> low, high;  // distance to the nearest wall; empty: there is none
         std::vector<std::uint32_t> low_solids, high_solids;
         bool inside = false;
     };
@@ -242,8 +244,8 @@ private:
     }
 
     void find_opening(int number) {
-        // Rooms meet before or behind the wall as often as in it. The shortest line across that walls bound on both
-        // sides, then square to the wall it meets.
+        // Rooms meet as often before or behind the wall as in it. So this finds the shortest line that ends at walls on
+        // both sides, then turns it square to the wall that it meets.
         const Vec3 told = options_.openings_m[static_cast<std::size_t>(number)];
         Vec3 soles = told, way(0.0);
         double shortest_m = kWidestChord_m;
@@ -290,13 +292,13 @@ private:
 
     // ---- widening ----
 
-    // places: across which it was looked to both sides; t, z: where the leaf is, or the place on the floor.
+    // places: the points from which both sides were measured; t, z: where the leaf is, or the point on the floor.
     void widen(NarrowOpening opening, std::span<const Vec3> places, const Range& t, const Range& z,
                const Sides& sides) {
         opening.wanted_m = gap_m_;
         const Vec3 middle = places[places.size() / 2];
         const Probe below = probe(middle, {0, 0, -1}, kHighest_m), above = probe(middle, {0, 0, 1}, kHighest_m);
-        // A hole under the door, as where floors end at the wall, is none of the doorway.
+        // A hole under the door, for example where floors end at the wall, does not belong to the doorway.
         opening.floor_m = below.hit ? middle.z - below.hit->way_m : z[0];
         if (opening.floor_m < z[0] - kFrame_m) opening.floor_m = z[0];
         opening.top_m = above.hit ? middle.z + above.hit->way_m : -std::numeric_limits<double>::infinity();
@@ -321,8 +323,8 @@ private:
         opening.back_m = t[1];
         if (opening.top_m < z[1]) opening.top_m = z[1];
         if (wall[0] > wall[1]) {
-            // No wall on either side: it is no doorway. Walls all along: a corridor, which is told of when it had a
-            // door.
+            // No wall on either side: it is not a doorway. Walls all along: it is a corridor, which is reported if it
+            // has a door.
             const bool corridor = low_room_m == 0.0 || high_room_m == 0.0;
             if (corridor && !opening.doors.empty()) plan_.openings.push_back(std::move(opening));
             return;
@@ -335,7 +337,7 @@ private:
         plan_.openings.push_back(std::move(opening));
     }
 
-    // How deep a solid is beside the opening.
+    // The depth range of a solid next to the opening.
     Range depth_of(std::uint32_t solid, const NarrowOpening& opening, const Range& beside, const Range& z) {
         const Vec3 up(0.0, 0.0, 1.0);
         const ConvexSolid part =
@@ -344,7 +346,7 @@ private:
         return part.faces.empty() ? kNoRange : along(part, opening.left());
     }
 
-    // A wall may be built of layers.
+    // Includes further layers, because a wall may be built of several.
     Range with_layers(const NarrowOpening& opening, bool high, const Range& beside, Range depth, const Range& z) {
         constexpr double kFlush_m = 0.05;
         for (bool grew = true; grew && length(depth) <= kDeepest_m;) {
@@ -365,8 +367,8 @@ private:
         return depth;
     }
 
-    // How far the opening may go on to one side: not past a wall that stands across it on either side, beyond which
-    // there may be another room, and not into what cannot be cut.
+    // How far the opening may be widened to one side. It must not pass a crossing wall before or behind this one,
+    // because another room may be beyond it, and must not reach a solid that cannot be cut.
     double room_m(const NarrowOpening& opening, bool high, const Range& wall) {
         const double edge_m = high ? opening.high_m : opening.low_m;
         const Range s = high ? Range{edge_m, edge_m + gap_m_} : Range{edge_m - gap_m_, edge_m};
@@ -401,8 +403,8 @@ private:
         return std::find(opening.doors.begin(), opening.doors.end(), solid.feature) != opening.doors.end();
     }
 
-    // Between two openings in one wall a piece of it stays that can be felt. Then each grows to both sides alike, or
-    // more to the one that has room.
+    // Between two openings in one wall, enough wall must stay that it can be felt. Apart from that, each opening grows
+    // equally to both sides, or more to the side that has room.
     void share_walls() {
         for (Room& of_a : rooms_) {
             if (!goes_on()) return;
@@ -454,7 +456,7 @@ private:
         };
         for (const Mover& mover : scene_.movers) keep(mover.feature);
         for (const Effect& effect : scene_.effects) keep(effect.belongs_to);
-        for (const MeshTriangle& t : scene_.triangles) keep(t.feature);  // pieces of one surface, as often as not
+        for (const MeshTriangle& t : scene_.triangles) keep(t.feature);  // triangles are often pieces of one surface
         std::vector<Vec3> wanted = options_.kept_m;
         for (const SoundSource& sound : scene_.sounds) wanted.push_back(sound.position_m);
         for (std::size_t i = 0; i < small.size(); ++i) {
@@ -478,8 +480,8 @@ private:
         }
     }
 
-    // Without it the wall would have a hole: walls on two sides that face each other, as a window has; or what is a
-    // piece of the wall itself.
+    // Returns true if the wall would have a hole without this thing: there are walls on two opposite sides, as with a
+    // window, or it is a piece of the wall itself.
     bool closes_a_gap(FeatureId id) {
         constexpr double kTouch_m = 0.02;
         const Feature& thing = scene_.features[id.value];
@@ -491,7 +493,7 @@ private:
             const Aabb& wall = solid.shape.bounds_m;
             if (solid.feature == id || !is_wall(scene_, solid)) continue;
             if (std::min(wall.max_m.z, box.max_m.z) - std::max(wall.min_m.z, box.min_m.z) < kFrame_m)
-                continue;  // the floor, the ceiling
+                continue;  // the floor or the ceiling
             const Vec3 middle = box.centre_m();
             Vec3 way = glm::clamp(middle, wall.min_m, wall.max_m) - middle;
             way.z = 0.0;
@@ -515,7 +517,7 @@ private:
     double gap_m_, thing_m_;
     struct Room {
         std::size_t opening;
-        double low_m, high_m;  // how far it may go on
+        double low_m, high_m;  // how far it may be widened on each side
     };
     Simplification plan_;
     std::vector<Room> rooms_;

@@ -1,5 +1,5 @@
-// What the plan of a simplification and the scene it makes share: ranges along a way, boxes round a doorway, and what
-// of a scene is a wall. For simplify_scene and simplify_apply only.
+// Shared by the plan of a simplification and the code that applies it: ranges along a direction, boxes around a
+// doorway, and the test for walls. Only for simplify_scene and simplify_apply.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace handrail::doorway {
 
-inline constexpr double kStep_m = 0.3;  // what is lower is floor, and is neither cut nor in the way
+inline constexpr double kStep_m = 0.3;  // lower parts count as floor, and are neither cut nor in the way
 inline constexpr CutTolerance kTolerance{1e-7, 1e-6};
 
 using Range = std::array<double, 2>;
@@ -26,22 +26,22 @@ Range along(const ConvexSolid& solid, const Vec3& way);
 inline Vec3 left_of(const Vec3& way) { return {-way.y, way.x, 0.0}; }
 inline Vec3 pointing_east(const Vec3& way) { return way.x < 0.0 || (way.x == 0.0 && way.y < 0.0) ? -way : way; }
 
-// Six planes round what lies in these ranges: along `way`, to its left, upwards.
+// Six planes around these ranges: along `way`, to its left, and upwards.
 std::vector<Plane> box_planes(const Vec3& way, const Range& s, const Range& t, const Range& z);
 Aabb box_around(const Vec3& way, const Range& s, const Range& t, const Range& z);
-// `around`: a box that the solid lies in.
+// `around`: a box that contains the solid.
 BuiltSolid built(std::span<const Plane> planes, const Aabb& around);
-// What of a solid lies behind all these planes; no faces: nothing.
+// The part of a solid behind all these planes; it has no faces if there is none.
 ConvexSolid common(const ConvexSolid& solid, const std::vector<Plane>& planes);
 
 bool is_kind(const Scene& scene, FeatureId id, FeatureKind kind);
 bool is_leaf(const Scene& scene, const Solid& solid);
-// Stands in the building; the rest is the building. Pieces of a wall that stand alone between two doorways count as
-// things elsewhere, with a made name.
+// Returns true for a thing that stands in the building; the rest is the building itself. Pieces of a wall between two
+// doorways count as things elsewhere in the program, with a made name, but not here.
 bool is_thing(const Scene& scene, FeatureId id);
-// Part of the building, of which a piece can be taken away.
+// Returns true for a part of the building of which a piece can be removed.
 bool is_wall(const Scene& scene, const Solid& solid);
-// Stands and stops the hand, other than a door's leaf.
+// Returns true for a solid that stands still and stops the hand, except a door's leaf.
 bool is_standing(const Scene& scene, const Solid& solid);
 
 }  // namespace handrail::doorway

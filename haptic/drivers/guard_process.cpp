@@ -49,7 +49,7 @@ void lower_limit(__rlimit_resource what, rlim_t most) noexcept {
 }
 
 #if defined(HANDRAIL_SANITIZED)
-// The sanitizer's terabytes of reserved addresses can be neither limited nor locked.
+// A sanitizer reserves terabytes of addresses, which can be neither limited nor locked.
 constexpr bool kKeepsShadow = true;
 #else
 constexpr bool kKeepsShadow = false;
