@@ -1,6 +1,6 @@
-// The loop of the ears: 200 times a second it takes what the hand met and what the app asks for, and lets CuePlanner
-// drive the sinks. It owns the planner and both sinks from start() to stop(); the app thread owns this object and
-// everything marked so below. step() is the whole body of the loop, so the owner of virtual time needs no thread.
+// The loop of the audio thread: 200 times a second it takes the hand's contact events and the app's requests, and lets
+// CuePlanner drive the sinks. It owns the planner and both sinks from start() to stop(). The app thread owns this
+// object and everything below that is marked so. step() is the whole body of the loop, so virtual time needs no thread.
 #pragma once
 
 #include <array>
@@ -27,37 +27,38 @@ class AudioThread final : public EarsInbox {
 public:
     using ContactRing = SpscRing<ContactEvent, 1024>;  // ServoLoop::EventRing
     static constexpr double kPeriod_s = 0.005;
-    static constexpr double kFade_s = 0.030;  // ticks on for this long at the end, so that nothing clicks
+    static constexpr double kFade_s = 0.030;  // keeps ticking for this long at the end, so that nothing clicks
 
-    // Clock and rings outlive this object; a ring may be null where there is no hand, the second is the left hand's
-    // where there are two. The clock is the one that times contact events.
+    // Clock and rings must outlive this object. A ring may be null if there is no such hand; the second one is the left
+    // hand's, if there are two. The clock must be the one that times contact events.
     AudioThread(std::shared_ptr<AudioSink> audio, std::shared_ptr<SpeechSink> speech, Clock& clock,
                 ContactRing* contacts, const Settings& settings, ContactRing* left_contacts = nullptr);
     ~AudioThread() override;
     AudioThread(const AudioThread&) = delete;
     AudioThread& operator=(const AudioThread&) = delete;
 
-    // What one step read of the other loops.
+    // What one step took from the other loops.
     struct Step {
         double now_s = 0.0;
-        std::uint32_t contacts = 0, left_contacts = 0;  // taken
-        std::uint32_t posts = 0;  // calls of the app since the step before: all below that change what is heard
+        std::uint32_t contacts = 0, left_contacts = 0;  // events taken
+        std::uint32_t posts = 0;  // calls of the app since the last step: all those below that change what is heard
     };
-    // For who records, before the start; on the thread of the ears. The time of a step is in whole microseconds then.
+    // For a recorder; set it before the start. Called on the audio thread. The time of a step is then a whole number of
+    // microseconds.
     struct StepListener {
-        std::function<void(double now_s)> begins;  // before anything is heard in it
+        std::function<void(double now_s)> begins;  // called before anything is heard in the step
         std::function<void(const Step&)> ends;
     };
     void tell_steps(StepListener listener) { step_listener_ = std::move(listener); }
 
-    // In place of stop(), for who steps it: whatever waits to be said or played is dropped.
+    // Replaces stop() when the owner steps it: drops everything that waits to be said or played.
     void end_at_once() { stopped_ = true; }
 
-    // App thread. stop() takes everything posted before it, waits at most that long for the voice to finish, writes
-    // what it could not say, fades and joins; more often does no harm, and the destructor does it too.
+    // App thread. stop() takes everything posted before it and waits at most finish_speech_s for the voice to finish.
+    // It writes what it could not say, fades and joins. Further calls do no harm, and the destructor calls it too.
     void start();
     void stop(double finish_speech_s = 0.0);
-    // As AudioSink::drops_out, at the last tick. App thread.
+    // AudioSink::drops_out at the last tick. App thread.
     bool sound_drops_out() const { return drops_out_.load(std::memory_order_relaxed); }
 
     // App thread; each holds a mutex for microseconds at most.
@@ -68,13 +69,13 @@ public:
     void set_two_hands(bool two) override;
     void set_hand_stands_in(bool stands_in) override;
     void set_listener(const Listener& listener) override { listener_.publish(listener); }
-    std::vector<SpokenLine> take_spoken();  // what was said since the last call, oldest first
-    // Something is being said or waits to be, as of the last tick.
+    std::vector<SpokenLine> take_spoken();  // the lines spoken since the last call, oldest first
+    // As of the last tick: an utterance is being said or waits.
     bool speaking() const { return speaking_.load(std::memory_order_relaxed); }
-    // As SpeechSink::who, at the last tick; empty before the first.
+    // SpeechSink::who at the last tick; empty before the first tick.
     std::string who_speaks();
 
-    // One tick at the clock's time: the thread's body, or for the owner of virtual time.
+    // Runs one tick at the clock's time: called by the thread, or by the owner of virtual time.
     void step();
 
 private:
@@ -96,7 +97,7 @@ private:
     double finish_speech_s_ = 0.0;  // written before stop_asked_
     bool stopped_ = false;          // app thread
 
-    std::mutex mutex_;  // guards inbox_, outbox_ and who_
+    std::mutex mutex_;  // protects inbox_, outbox_ and who_
     std::string who_;
     Inbox inbox_;
     std::vector<SpokenLine> outbox_;
@@ -107,8 +108,8 @@ private:
     std::shared_ptr<AudioSink> audio_;
     std::shared_ptr<SpeechSink> speech_;
     CuePlanner planner_;
-    std::vector<ContactEvent> events_;  // of this tick; kept for its memory
-    std::uint64_t published_ = 0;       // of planner_.spoken_in_all()
+    std::vector<ContactEvent> events_;  // of this tick; kept to reuse its memory
+    std::uint64_t published_ = 0;       // the value of planner_.spoken_in_all() up to which lines were published
     std::string told_who_;
     StepListener step_listener_;
 

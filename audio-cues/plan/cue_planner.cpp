@@ -14,25 +14,26 @@
 namespace handrail {
 namespace {
 
-constexpr double kSayAgain_s = 5.0;  // decisions: nothing spoken twice in 5 s
-// A corner's second surface arrives within a few ticks; the first word is due after 120 ms.
+constexpr double kSayAgain_s = 5.0;  // project decision: nothing is spoken twice within 5 s
+// The second surface of a corner arrives within a few ticks; the first word must come within 120 ms.
 constexpr double kSettle_s = 0.040;
-constexpr double kChatter_s = 0.050;             // the same feature again within this is one contact to the ear
-constexpr double kKeepName_s = 0.5;              // a tap is still named when the voice is free this soon
-constexpr double kKeepBump_s = 2.0;              // longer for a bump: the body does not leave by itself
-constexpr double kSlideSilent_s = 0.15;          // no slide event for this long: the hand rests
-constexpr double kSlideOwner_s = 0.05;           // events come every 10 ms while a surface is slid along
-constexpr double kSlideSlowest_m_per_s = 0.004;  // of hand travel; slower is inaudible
-constexpr double kFastTouch_m_per_s = 0.3;       // of hand travel; a brisk tap, full loudness
+constexpr double kChatter_s = 0.050;             // a contact with the same feature within this time is not heard again
+constexpr double kKeepName_s = 0.5;              // a tap is still named if the voice becomes free within this time
+constexpr double kKeepBump_s = 2.0;              // longer for a bump, because the walker stays at the wall
+constexpr double kSlideSilent_s = 0.15;          // without a slide event for this long, the hand is at rest
+constexpr double kSlideOwner_s = 0.05;           // slide events come every 10 ms
+constexpr double kSlideSlowest_m_per_s = 0.004;  // of hand travel; slower sliding is inaudible
+constexpr double kFastTouch_m_per_s = 0.3;       // of hand travel; a brisk tap, which gets full loudness
 constexpr double kDemonstrates_s = 2.5;
-constexpr std::uint32_t kDemonstration = 0xffffffffU;             // the source of a loop that is only shown
-constexpr double kSlowestPulse_hz = 1.5, kFastestPulse_hz = 8.0;  // of the wall tone, at its range and at the wall
-constexpr double kAlarmFloor = 0.2;                               // settings: everything but alarms may fall below
+constexpr std::uint32_t kDemonstration = 0xffffffffU;  // source number of a demonstrated loop
+// Pulses of the wall tone, at its range and at the wall.
+constexpr double kSlowestPulse_hz = 1.5, kFastestPulse_hz = 8.0;
+constexpr double kAlarmFloor = 0.2;  // everything but alarms can be set quieter than this
 constexpr std::size_t kMostAlarmsWaiting = 4, kMostWarningsWaiting = 4;
 
 double to_decimetre(double length_m) { return std::round(length_m * 10.0) / 10.0; }
 
-// A side as maps write it, in the language spoken.
+// A side as written in maps, translated to the language of the program.
 std::string spoken_side(const std::string& side) {
     const std::string key = "side." + side;
     return has_phrase(key) ? phrase(key) : side;
@@ -41,7 +42,7 @@ std::string spoken_side(const std::string& side) {
 std::string size_sentence(const Feature& feature) {
     const Vec3 size = feature.bounds_m.max_m - feature.bounds_m.min_m;
     const double x = to_decimetre(size.x), y = to_decimetre(size.y), height = to_decimetre(size.z);
-    // Nothing is "0 metres high": a rug is flat, and a poster has no depth.
+    // Avoids "0 metres high": a rug is flat, and a poster has no depth.
     if (feature.kind == FeatureKind::Floor || feature.kind == FeatureKind::Ceiling || height == 0.0)
         return phrase("touched.flat", {{"width", x}, {"depth", y}});
     if (feature.kind == FeatureKind::Object && std::min(x, y) > 0.0)
@@ -87,17 +88,17 @@ void CuePlanner::follow_edit(std::shared_ptr<const Scene> scene) {
 
 void CuePlanner::tick(const CueInputs& inputs, AudioSink& audio, SpeechSink& speech) {
     contract_pre(std::isfinite(inputs.now_s));
-    // 1. The sinks take the time first, so that what is played below carries it.
+    // 1. The sinks get the time first, so that sounds played below start at it.
     audio.set_listener(inputs.listener);
     audio.set_speaking(speech.speaking());
     audio.tick(inputs.now_s);
     speech.tick(inputs.now_s);
     if (const auto news = audio.news()) ask(*news, SpeechClass::Alarm, inputs.now_s, false);
     if (const auto news = speech.news()) ask(*news, SpeechClass::Alarm, inputs.now_s, false);
-    // 2. What happened, then what is asked for.
+    // 2. Events, then requests.
     for (const ContactEvent& event : inputs.contacts) on_contact(event, audio);
     for (const CueRequest& request : inputs.requests) on_request(request, inputs.now_s, audio, speech);
-    // 3. Loops whose cause is gone.
+    // 3. Ends loops whose cause is gone.
     for (Hand& hand : hands_)
         if (hand.sliding && inputs.now_s - hand.slide_s > kSlideSilent_s) stop_slide(hand, audio);
     if (wall_tone_on_ && !settings_.sound.wall_tone) {
@@ -105,10 +106,10 @@ void CuePlanner::tick(const CueInputs& inputs, AudioSink& audio, SpeechSink& spe
         wall_tone_on_ = false;
     }
     keep_world_sounds(audio);
-    // 4. One voice.
+    // 4. Speech: one voice.
     speak_waiting(inputs.now_s, speech);
     demonstrate(inputs.now_s, audio, speech);
-    // 5. Sounds as text, after what was said of the same.
+    // 5. Sounds as text, after any words about the same thing.
     for (const SoundCue& cue : sounds_to_tell_)
         if (std::string text = sound_words_.tell(cue, inputs.listener, inputs.now_s); !text.empty())
             speech.write({.text = std::move(text), .speech_class = SpeechClass::Ambient});
@@ -133,7 +134,7 @@ double CuePlanner::volume_of(SoundKind kind) const {
     return kind == SoundKind::Alarm ? std::max(volume, kAlarmFloor) : volume;
 }
 
-// A sound that is switched off is not told either; one that is only turned down is.
+// A sound that is switched off is not written either; one that is only turned down is.
 void CuePlanner::tell_sound(const SoundCue& cue) {
     const SoundInfo& row = info(cue.kind);
     if (!settings_.sound.as_text || (row.on != nullptr && !(settings_.sound.*row.on))) return;
@@ -157,14 +158,14 @@ void CuePlanner::stop_slide(Hand& hand, AudioSink& audio) {
     hand.sliding = false;
 }
 
-// Met, and named unless the hand is known to touch it.
+// Marks the feature as touched, and names it unless the hand is known to touch it.
 void CuePlanner::touch(Hand& hand, const ContactEvent& event) {
     if (event.feature && !is_touched(hand, event.feature)) hand.touched.push_back(event.feature);
     name_touched(hand, true, event.feature, event.time_s, kSettle_s, kKeepName_s);
 }
 
-// They stay where they are, so what the sink is told follows from what was asked for and what the person wants to hear
-// now.
+// The world's sounds stay at their places, so their loops follow from the requests and from what the person wants to
+// hear now.
 void CuePlanner::keep_world_sounds(AudioSink& audio) {
     for (const SoundCue& asked : world_sounds_) {
         SoundCue cue = asked;
@@ -186,8 +187,8 @@ void CuePlanner::name_touched(Hand& hand, bool by_hand, FeatureId feature, doubl
     std::string text = describe_feature(*scene_, feature, settings_.speech.verbosity);
     if (text.empty()) return;
     if (by_hand) text = whose(hand.number, std::move(text));
-    // A hand that trembles between two surfaces must not put the name off for ever: the first touch sets the time, the
-    // last one the name.
+    // A hand that trembles between two surfaces must not delay the name for ever: the first touch sets the time, the
+    // last touch the name.
     const double due_s = hand.name ? std::min(hand.name->due_s, time_s + settle_s) : time_s + settle_s;
     hand.name = Waiting{.utterance = {.text = std::move(text), .speech_class = SpeechClass::Contact},
                         .due_s = due_s,
@@ -206,7 +207,8 @@ void CuePlanner::on_contact(const ContactEvent& event, AudioSink& audio) {
                                              [&](const RecentContact& r) { return r.feature == event.feature; });
             if (!chatter) {
                 hand.recent.push_back({event.feature, event.time_s});
-                // Loudness follows the square root of speed: a slow touch of 1 cm/s is still heard over the room.
+                // Loudness follows the square root of speed, so that a slow touch of 1 cm/s is still heard over the
+                // sounds of the room.
                 const double force_of_blow =
                     std::sqrt(std::min(1.0, std::max(0.0, event.speed_m_per_s) / kFastTouch_m_per_s));
                 play({.kind = SoundKind::Contact,
@@ -221,8 +223,9 @@ void CuePlanner::on_contact(const ContactEvent& event, AudioSink& audio) {
         }
         case ContactEventKind::Slide: {
             if (event.feature && !is_touched(hand, event.feature))
-                touch(hand, event);  // slid onto something else without leaving the surface
-            // In a corner two surfaces are slid along at once; one of them is heard until it stops, not both in turn.
+                touch(hand, event);  // the hand slid onto another feature without leaving the surface
+            // In a corner the hand slides along two surfaces at once. One of them is heard until it stops, not both in
+            // turn.
             if (hand.sliding && event.feature != hand.slide_feature && event.time_s - hand.slide_s < kSlideOwner_s)
                 return;
             hand.slide_s = event.time_s;
@@ -264,8 +267,8 @@ void CuePlanner::on_contact(const ContactEvent& event, AudioSink& audio) {
             play(
                 {.kind = is_pause(event.fault) ? SoundKind::ForcesOff : SoundKind::Alarm, .event_time_s = event.time_s},
                 audio);
-            // What waits for a confirmation is told again when it comes again at once: the person has just asked for
-            // the force.
+            // A fault that needs a confirmation is announced again if it comes back at once, because the person has
+            // just requested the force.
             ask(whose(event.hand, fault_sentence(event.fault)), SpeechClass::Alarm, event.time_s,
                 !passes_by_itself(event.fault));
             alarms_.back().cuts = is_gone(event.fault);
@@ -312,7 +315,8 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
             left_foot_ = !left_foot_;
             cue.kind = SoundKind::Footstep;
             cue.pitch = request.pitch *
-                        (left_foot_ ? 0.97 : 1.03);  // two feet are never quite alike; equal steps sound like a machine
+                        // Two footsteps are never quite alike; equal ones sound like a machine.
+                        (left_foot_ ? 0.97 : 1.03);
             play(cue, audio);
             return;
         case CueRequestKind::Bump: {
@@ -328,7 +332,7 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
         case CueRequestKind::WallTone: {
             cue.kind = SoundKind::WallTone;
             cue.loudness = hushed_ ? 0.0 : std::clamp(request.loudness, 0.0, 1.0) * volume_of(SoundKind::WallTone);
-            // Rhythm tells the distance where loudness and side cannot, as through one loudspeaker.
+            // The rhythm tells the distance where loudness and side cannot, for example through a single loudspeaker.
             cue.pulses_per_s =
                 kSlowestPulse_hz + (kFastestPulse_hz - kSlowestPulse_hz) * std::clamp(request.loudness, 0.0, 1.0);
             const bool on = cue.loudness > 0.0;
@@ -389,8 +393,7 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
     }
 }
 
-// What a foot or a hand must know at once has begun to be heard, or waits: a key that was pressed without knowing of it
-// does not take it away.
+// Alarms and warnings that have just begun or still wait are kept: the person pressed the key without knowing of them.
 void CuePlanner::interrupt(double now_s, SpeechSink& speech) {
     const bool warns = speaking_class_ == SpeechClass::Alarm || speaking_class_ == SpeechClass::Warning;
     if (!(speech.speaking() && warns && now_s - speaking_since_s_ < kWarningHeard_s)) speech.stop();
@@ -417,8 +420,8 @@ void CuePlanner::ask(const std::string& text, SpeechClass speech_class, double a
     }
 }
 
-// A step that was blocked: said, or written where it has just been said, so that whoever reads has an answer to each
-// step and whoever listens only the thud.
+// Reports a blocked step. If the same was said a moment ago, it is only written: a reader gets an answer to each step,
+// and a listener only the thud.
 void CuePlanner::warn(const CueRequest& request, double asked_s, double now_s, SpeechSink& speech) {
     if (settings_.speech.verbosity <= 0) return;
     const auto said = said_at_s_.find(speakable(request.text));
@@ -446,10 +449,10 @@ void CuePlanner::write_waiting(std::deque<Waiting>& queue, double now_s, SpeechS
 }
 
 void CuePlanner::speak_waiting(double now_s, SpeechSink& speech) {
-    // The class that is speaking now, if any; a sink without duration is never busy, so everything is said in this very
-    // tick.
+    // Is the voice busy with this class? A sink whose speech takes no time is never busy, so everything is said in this
+    // very tick.
     const auto busy_with = [&](SpeechClass c) { return speech.speaking() && speaking_class_ == c; };
-    // Whether a device may push does not wait behind what was said of it before that was known.
+    // The news whether a device may push does not wait for earlier alarms about the device.
     const auto cut = [&] {
         return std::any_of(alarms_.begin(), alarms_.end(), [](const Waiting& alarm) { return alarm.cuts; });
     };
@@ -470,11 +473,11 @@ void CuePlanner::speak_waiting(double now_s, SpeechSink& speech) {
     const bool engaged =
         waiting() || busy_with(SpeechClass::Alarm) || busy_with(SpeechClass::Warning) || busy_with(SpeechClass::Answer);
     for (Hand& hand : hands_) {
-        // One hand's name does not cut the other's short; it waits as behind an answer.
+        // The name from one hand does not cut the other hand's name; it waits, as it does for an answer.
         const bool others = busy_with(SpeechClass::Contact) && naming_ != hand.number;
         speak_name(hand, now_s, engaged || others, speech);
     }
-    // A hint is never kept for later: by then it is about something else.
+    // A hint is never kept for later, because by then the situation has changed.
     const bool naming =
         std::any_of(hands_.begin(), hands_.end(), [](const Hand& hand) { return hand.name.has_value(); });
     if (hint_ && !waiting() && !naming && !speech.speaking()) say_now(*hint_, now_s, speech);
@@ -492,7 +495,7 @@ void CuePlanner::speak_name(Hand& hand, double now_s, bool engaged, SpeechSink& 
     }
 }
 
-// What was said since, when it was not out of the history itself, begins at the newest again.
+// A new utterance, unless it came from the history itself, restarts the history at the newest line.
 void CuePlanner::step_history(bool back, double asked_s, double now_s, SpeechSink& speech) {
     std::vector<const SpokenLine*> lines;  // newest first
     for (auto line = spoken_.rbegin(); line != spoken_.rend() && lines.size() < kMostHistory; ++line)
@@ -536,7 +539,7 @@ void CuePlanner::say_now(const Waiting& waiting, double now_s, SpeechSink& speec
     speaking_since_s_ = now_s;
 }
 
-// First its name, then the sound, so that neither covers the other.
+// First the name is spoken, then the sound plays, so that neither covers the other.
 void CuePlanner::demonstrate(double now_s, AudioSink& audio, const SpeechSink& speech) {
     if (!demonstration_) return;
     Demonstration& shown = *demonstration_;

@@ -1,5 +1,5 @@
-// Decides what is heard: debounces names, picks sounds by material and force, keeps one voice. Pure logic over its
-// inputs and a time, so scenarios replay it exactly. One thread (the audio thread; in scenarios the only one).
+// Decides what is heard: debounces names, picks sounds by material and force, and keeps to one voice. Pure logic over
+// its inputs and a time, so scenarios replay it exactly. One thread (the audio thread; in scenarios the only one).
 #pragma once
 
 #include <array>
@@ -20,48 +20,51 @@
 namespace handrail {
 
 enum class CueRequestKind : std::uint8_t {
-    Say,          // text, speech_class; `repeatable` lifts the 5 s rule (answers to keys)
-    Footstep,     // material, position
-    Bump,         // body met `feature` at `position`; thud, and `text` as a warning; within 5 s of the last time it is
-                  // not said again but `written`, each time
-    WallTone,     // loudness by distance, at `position`; loudness 0: off
-    Interrupt,    // any key: the same, but for alarms and warnings that wait, and one that began less than
-                  // kWarningHeard_s ago: it is said to its end
-    StopSpeech,   // Control key: the voice is silent and what waited to be said is dropped
-    SilenceAll,   // F12: voice and sounds; loops stay off until the next step, bump or touch
-    Play,         // sound kind at position
-    Repeat,       // last utterance again
-    HistoryBack,  // the last utterance, then the one before it and so on, at most kMostHistory; with its number
+    Say,       // uses text, speech_class; `repeatable` lifts the 5 s rule (answers to keys)
+    Footstep,  // uses material, position
+    // The walker bumped into `feature` at `position`: a thud, and `text` as a warning. Within 5 s of the last time,
+    // `written` is written each time and nothing is said.
+    Bump,
+    WallTone,  // loudness by distance, at `position`; loudness 0: off
+    // For any other key: as StopSpeech, but keeps waiting alarms and warnings, and finishes one that began less than
+    // kWarningHeard_s ago.
+    Interrupt,
+    StopSpeech,   // Control key: silences the voice and drops what waits to be said
+    SilenceAll,   // F12: silences voice and sounds; loops stay off until the next step, bump or touch
+    Play,         // plays sound `sound` at `position`
+    Repeat,       // says the last utterance again
+    HistoryBack,  // says the last utterance, then the one before it and so on, at most kMostHistory, with its number
     HistoryForward,
-    Demonstrate,  // says `text`, then plays `sound` of `material`, switched off or not; a loop for 2.5 s
-    WorldSound,  // loop `sound` of `source` at `position`, as loud as its map says, `muffled_db` by what is in between;
-                 // loudness 0: not heard
+    Demonstrate,  // says `text`, then plays `sound` of `material` even if it is switched off; a loop for 2.5 s
+    // Plays loop `sound` of `source` at `position`, as loud as its map says, muffled by `muffled_db`. Loudness 0: ends
+    // it.
+    WorldSound,
 };
 
-// What the app asks to be heard; sent through a queue to the audio thread.
+// A request of the app for something to be heard; sent through a queue to the audio thread.
 struct CueRequest {
     CueRequestKind kind = CueRequestKind::Say;
-    double time_s = 0.0;  // Answers of one and the same time are one reply: said one after the other
+    double time_s = 0.0;  // answers with the same time form one reply and are said one after the other
     std::string text, written;
     SpeechClass speech_class = SpeechClass::Answer;
     bool repeatable = false;
     SoundKind sound = SoundKind::Beep;
-    SoundClass material = SoundClass::Generic;  // Generic on a Bump: the material of `feature`
+    SoundClass material = SoundClass::Generic;  // for a Bump, Generic means the material of `feature`
     FeatureId feature = kNoFeature;
     Vec3 position_m{0.0};
     double loudness = 1.0;
-    double pitch = 1.0;         // factor: Footstep, Play
-    double muffled_db = 0.0;    // as SoundCue
-    double pulses_per_s = 0.0;  // WorldSound: as SoundCue
-    std::uint32_t source = 0;   // as SoundCue
+    double pitch = 1.0;         // factor, for Footstep and Play
+    double muffled_db = 0.0;    // as in SoundCue
+    double pulses_per_s = 0.0;  // for WorldSound, as in SoundCue
+    std::uint32_t source = 0;   // as in SoundCue
 };
 
-// Everything said, newest last, for the window's large text and for tests.
+// A spoken line, for the window's large text and for tests; lists have the newest last.
 struct SpokenLine {
     double time_s = 0.0;
     std::string text;
     SpeechClass speech_class = SpeechClass::Answer;
-    bool again = false;  // said before: out of the history
+    bool again = false;  // repeats a line of the history
 };
 
 struct CueInputs {
@@ -71,35 +74,38 @@ struct CueInputs {
     Listener listener;
 };
 
-// What is said of a thing that is touched or met, by Settings::Speech::verbosity:
+// The text for a thing that is touched or bumped into, by Settings::Speech::verbosity:
 //   0 ""   1 "North wall"   2 "North wall, plaster", a door with the side of its handle   3 also hinge and description
 //   4 also size.
-// Empty when the feature has no name. Two levels up is what a second press of the same question wants.
+// Empty if the feature has no name. A second press of the same question uses a level higher by two.
 std::string describe_feature(const Scene& scene, FeatureId id, int verbosity);
 
-// Speech. Names, hints and warnings are silent, in every sink, at verbosity 0 ("sounds only"); alarms and answers are
-// said at every level, since a person who asks is owed an answer. A text is not said twice within 5 s unless its
-// request is `repeatable`. A name is said 40 ms after the touch, the newest one only, so that a corner gives one name
-// and not two halves; while an answer or alarm is speaking, it waits and is dropped when the hand has left meanwhile.
-// Sounds. Loudness is the product of Settings::Sound; alarms never fall below 0.2. Contact sounds do not follow the 5 s
-// rule; only the same feature within 50 ms is chatter and is heard once.
+// Speech. Names, hints and warnings are silent in every sink at verbosity 0 ("sounds only"). Alarms and answers are
+// said at every level, because a person who asks must get an answer. A text is not said twice within 5 s unless its
+// request is `repeatable`. A name is said 40 ms after the touch, and only the newest one, so that a corner gives one
+// name and not two halves. While an answer or alarm is spoken, the name waits, and is dropped if the hand has left
+// meanwhile.
+//
+// Sounds. Loudness is the product of the values in Settings::Sound; alarms never fall below 0.2. Contact sounds do not
+// follow the 5 s rule; only the same feature within 50 ms counts as chatter and is heard once.
 class CuePlanner {
 public:
     explicit CuePlanner(Settings settings);
     void set_settings(const Settings& settings);
     void enter_world(
-        std::shared_ptr<const Scene> scene);  // names and materials to speak of; forgets what the hand touched
-    // The same world with something added, moved or removed: names are looked up here from now on, and nothing is said
+        std::shared_ptr<const Scene> scene);  // source of names and materials; also forgets what the hand touched
+    // The same world with something added, moved or removed. Names are looked up in it from now on, and nothing is said
     // again.
     void follow_edit(std::shared_ptr<const Scene> scene);
-    // With two hands it is said which one touches: "Left hand: door".
+    // With two hands the announcement says which one touches: "Left hand: door".
     void set_two_hands(bool two) { two_hands_ = two; }
-    // The hand is simulated, for want of a device: nothing is heard of its force, which nobody feels.
+    // The hand is simulated, because there is no device. Faults of its force are silent, because nobody feels that
+    // force.
     void set_hand_stands_in(bool stands_in) { hand_stands_in_ = stands_in; }
-    // Handles all inputs in order, contacts first, and drives the sinks, their tick() included. `now_s` never goes
+    // Handles all inputs in order, contacts first, and drives the sinks, including their tick(). `now_s` must never go
     // back.
     void tick(const CueInputs& inputs, AudioSink& audio, SpeechSink& speech);
-    // At the end: what still waits is written, so that text sinks hold every answer.
+    // Call it at the end: writes what still waits, so that text sinks contain every answer.
     void flush(double now_s, SpeechSink& speech);
     bool waiting() const { return !alarms_.empty() || !warnings_.empty() || !answers_.empty(); }
     const std::vector<SpokenLine>& spoken() const { return spoken_; }  // at most the last kMaxSpoken lines
@@ -112,13 +118,13 @@ public:
 private:
     struct Waiting {
         Utterance utterance;
-        double due_s = 0.0;    // not said before
+        double due_s = 0.0;    // not said before this time
         double asked_s = 0.0;  // time of the request or event
         bool repeatable = false;
         bool again = false;
-        bool cuts = false;               // an alarm that does not wait for another one
-        FeatureId touched = kNoFeature;  // a name: dropped when this is no longer touched
-        double expires_s = 0.0;          // names only: kept that long even when the hand has left
+        bool cuts = false;               // an alarm that does not wait for another one to finish
+        FeatureId touched = kNoFeature;  // for a name: dropped if this is no longer touched
+        double expires_s = 0.0;          // for names only: kept until then even if the hand has left
     };
     struct RecentContact {
         FeatureId feature;
@@ -131,10 +137,10 @@ private:
     void answer(Waiting waiting, double now_s, SpeechSink& speech);
     void interrupt(double now_s, SpeechSink& speech);
     void write_waiting(std::deque<Waiting>& queue, double now_s, SpeechSink& speech);
-    // What one hand touches and is heard of it.
+    // What one hand touches, and the sounds and names that follow from it.
     struct Hand {
         std::uint8_t number = 0;
-        std::vector<FeatureId> touched;     // now
+        std::vector<FeatureId> touched;     // touched now
         std::vector<RecentContact> recent;  // contact sounds of the last 50 ms
         std::optional<Waiting> name;
         bool sliding = false;
@@ -147,16 +153,16 @@ private:
     static bool is_touched(const Hand& hand, FeatureId feature);
     void stop_slide(Hand& hand, AudioSink& audio);
     void speak_name(Hand& hand, double now_s, bool engaged, SpeechSink& speech);
-    // "Left hand: door" where there are two.
+    // "Left hand: door" if there are two hands.
     std::string whose(std::size_t hand, std::string text) const;
     void keep_world_sounds(AudioSink& audio);
     void demonstrate(double now_s, AudioSink& audio, const SpeechSink& speech);
     void end_demonstration(AudioSink& audio);
     void speak_waiting(double now_s, SpeechSink& speech);
     void step_history(bool back, double asked_s, double now_s, SpeechSink& speech);
-    bool keep_line(const Waiting& waiting, double now_s);  // false: said within 5 s
+    bool keep_line(const Waiting& waiting, double now_s);  // false: was said within the last 5 s
     void say_now(const Waiting& waiting, double now_s, SpeechSink& speech);
-    double volume_of(SoundKind kind) const;  // 0 where it is switched off
+    double volume_of(SoundKind kind) const;  // 0 if it is switched off
     void play(SoundCue cue, AudioSink& audio);
     void tell_sound(const SoundCue& cue);
     void warn(const CueRequest& request, double asked_s, double now_s, SpeechSink& speech);
@@ -167,27 +173,28 @@ private:
 
     std::vector<SpokenLine> spoken_;
     std::uint64_t spoken_in_all_ = 0;
-    std::size_t back_ = 0;                               // how far back in the history the person is; 0: not at all
-    std::unordered_map<std::string, double> said_at_s_;  // texts of the last 5 s
+    std::size_t back_ = 0;                               // the person's position in the history; 0: not in it
+    std::unordered_map<std::string, double> said_at_s_;  // texts said in the last 5 s
     std::deque<Waiting> alarms_, warnings_, answers_;
     std::optional<Waiting> hint_;
-    SpeechClass speaking_class_ = SpeechClass::Ambient;  // of the last utterance; counts while the sink is speaking
+    // Class of the last utterance; valid while the sink is speaking.
+    SpeechClass speaking_class_ = SpeechClass::Ambient;
     double speaking_asked_s_ = 0.0;
     double speaking_since_s_ = -1e9;
 
-    std::array<Hand, 2> hands_;  // the only or right one, the left one
+    std::array<Hand, 2> hands_;  // [0]: the only or right hand, [1]: the left hand
     bool two_hands_ = false;
     bool hand_stands_in_ = false;
-    std::uint8_t naming_ = 0;  // whose touch was named last
+    std::uint8_t naming_ = 0;  // the hand whose touch was named last
     bool wall_tone_on_ = false;
-    std::vector<SoundCue> world_sounds_;  // as asked for, before volume; those that sound are the ones with a volume
-    bool hushed_ = false;                 // after SilenceAll, until something happens
+    std::vector<SoundCue> world_sounds_;  // as requested, before volume; only those with a volume above 0 sound
+    bool hushed_ = false;                 // true after SilenceAll, until the next event
     bool left_foot_ = false;
     SoundWords sound_words_;
-    std::vector<SoundCue> sounds_to_tell_;  // of this tick
+    std::vector<SoundCue> sounds_to_tell_;  // sounds of this tick that are also written
     struct Demonstration {
         SoundCue cue;
-        bool playing = false;  // a loop
+        bool playing = false;  // the loop is playing
         double ends_s = 0.0;
     };
     std::optional<Demonstration> demonstration_;

@@ -1,5 +1,5 @@
-// What the ears are given by whoever drives a session. AudioThread takes it at its next step; PlayedEars counts it, to
-// compute a recording again. Calls on the app thread.
+// The inputs that the owner of a session gives to the audio thread. AudioThread takes them at its next step; PlayedEars
+// counts them, to replay a recording. Call from the app thread.
 #pragma once
 
 #include <memory>

@@ -1,6 +1,6 @@
-// Decides what fingers on a pad are told, as CuePlanner decides what ears are told: pure logic over what the hand
-// touches, what the app asks to be heard and a time, so that tests replay it exactly. App thread; a few comparisons a
-// frame, and nobody calls it where no pad is.
+// Decides the cues for fingers on a pad, as CuePlanner decides what is heard. Pure logic over what the hand touches,
+// the app's requests and a time, so tests replay it exactly. App thread; a few comparisons a frame; called only if
+// there is a pad.
 #pragma once
 
 #include <memory>
@@ -14,15 +14,17 @@ namespace handrail {
 
 struct FingerInputs {
     double now_s = 0.0;
-    std::span<const CueRequest> requests;  // what the app asks to be heard this frame: bumps, steps, the tone of walls
+    std::span<const CueRequest> requests;  // the app's requests of this frame: bumps, steps, the wall tone
     const ToolState* tool = nullptr;       // nullptr: there is no hand
-    double passage_width_m = 0.0;          // free space across the way; 0: open
+    double passage_width_m = 0.0;          // free space across the walking direction; 0: open
 };
 
-// Hardness is the surface's stiffness. A bump knocks, with the right trigger stiff until one is away from the wall; the
-// wall ahead is near as the wall tone is loud; the hand on a surface is near by its force. A door that is met, and a
-// passage no wider than a door that is entered from a wider place, click. Steps and slides give the grain of their
-// material; stairs and slopes resist on the left.
+// How inputs become cues:
+// - Hardness is the stiffness of the surface.
+// - A bump gives a knock, and the right trigger stays stiff until the walker is away from the wall.
+// - The nearness of a wall ahead follows the loudness of the wall tone; that of a touched surface follows its force.
+// - A door ahead gives a click, and so does a passage no wider than a door that is entered from a wider place.
+// - Steps and slides give the grain of their material; stairs and slopes resist on the left.
 class FingerPlanner {
 public:
     static constexpr double kKnock_s = 0.12, kBumpHolds_s = 0.6, kClick_s = 0.4, kStepGrain_s = 0.06,
@@ -30,15 +32,15 @@ public:
     static constexpr double kDoorWidth_m = 1.4, kWide_m = 1.8;
 
     void set_settings(const Settings::Pads& settings) { settings_ = settings; }
-    void enter_world(std::shared_ptr<const Scene> scene);  // forgets what was met
+    void enter_world(std::shared_ptr<const Scene> scene);  // forgets everything met before
     void follow_edit(std::shared_ptr<const Scene> scene) { scene_ = std::move(scene); }
-    // `now_s` never goes back.
+    // `now_s` must never go back.
     FingerCue tick(const FingerInputs& inputs);
 
 private:
     struct Surface {
         double hardness = 1.0;
-        double period_hand_m = 0.0;  // of its texture; 0: none
+        double period_hand_m = 0.0;  // period of its texture; 0: none
         SoundClass sound = SoundClass::Generic;
     };
     Surface surface_of(MaterialId material) const;
@@ -58,7 +60,7 @@ private:
     FeatureId touched_door_ = kNoFeature;
 };
 
-// How many grains a second a material has under a foot or a slow hand; 0: smooth.
+// Grains per second of a material under a foot or a slow hand; 0: smooth.
 double grain_hz(SoundClass sound) noexcept;
 
 }  // namespace handrail

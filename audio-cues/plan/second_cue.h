@@ -1,5 +1,6 @@
-// What tells behind from ahead and high from low where filtering for the ears alone is weak: a sound behind flutters,
-// one above rises again and again, one below falls. Audible in one ear and in mono. Pure function; any thread.
+// A cue that distinguishes behind from ahead and high from low where head-related filtering alone is weak. A sound
+// behind flutters, one above rises again and again, one below falls. Audible in one ear and in mono. Pure function; any
+// thread.
 #pragma once
 
 #include "worlds/base/vec.h"
@@ -11,13 +12,14 @@ struct SecondCue {
     double pitch = 1.0;  // factor
 };
 
-inline constexpr double kFlutter_hz = 9.0, kFlutterDepth = 0.7;  // share of the loudness that goes straight behind
+// KFlutterDepth: share of the loudness that is lost directly behind.
+inline constexpr double kFlutter_hz = 9.0, kFlutterDepth = 0.7;
 inline constexpr double kGlide_s = 0.9,
-                        kGlideOctaves = 0.25;  // how long a rise takes and how far it goes for what is high above
+                        kGlideOctaves = 0.25;  // duration of a glide, and how far it goes for a sound high above
 inline constexpr double kLevelWithin_rad = 0.35,
-                        kHigh_rad = 0.87;  // 20 and 50 degrees: no glide below, all of it above
+                        kHigh_rad = 0.87;  // 20 and 50 degrees: no glide below the first, full glide above the second
 
-// `head_m`: where the sound is from the head, x right, y ahead, z up. `time_s` may start anywhere.
+// `head_m`: position of the sound relative to the head, x right, y ahead, z up. `time_s` may start anywhere.
 SecondCue second_cue(const Vec3& head_m, double time_s, bool behind, bool height);
 
 }  // namespace handrail

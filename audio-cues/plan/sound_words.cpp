@@ -10,7 +10,8 @@
 namespace handrail {
 namespace {
 
-// The names of what is met, the word that a step is blocked, headings, alarms and speech itself are words already.
+// These sounds always come with words of their own: names of touched things, blocked steps, headings, alarms and
+// speech.
 bool has_words_of_its_own(SoundKind kind) {
     constexpr std::array kWith{SoundKind::Contact,  SoundKind::Slide,     SoundKind::Bump,     SoundKind::TurnTick,
                                SoundKind::ForcesOn, SoundKind::ForcesOff, SoundKind::StairsUp, SoundKind::StairsDown,
@@ -20,7 +21,7 @@ bool has_words_of_its_own(SoundKind kind) {
 
 bool goes_on(SoundKind kind) { return is_world_sound(kind) || kind == SoundKind::WallTone; }
 
-// "Door near" of "Door near: a door is before you".
+// Returns "Door near" for "Door near: a door is before you".
 std::string name_of(SoundKind kind) {
     std::string key = "sound." + std::string(info(kind).name);
     std::replace(key.begin(), key.end(), ' ', '_');
@@ -28,7 +29,7 @@ std::string name_of(SoundKind kind) {
     return text.substr(0, text.find(':'));
 }
 
-// Of a floor, as it stands inside a sentence.
+// The name of a floor's material inside a sentence.
 std::string material_word(SoundClass material) {
     if (material == SoundClass::Grille) return phrase("material.steel_grille");
     if (material == SoundClass::Water) return phrase("kind.water");
@@ -50,7 +51,7 @@ std::string SoundWords::tell(const SoundCue& cue, const Listener& ears, double n
     if (has_words_of_its_own(cue.kind)) return {};
     std::string text, side;
     if (cue.kind == SoundKind::Footstep) {
-        // Only what one walks on: that a step was made is told in words where keys are words.
+        // Only what the person walks on is written. Where keys are words, the step itself is reported in words already.
         if (cue.material == SoundClass::Generic) return {};
         text = phrase("sound_words.steps_on", {{"material", material_word(cue.material)}});
     } else {
@@ -59,14 +60,14 @@ std::string SoundWords::tell(const SoundCue& cue, const Listener& ears, double n
         if (cue.kind == SoundKind::Beacon) side = side_of(cue.position_m, ears);
     }
     if (!side.empty()) text = phrase("words.joined", {{"one", text}, {"other", side}});
-    // One beacon, whichever of its three sounds it has.
+    // All three sounds of a beacon count as one beacon.
     const SoundKind kind = is_beacon(cue.kind) ? SoundKind::Beacon : cue.kind;
     Told& told = told_[{kind, cue.source}];
     const bool same = told.text == text;
     const bool steps = cue.kind == SoundKind::Footstep;
     const double wait_s = goes_on(cue.kind) ? kGoesOn_s : kBeats_s;
     if (same && (steps || now_s - told.time_s < wait_s)) return {};
-    // Who turns on the spot is not told of each sound at each notch.
+    // A person who turns on the spot does not get a line for every sound at every notch.
     if (!same && goes_on(cue.kind) && !told.text.empty() && now_s - told.time_s < kBeats_s) return {};
     told = {text, now_s};
     return text;

@@ -1,6 +1,6 @@
-// Sounds told as text: what each is called and at which side it is, for who reads instead of hearing. Short and without
-// brackets; what always comes with words of its own is left out, and what beats or goes on is told again only when
-// something about it has changed or some time has passed. Plain state; one thread.
+// Sounds as text: the name of each and its direction, for people who read instead of hearing. Short and without
+// brackets. Sounds that always come with words are left out. Sounds that repeat or continue are reported again only if
+// something about them has changed or some time has passed. Plain state; one thread.
 #pragma once
 
 #include <map>
@@ -13,12 +13,12 @@ namespace handrail {
 
 class SoundWords {
 public:
-    static constexpr double kBeats_s = 3.0;    // a rhythm is told again after this
-    static constexpr double kGoesOn_s = 30.0;  // what sounds all the time
+    static constexpr double kBeats_s = 3.0;    // after this a rhythmic sound is reported again
+    static constexpr double kGoesOn_s = 30.0;  // after this a continuous sound is reported again
 
-    // Of a sound that starts, or of a loop that is or changes; empty: nothing new.
+    // Returns the text for a sound that starts, or for a loop that sounds or changes; empty: nothing new.
     std::string tell(const SoundCue& cue, const Listener& ears, double now_s);
-    // That loop has ended: told anew when it comes again.
+    // The loop has ended, so it is reported anew when it comes again.
     void forget(SoundKind kind, std::uint32_t source) { told_.erase({kind, source}); }
 
 private:

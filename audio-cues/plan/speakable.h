@@ -1,4 +1,5 @@
-// Text made fit for voices, terminals and windows: what maps and files hold may be neither UTF-8 nor one line.
+// Makes text suitable for voices, terminals and windows: text from maps and files may be neither valid UTF-8 nor a
+// single line.
 #pragma once
 
 #include <string>
@@ -6,12 +7,12 @@
 
 namespace handrail {
 
-// One line of valid UTF-8: control characters and line ends become single spaces, outer spaces and direction controls
-// go, and bytes that are no UTF-8 are read as Latin-1, which is what old maps were written in. Text that is already
-// clean comes back unchanged.
+// Returns one line of valid UTF-8. Control characters and line ends become single spaces; outer spaces and direction
+// controls are removed. Bytes that are not UTF-8 are read as Latin-1, in which old maps were written. Clean text is
+// returned unchanged.
 std::string speakable(std::string_view text);
 
-// The same with an upper-case first letter, as a label is spoken and printed.
+// The same with an upper-case first letter, for labels that are spoken and printed.
 std::string sentence_case(std::string_view text);
 
 }  // namespace handrail

@@ -1,6 +1,6 @@
 #include "audio-cues/sinks/braille_display.h"
 
-// The one-handle form of the library is not used.
+// Handrail does not use the single-session form of the library.
 #define BRLAPI_NO_SINGLE_SESSION
 #include <brlapi.h>
 #include <poll.h>
@@ -33,14 +33,14 @@ struct BrailleDisplay::Shared : ServerClient {
 
     const std::shared_ptr<BrailleLink> link;
 
-    // Under the mutex.
+    // Protected by the mutex.
     bool wanted = false, allowed = true;
     std::string message;
     std::uint64_t messages = 0;
-    bool lost = false;  // to be told
+    bool lost = false;  // the loss is still to be announced
 };
 
-// What runs on the thread.
+// The part that runs on the thread.
 struct BrailleDisplay::Worker {
     explicit Worker(Shared& s)
         : shared(s), handle(static_cast<brlapi_handle_t*>(std::malloc(brlapi_getHandleSize()))) {}
@@ -48,8 +48,8 @@ struct BrailleDisplay::Worker {
     Shared& shared;
     std::unique_ptr<brlapi_handle_t, FreeHandle> handle;
     bool connected = false;
-    bool holds_tty = false;  // and so a display was there
-    unsigned window = 0;     // that it was taken for
+    bool holds_tty = false;  // true only if a display was there
+    unsigned window = 0;     // the window for which the display was taken
     double look_again_s = 0.0;
     BrailleLine line;
     std::uint64_t shown_message = 0;
@@ -76,12 +76,12 @@ struct BrailleDisplay::Worker {
         }
     }
 
-    // For a server, and with one for its display.
+    // Looks for a server and, once connected, for its display.
     void look() {
         look_again_s = now_s() + kRetry_s;
         if (!connected && !open()) return;
         look_again_s = now_s() + kSizeEvery_s;
-        // The model's name is never asked for: a server whose display is just coming dies of that (BRLTTY 6.5).
+        // Never ask for the model's name: a server whose display is just connecting crashes on that (BRLTTY 6.5).
         unsigned columns = 0, rows = 0;
         if (brlapi__getDisplaySize(handle.get(), &columns, &rows) < 0) return lose();
         const unsigned cells = columns * rows;
@@ -101,7 +101,7 @@ struct BrailleDisplay::Worker {
         const int socket = brlapi__openConnection(handle.get(), &settings, nullptr);
         if (socket < 0) return false;
         connected = true;
-        // What the library does otherwise is to end the program.
+        // Without a handler, the library ends the program on an error.
         brlapi__setExceptionHandler(handle.get(),
                                     [](brlapi_handle_t*, int, brlapi_packetType_t, const void*, std::size_t) {});
         const std::lock_guard lock(shared.mutex);
@@ -110,7 +110,7 @@ struct BrailleDisplay::Worker {
     }
 
     void take_tty(unsigned our_window) {
-        const int path = static_cast<int>(our_window);  // below WINDOWPATH, which the library puts before it
+        const int path = static_cast<int>(our_window);  // the part below WINDOWPATH, which the library adds in front
         if (brlapi__enterTtyModeWithPath(handle.get(), &path, 1, nullptr) < 0) return;
         static constexpr std::array<brlapi_keyCode_t, 6> kOurs{
             BRLAPI_KEY_TYPE_CMD | BRLAPI_KEY_CMD_FWINLT, BRLAPI_KEY_TYPE_CMD | BRLAPI_KEY_CMD_FWINRT,
@@ -127,7 +127,7 @@ struct BrailleDisplay::Worker {
         if (std::exchange(holds_tty, false)) brlapi__leaveTtyMode(handle.get());
     }
 
-    // What is said of an item of the open list stands there with its place and its neighbours.
+    // If the words end with an item of the open list, shows the item with its place and its neighbours.
     void show_words(const std::string& words) {
         const BrailleLink::List list = shared.link->list();
         if (list.items.empty() || list.said.empty() || !words.ends_with(list.said)) return line.show(words);
@@ -175,7 +175,7 @@ struct BrailleDisplay::Worker {
 
     void lose() {
         if (holds_tty) tell_of_loss();
-        holds_tty = false;  // no leave is sent over a broken connection
+        holds_tty = false;  // so that no leave request is sent over a broken connection
         close();
         look_again_s = now_s() + kRetry_s;
     }
@@ -206,7 +206,7 @@ struct BrailleDisplay::Worker {
         if (events[1].revents == 0) return;
         if (holds_tty) take_keys();
         else if ((events[1].revents & (POLLHUP | POLLERR)) != 0) lose();
-        else look_again_s = std::min(look_again_s, now_s() + 0.02);  // the next question reads what has come
+        else look_again_s = std::min(look_again_s, now_s() + 0.02);  // the next query reads the data that has arrived
     }
 };
 

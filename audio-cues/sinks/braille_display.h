@@ -1,6 +1,6 @@
-// A braille display, through BRLTTY's BrlAPI, where no screen reader brailles already: shows every message with the
-// heading before it. On a thread of its own, since the library waits for its server. Nothing is said while none is
-// there; a display that goes is told of once, and looked for again.
+// A braille display through BRLTTY's BrlAPI, used if no screen reader writes braille already. It shows every message
+// with the heading in front. Runs on a separate thread, because the library waits for its server. While there is no
+// display it reports nothing. The loss of a display is announced once, and the display is looked for again.
 #pragma once
 
 #include <atomic>
@@ -15,15 +15,15 @@
 
 namespace handrail {
 
-// Between the app and the display; any thread.
+// Shared by the app and the display; any thread.
 struct BrailleLink {
-    // The list that is open: what is said of the item one is at, and all items as they are brailled. Empty: none.
+    // The open list: the words spoken about the current item, and all items as braille shows them. Empty: no list.
     struct List {
         std::string said;
         std::vector<std::string> items;
         std::size_t at = 0;
     };
-    // Set before the words about it are spoken.
+    // Call it before the words about the item are spoken.
     void set_list(List list) {
         const std::lock_guard lock(list_mutex_);
         list_ = std::move(list);
@@ -34,9 +34,10 @@ struct BrailleLink {
     }
 
     std::atomic<double> heading_rad{0.0};
-    // X's number of our window: the display shows us while that has the keyboard. 0: not yet.
+    // The X id of our window: the display shows Handrail while this window has the keyboard. 0: not known yet.
     std::atomic<unsigned> window{0};
-    std::atomic<int> more_asked{0};  // a routing key was pressed, so often: more about this
+    // Counts presses of a routing key, each a request for more about the current message.
+    std::atomic<int> more_asked{0};
 
 private:
     mutable std::mutex list_mutex_;
@@ -47,18 +48,18 @@ private:
 class BrailleDisplay final : public BrailleSink {
 public:
     static constexpr double kRetry_s = 5.0;
-    static constexpr double kSizeEvery_s = 0.5;  // a display may come and go while its server stays
+    static constexpr double kSizeEvery_s = 0.5;  // because a display may come and go while its server stays
 
-    // Reads the environment (BRLAPI_HOST, WINDOWPATH): before other threads change it.
+    // Reads the environment (BRLAPI_HOST, WINDOWPATH), so call it before other threads change the environment.
     BrailleDisplay(std::shared_ptr<BrailleLink> link, const Settings::Speech& settings);
-    // Waits at most half a second for the server; a thread that still waits then is left to end by itself.
+    // Waits at most half a second for the server. A thread that still waits then is left behind and ends when it can.
     ~BrailleDisplay() override;
     BrailleDisplay(const BrailleDisplay&) = delete;
     BrailleDisplay& operator=(const BrailleDisplay&) = delete;
 
     void want(bool wanted) override;
     void say(const Utterance& utterance) override { write(utterance); }
-    void write(const Utterance& utterance) override;  // the newest stays until the next
+    void write(const Utterance& utterance) override;  // the newest message stays until the next one
     void stop() override {}
     bool speaking() const override { return false; }
     void tick(double now_s) override;

@@ -1,5 +1,5 @@
-// The built-in voice as one of those VoiceRouter chooses from: espeak-ng, or beeps where its data is missing. Owned by
-// the audio thread.
+// The built-in voice as a choice for VoiceRouter: espeak-ng, or beeps if its data is missing. Owned by the audio
+// thread.
 #pragma once
 
 #include <functional>
@@ -12,15 +12,15 @@ namespace handrail {
 
 class EmbeddedVoice final : public Voice {
 public:
-    // `audible` tells whether what goes into the channel is heard; while it is not, the voice counts as gone. Called on
-    // the audio thread.
+    // `audible` says whether the channel's sound can be heard; while it cannot, the voice counts as gone. Called on the
+    // audio thread.
     EmbeddedVoice(std::shared_ptr<VoiceChannel> channel, std::function<bool()> audible,
                   const Settings::Speech& settings)
         : channel_(std::move(channel)), audible_(std::move(audible)), settings_(settings) {}
 
     SpeechThrough through() const override { return SpeechThrough::Embedded; }
     VoiceState state() const override { return voice_ && audible_() ? VoiceState::Ready : VoiceState::Gone; }
-    void want(bool wanted) override;  // opens the voice when first wanted, about 3 ms
+    void want(bool wanted) override;  // opens the voice when it is first wanted, which takes about 3 ms
 
     void say(const Utterance& utterance) override;
     void stop() override;

@@ -21,22 +21,22 @@
 namespace handrail {
 namespace {
 
-// Samples sent on at once: 0.19 s, made in about 1 ms; the sink plays pieces without a gap.
+// Samples sent at once: 0.19 s, made in about 1 ms. The sink plays pieces without a gap.
 constexpr std::size_t kPiece = 4096;
 
-// The library has one state per process; these mirror it. Whoever has set `library_taken` may use the other and the
-// library. It is never terminated: espeak_Terminate can wait for ever for a thread that has not yet begun to listen
-// (seen with 1.51).
+// The library has one state per process; these flags mirror it. Only the code that has set `library_taken` may use
+// `library_ready` and the library. The library is never terminated, because espeak_Terminate can wait for ever for a
+// thread that does not listen yet (seen with 1.51).
 std::atomic<bool> library_taken{false};
 bool library_ready = false;
 
-// What the callback needs while one text is being spoken. Voice thread only.
+// State of the callback while one text is being spoken. Voice thread only.
 struct Synthesis {
     VoiceChannel* channel = nullptr;
     VoiceChannel::Ticket ticket = 0;
     std::vector<std::int16_t> piece;
 
-    // False when the utterance has been cut.
+    // Returns false if the utterance was cut.
     bool send() {
         const bool wanted = channel->append(ticket, piece);
         piece.clear();
@@ -44,7 +44,7 @@ struct Synthesis {
     }
 };
 
-// espeak-ng calls this with samples every 20 ms of speech; 1 ends the synthesis.
+// espeak-ng calls this with samples for every 20 ms of speech; returning 1 ends the synthesis.
 int on_samples(short* samples, int count, espeak_EVENT* events) {
     auto* synthesis = static_cast<Synthesis*>(events->user_data);
     if (synthesis == nullptr) return 0;
@@ -70,15 +70,15 @@ struct EspeakSpeech::Impl {
     std::shared_ptr<VoiceChannel> channel;
     int rate_hz = 0;  // set before open() returns
 
-    std::mutex mutex;  // guards the five below
+    std::mutex mutex;  // protects the five members below
     std::condition_variable changed;
-    std::optional<Job> job;  // the newest only: saying cuts
+    std::optional<Job> job;  // only the newest, because a new text cuts the one before
     Settings::Speech settings;
     bool new_settings = false;
     bool quit = false;
     std::optional<std::string> news;
 
-    std::thread thread;  // the only one that calls espeak-ng
+    std::thread thread;  // the only thread that calls espeak-ng
 
     void run(std::promise<Result<void>> ready) {
         Result<void> started = start_library();
@@ -103,8 +103,8 @@ struct EspeakSpeech::Impl {
         return {};
     }
 
-    // A language ("en", "pt-br"), that of what is said ("auto"), or one of the library's own names; English where it
-    // knows neither.
+    // The voice is a language ("en", "pt-br"), the program's language ("auto"), or one of the library's own names.
+    // English if the library knows neither.
     void apply(const Settings::Speech& wanted) {
         const std::string voice = wanted.voice == "auto" ? spoken_language() : wanted.voice;
         if (!choose(voice)) {
@@ -117,14 +117,14 @@ struct EspeakSpeech::Impl {
 
     static bool choose(const std::string& voice) {
         if (espeak_ng_SetVoiceByName(voice.c_str()) == ENS_OK) return true;
-        // Asked for a language it does not have, the library takes another one and reports success.
+        // For a language that it does not have, the library chooses another one and reports success.
         espeak_VOICE properties{};
         properties.languages = voice.c_str();
         if (espeak_ng_SetVoiceByProperties(&properties) != ENS_OK) return false;
         const espeak_VOICE* chosen = espeak_GetCurrentVoice();
         const std::string language = voice.substr(0, voice.find('-'));
         return chosen != nullptr && chosen->languages != nullptr &&
-               std::string_view(chosen->languages).substr(1).starts_with(language);  // [0] is a priority
+               std::string_view(chosen->languages).substr(1).starts_with(language);  // the byte at [0] is a priority
     }
 
     void speak_jobs() {
@@ -184,7 +184,7 @@ EspeakSpeech::~EspeakSpeech() {
 }
 
 void EspeakSpeech::say(const Utterance& utterance) {
-    // Beginning on the channel here cuts the utterance before and makes speaking() true from now on.
+    // Beginning on the channel here cuts the previous utterance and makes speaking() true from now on.
     const VoiceChannel::Ticket ticket = impl_->channel->begin(impl_->rate_hz, utterance.loudness);
     {
         const std::lock_guard lock(impl_->mutex);

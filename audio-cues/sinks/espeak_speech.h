@@ -1,6 +1,6 @@
-// The embedded voice: espeak-ng, synchronous, on the one thread in the process that may touch that library. Samples go
-// to a VoiceChannel in pieces, so that a long text starts as soon as a short one. say(), stop() and speaking() return
-// at once; the callback ends a cut synthesis within a millisecond (its asynchronous mode needs 200 ms).
+// The embedded voice: espeak-ng in synchronous mode, on the only thread of the process that may use that library.
+// Samples go to a VoiceChannel in pieces, so a long text starts as soon as a short one. say(), stop() and speaking()
+// return at once. The callback ends a cut synthesis within a millisecond; the library's asynchronous mode needs 200 ms.
 #pragma once
 
 #include <memory>
@@ -19,9 +19,9 @@ namespace handrail {
 // Owned and called by the audio thread.
 class EspeakSpeech final : public SpeechSink {
 public:
-    // Starts the thread and waits until the voice is ready (about 3 ms). Fails with a sentence when its data is
-    // missing, or when there is another EspeakSpeech: the library keeps its state in globals, and for the same reason
-    // stays loaded until the process ends. An unknown voice gives English and news().
+    // Starts the thread and waits until the voice is ready (about 3 ms). Fails with a sentence if its data is missing,
+    // or if another EspeakSpeech exists: the library keeps its state in globals. For the same reason it stays loaded
+    // until the process ends. An unknown voice gives English and a message in news().
     static Result<std::unique_ptr<EspeakSpeech>> open(std::shared_ptr<VoiceChannel> channel,
                                                       const Settings::Speech& settings);
     ~EspeakSpeech() override;
@@ -38,11 +38,11 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-// Where there is sound but no voice: a pattern of tones per class (alarm four, answer two, name one, hint one low)
-// tells that there is something to read. Owned by the audio thread.
+// Used if there is sound but no voice. A pattern of tones for each class (alarm four, answer two, name one, hint one
+// low) signals that there is something to read. Owned by the audio thread.
 class BeepSpeech final : public SpeechSink {
 public:
-    // `news` is said once: why there is no voice.
+    // `news` is returned once: the reason why there is no voice.
     BeepSpeech(std::shared_ptr<VoiceChannel> channel, std::string news)
         : channel_(std::move(channel)), news_(std::move(news)) {}
 
@@ -58,7 +58,7 @@ private:
     std::optional<std::string> news_;
 };
 
-// The embedded voice, or beeps that say why there is none.
+// Opens the embedded voice, or beeps that report why there is none.
 std::unique_ptr<SpeechSink> open_voice(const std::shared_ptr<VoiceChannel>& channel, const Settings::Speech& settings);
 
 }  // namespace handrail

@@ -1,5 +1,5 @@
-// Samples without a sound card: asked of the loopback device in whole blocks, and thrown away at the pace of time where
-// nobody hears them. The audio thread.
+// Makes samples without a sound card: takes them from the loopback device in whole blocks and, if nobody hears them,
+// discards them at the pace of time. Audio thread only.
 #pragma once
 
 #include <functional>
@@ -13,17 +13,17 @@ namespace handrail {
 
 class LoopbackMix {
 public:
-    // `on_render`: told of each count of frames that is asked for; may be empty. The device outlives this object.
+    // `on_render`: gets each requested number of frames; may be empty. The device must outlive this object.
     LoopbackMix(const OpenALDevice& device, std::function<void(int)> on_render)
         : device_(device), on_render_(std::move(on_render)) {}
 
-    // Nothing is owed from before this time.
+    // Starts at this time: nothing is due from before it.
     void begin_at(double now_s) { rendered_until_s_ = now_s; }
-    // Of a device that was opened anew.
+    // Call it after the device was opened anew.
     void restart(double now_s);
-    // What time has passed since is rendered and thrown away. Less than a whole block waits for the next call.
+    // Renders and discards the samples for the time that has passed. Less than a whole block waits for the next call.
     void discard_elapsed(double now_s);
-    // The next frames, left and right in turn. Valid until the next call.
+    // The next frames, left and right alternating. Valid until the next call.
     std::span<const float> render(int frames);
 
 private:
@@ -33,7 +33,7 @@ private:
     std::function<void(int)> on_render_;
     double rendered_until_s_ = 0.0;
     std::vector<float> mix_;
-    WholeBlocks ahead_;  // what render() has been given beyond what it was asked for
+    WholeBlocks ahead_;  // samples rendered beyond the last request of render()
 };
 
 }  // namespace handrail

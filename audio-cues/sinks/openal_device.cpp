@@ -14,14 +14,14 @@ namespace handrail {
 namespace {
 
 // Settings that OpenAL Soft takes from a file only, and only once in a process. Shorter periods drop out on a loaded
-// machine, the default of 3 x 1024 is late by 44 ms. Measured with the null device: 256 x 2 is late by 6.3 ms, 256 x 3
-// by 11.7.
+// machine; the default of 3 x 1024 has a delay of 44 ms. Measured with the null device: 256 x 2 has a delay of 6.3 ms,
+// 256 x 3 one of 11.7 ms.
 std::string configuration(int periods) { return fmt::format("period_size = 256\nperiods = {}\n", periods); }
 
 void ignore_alsa_message(const char* /*file*/, int /*line*/, const char* /*function*/, int /*error*/,
                          const char* /*format*/, ...) {}
 
-// An extension's function; the context or device it was asked of must be there.
+// Looks up the function of an extension; its context or device must exist.
 template <class Function>
 Function alc_function(ALCdevice* device, const char* name) {
     return reinterpret_cast<Function>(alcGetProcAddress(device, name));
@@ -30,14 +30,15 @@ Function alc_function(ALCdevice* device, const char* name) {
 }  // namespace
 
 OpenALEnvironment::OpenALEnvironment(int periods) {
-    // OpenAL, PipeWire and ALSA print to standard error if there is no sound card; the sink says so in words instead.
+    // OpenAL, PipeWire and ALSA print to standard error if there is no sound card. The sink reports that in a sentence
+    // instead.
     ::setenv("ALSOFT_LOGLEVEL", "0", 0);
     ::setenv("PIPEWIRE_DEBUG", "0", 0);
     if (void* alsa = ::dlopen("libasound.so.2", RTLD_NOW | RTLD_LOCAL)) {
         using SetHandler = int (*)(decltype(&ignore_alsa_message));
         if (void* set_handler = ::dlsym(alsa, "snd_lib_error_set_handler"))
             reinterpret_cast<SetHandler>(set_handler)(&ignore_alsa_message);
-    }  // stays loaded: OpenAL uses it too
+    }  // stays loaded, because OpenAL uses it too
     if (std::getenv("ALSOFT_CONF") != nullptr) return;
     file_ = ::memfd_create("openal.conf", MFD_CLOEXEC);
     if (file_ < 0) return;
@@ -126,7 +127,7 @@ bool OpenALDevice::connected() const {
     return answer == ALC_TRUE;
 }
 
-// Looks without letting go of the loopback device, which would have to be filled anew.
+// Looks for a device without closing the loopback device, which would have to be set up anew.
 bool OpenALDevice::playback_is_there() const {
     ALCdevice* found = alcOpenDevice(wanted_.empty() ? nullptr : wanted_.c_str());
     if (found != nullptr) alcCloseDevice(found);

@@ -1,5 +1,5 @@
-// One device of OpenAL's with its context: a sound card or the loopback device, which makes samples when they are asked
-// for. The audio thread, but for the environment.
+// One OpenAL device with its context: a sound card, or the loopback device, which makes samples on request. Audio
+// thread only, except for the environment.
 #pragma once
 
 #include <AL/al.h>
@@ -15,11 +15,11 @@
 
 namespace handrail {
 
-// Gives OpenAL the settings that it takes from a file only, in one that exists only in memory, while this object lives
-// and unless the person has set them. Made before other threads read the environment.
+// Gives OpenAL the settings that it takes from a file only. The file exists only in memory, while this object lives,
+// and is not used if the person has set their own. Create it before other threads read the environment.
 class OpenALEnvironment {
 public:
-    // `periods`: of 256 samples.
+    // `periods`: number of periods of 256 samples.
     explicit OpenALEnvironment(int periods);
     ~OpenALEnvironment();
     OpenALEnvironment(const OpenALEnvironment&) = delete;
@@ -31,16 +31,16 @@ private:
 
 class OpenALDevice {
 public:
-    // `wanted`: OpenAL's name of a playback device; empty: the default one. Without `hrtf` plain stereo.
+    // `wanted`: OpenAL's name of a playback device; empty: the default one. Without `hrtf`: plain stereo.
     OpenALDevice(std::string wanted, bool hrtf) : wanted_(std::move(wanted)), hrtf_(hrtf) {}
     ~OpenALDevice() { close(); }
     OpenALDevice(const OpenALDevice&) = delete;
     OpenALDevice& operator=(const OpenALDevice&) = delete;
 
-    // At 48 kHz, with its context current. Whoever is refused closes it.
+    // Open the device at 48 kHz and make its context current. If this fails, the caller must close the device.
     bool open_playback();
     Result<void> open_loopback();
-    // After what was made in its context is gone.
+    // Call it after everything made in its context is gone.
     void close();
 
     bool is_open() const { return device_ != nullptr; }
@@ -50,11 +50,11 @@ public:
     std::string name() const;
     bool hrtf_active() const;
     bool connected() const;
-    // Whether the playback device could be opened now; does not touch the one that is open.
+    // Returns true if the playback device could be opened now; does not touch the one that is open.
     bool playback_is_there() const;
-    // By the device's own clock, where it has one.
+    // Time by the device's own clock, if it has one.
     std::optional<double> clock_s() const;
-    // Of the loopback device, left and right in turn.
+    // Makes samples on the loopback device, left and right alternating.
     void render(float* stereo, int frames) const { render_samples_(device_, stereo, frames); }
 
 private:

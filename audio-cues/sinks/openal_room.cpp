@@ -7,8 +7,9 @@
 namespace handrail {
 namespace {
 
-constexpr double kRoomChange = 1.08, kRoom_s = 0.5;  // the reverberation follows a change of this factor, so often
-// OpenAL Soft 1.19.1 reverberates this much longer than it is told, measured from 0.3 to 4 s.
+// The reverberation follows a change by this factor, at most this often.
+constexpr double kRoomChange = 1.08, kRoom_s = 0.5;
+// OpenAL Soft 1.19.1 reverberates longer than requested by this much, measured from 0.3 to 4 s.
 constexpr double kEffectLonger_s = 0.045;
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The reverberation of the room around, as an effect of OpenAL's that sounds are sent to. Silent and without cost where
-// there is no such extension. The audio thread, with the context current.
+// The reverberation of the surrounding room, as an OpenAL effect to which sounds are sent. Silent and without cost if
+// the extension is missing. Audio thread only, with the context current.
 #pragma once
 
 #include <AL/al.h>
@@ -9,28 +9,29 @@ namespace handrail {
 
 class OpenALRoom {
 public:
-    // The effect of a room, if OpenAL has it. Its own shares of early and late sound stay as they are: a plain room.
+    // Makes the effect of a room, if OpenAL has it. OpenAL's default balance of early and late sound stays: a plain
+    // room.
     void make();
     void drop();
-    // Weak, and silent at once when all sound is to stop; a room that changes is followed twice a second. `share`: of
-    // its sound, 0 to 1.
+    // The reverberation is weak, and silent at once when all sound must stop. It follows changes of the room twice a
+    // second. `share`: strength of its sound, 0 to 1.
     void update(double now_s, double reverberation_s, double share);
     void hush() { hushed_ = true; }
     void sound_again() { hushed_ = false; }
 
-    // Sounds are sent there, through their filter where it has any effect; 0: none. A filter is copied when it is
-    // attached.
+    // Connects a source to the room, through its filter if that has any effect; filter 0: none. OpenAL copies a filter
+    // when it is attached.
     void send(ALuint source, bool in_room, ALuint filter) const;
 
 private:
     LPALEFFECTF effect_f_ = nullptr;
     LPALAUXILIARYEFFECTSLOTI slot_i_ = nullptr;
     LPALAUXILIARYEFFECTSLOTF slot_f_ = nullptr;
-    ALuint effect_ = 0, slot_ = 0;  // 0 where there is no such extension
-    double room_s_ = 0.0;           // reverberation as the effect has it
-    double next_room_s_ = 0.0;      // when it may follow again
+    ALuint effect_ = 0, slot_ = 0;  // 0 if the extension is missing
+    double room_s_ = 0.0;           // reverberation that the effect is set to
+    double next_room_s_ = 0.0;      // time of the next permitted change
     double slot_gain_ = 0.0;
-    bool hushed_ = false;  // until something sounds
+    bool hushed_ = false;  // until the next sound
 };
 
 }  // namespace handrail

@@ -22,7 +22,7 @@ bool leads_by_sound(SoundKind kind) { return is_beacon(kind) || kind == SoundKin
 
 }  // namespace
 
-// Which device there is, and what of it is lost and found again; what is heard is the parts'.
+// Chooses the device, and notices when it is lost and found again. The parts make the sound.
 struct OpenALSink::Impl {
     Impl(const Options& asked, std::shared_ptr<VoiceChannel> channel)
         : options(asked),
@@ -46,11 +46,12 @@ struct OpenALSink::Impl {
     bool others_speak = false;
     bool has_time = false;
     double next_poll_s = 0.0, next_reopen_s = 0.0;
-    bool lost = false;  // has no device, and looks for one
+    bool lost = false;  // there is no device, and one is looked for
     bool never_had = false;
     bool drops_out = false;
     std::optional<std::string> news;
-    std::optional<std::string> untold;  // that there is no sound, until somebody is to go by it
+    // The message that there is no sound, until the person needs sound to find their way.
+    std::optional<std::string> untold;
 
     Result<void> open() {
         if (options.output == Output::Device && open_playback()) return {};
@@ -74,7 +75,7 @@ struct OpenALSink::Impl {
     bool make_sources() {
         alGetError();
         dropouts.reset();
-        alDistanceModel(AL_NONE);  // distance_gain() has its own say
+        alDistanceModel(AL_NONE);  // no OpenAL model, because distance_gain() decides
         const bool filters = voices.load_filters(device.handle());
         if (filters) room.make();
         voices.make_sources(filters);
@@ -93,7 +94,7 @@ struct OpenALSink::Impl {
         device.close();
     }
 
-    // Loops go on after the change; one-shots and what was being said are lost with their device.
+    // Loops continue after the change; one-shots and the current utterance are lost with the old device.
     void change_device() {
         const auto before = voices.loops();
         const VoiceChannel::Ticket spoken = speech.ticket();
@@ -148,7 +149,7 @@ Result<std::unique_ptr<OpenALSink>> OpenALSink::open(std::shared_ptr<VoiceChanne
 }
 
 void OpenALSink::play(const SoundCue& cue) {
-    // That nothing sounds matters to who is to go by sound, and not before.
+    // Missing sound matters once the person must follow a sound, so it is announced only then.
     if (leads_by_sound(cue.kind) && impl_->untold) impl_->news = std::exchange(impl_->untold, std::nullopt);
     if (impl_->device.is_open()) impl_->voices.play(cue);
 }

@@ -1,9 +1,9 @@
-// Sounds at their places and a voice in the middle, through OpenAL Soft at 48 kHz, with head-related filtering for
-// headphones where the device allows it. One owner: the thread that ticks it (the audio thread); only VoiceChannel is
-// shared. With no sound card it plays into OpenAL's loopback device and throws the samples away at the pace of time, so
-// that nothing else changes; description() and news() say so. A device that is lost while playing is replaced by the
-// default one, or by loopback until one is back. Cost: about 1 % of a core; opening synthesises the sound bank
-// (synth.h).
+// Plays sounds at their places and a voice in the middle, through OpenAL Soft at 48 kHz, with head-related filtering
+// for headphones if the device allows it. One owner: the thread that ticks it (the audio thread); only VoiceChannel is
+// shared. Without a sound card it plays into OpenAL's loopback device and discards the samples at the pace of time, so
+// that nothing else changes; description() and news() report this. A device that is lost while playing is replaced by
+// the default one, or by loopback until one is back. Cost: about 1 % of a core; each sound of the bank (synth.h) is
+// synthesised when it is first heard.
 #pragma once
 
 #include <functional>
@@ -21,26 +21,26 @@ namespace handrail {
 class OpenALSink final : public AudioSink {
 public:
     enum class Output {
-        Device,    // the sound card, else loopback paced by tick()
+        Device,    // the sound card, otherwise loopback paced by tick()
         OnDemand,  // loopback; samples are made by render() only, for tests
     };
     struct Options {
         Output output = Output::Device;
         std::string device = {};  // OpenAL's name of a playback device; empty: the default one
-        int periods = 2;          // of 256 samples; the first sink of a process decides for all
+        int periods = 2;          // number of periods of 256 samples; the first sink of a process decides for all
         bool hrtf = true;         // false: plain stereo, for loudspeakers
-        // Stands in for the device's own report, so that a test can pull the plug.
+        // Replaces the device's own report, so that a test can simulate unplugging.
         std::function<bool()> still_connected = {};
-        // Told of each count of frames that the loopback device is asked for, so that a test can see them.
+        // Gets each number of frames requested from the loopback device, for tests.
         std::function<void(int)> on_render = {};
     };
-    // At most this many sounds besides the voice; the least important gives way, of equals the oldest, and of the
-    // world's own the quietest.
+    // Most sounds at once, not counting the voice. If there are more, the least important gives way; among equals the
+    // oldest, and among the world's own sounds the quietest.
     static constexpr int kMostSounds = 3;
-    static constexpr double kDuckingDb = -9.0;  // sounds but alarms, while the voice speaks
+    static constexpr double kDuckingDb = -9.0;  // for all sounds but alarms, while the voice speaks
 
-    // Sets ALSOFT_CONF for the moment of opening (256 samples x 2 periods) unless the person has set it: call before
-    // other threads read the environment. Fails only where OpenAL has no loopback device.
+    // Sets ALSOFT_CONF while opening (256 samples x 2 periods) unless the person has set it, so call it before other
+    // threads read the environment. Fails only if OpenAL has no loopback device.
     static Result<std::unique_ptr<OpenALSink>> open(std::shared_ptr<VoiceChannel> voice, const Options& options);
     ~OpenALSink() override;
 
@@ -54,11 +54,11 @@ public:
     bool drops_out() const override;
     std::optional<std::string> news() override;
 
-    // "Sound goes to Built-in Audio, for headphones."
+    // Such as "Sound goes to Built-in Audio, for headphones."
     std::string description() const;
-    bool has_device() const;     // false: on loopback
-    int sounds_playing() const;  // as of the last tick, the voice not counted
-    // OnDemand only: the next `frames` of the mix, left and right in turn. Valid until the next call.
+    bool has_device() const;     // false: plays into loopback
+    int sounds_playing() const;  // as of the last tick, without the voice
+    // OnDemand only: the next `frames` of the mix, left and right alternating. Valid until the next call.
     std::span<const float> render(int frames);
 
 private:

@@ -42,7 +42,7 @@ void OpenALSpeech::delete_played(const Speaker& s) {
 }
 
 void OpenALSpeech::drop_speech(Speaker& s) {
-    alSourceStop(s.source);  // now all of its buffers count as played
+    alSourceStop(s.source);  // this makes all of its buffers count as played
     delete_played(s);
     alSourcei(s.source, AL_BUFFER, 0);
     s.active = s.ended = s.ending = false;
@@ -65,7 +65,7 @@ void OpenALSpeech::update(double now_s) {
     Speaker& s = speakers_[speaker_];
     s.ended = update.ended;
     if (!update.samples.empty()) {
-        delete_played(s);  // a source that ran dry would begin again with them
+        delete_played(s);  // a source that ran dry would otherwise start again with them
         ALuint buffer = 0;
         alGenBuffers(1, &buffer);
         alBufferData(buffer, AL_FORMAT_MONO16, update.samples.data(),
@@ -75,7 +75,7 @@ void OpenALSpeech::update(double now_s) {
         ALint state = 0;
         alGetSourcei(s.source, AL_SOURCE_STATE, &state);
         if (state != AL_PLAYING)
-            alSourcePlay(s.source);  // the first piece, or the voice was slower than its own speech
+            alSourcePlay(s.source);  // either the first piece, or the synthesis was slower than the speech
         s.active = true;
     }
     if (s.ended) {

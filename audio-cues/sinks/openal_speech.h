@@ -1,5 +1,5 @@
-// The speech in the middle: what a VoiceChannel brings, queued piece by piece. The audio thread, with the context
-// current.
+// The speech in the middle of the sound field: queues the samples of a VoiceChannel piece by piece. Audio thread only,
+// with the context current.
 #pragma once
 
 #include <AL/al.h>
@@ -16,16 +16,16 @@ public:
     explicit OpenALSpeech(std::shared_ptr<VoiceChannel> channel) : channel_(std::move(channel)) {}
 
     void make();
-    void stop();  // and what waits to be said
+    void stop();  // also drops what still waits to be said
     void drop();
     void update(double now_s);
     bool playing() const { return channel_->playing(); }
-    // What was being said is lost with its device: ends it, so that whoever waits for its end goes on.
+    // Ends the utterance that was lost with its device, so that code waiting for its end continues.
     VoiceChannel::Ticket ticket() const { return speakers_[speaker_].ticket; }
     void give_up(VoiceChannel::Ticket spoken);
 
 private:
-    // Utterances alternate between two sources, so that a cut one can fade.
+    // Utterances alternate between two sources, so that a cut one can fade out.
     struct Speaker {
         ALuint source = 0;
         VoiceChannel::Ticket ticket = 0;
@@ -41,7 +41,7 @@ private:
 
     std::shared_ptr<VoiceChannel> channel_;
     std::array<Speaker, 2> speakers_{};
-    std::size_t speaker_ = 0;  // the one in use
+    std::size_t speaker_ = 0;  // the source in use
 };
 
 }  // namespace handrail

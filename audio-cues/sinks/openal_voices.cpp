@@ -13,12 +13,12 @@
 namespace handrail {
 namespace {
 
-constexpr double kLoopFade_s = 0.030;  // loops come and go over this
-constexpr double kWorldFade_s = 0.25;  // the world's sounds are ground, not figure: they come and go slowly
-// One that gave way comes back when there was room for this long, or each footstep would pump it.
+constexpr double kLoopFade_s = 0.030;  // fade time of loops
+constexpr double kWorldFade_s = 0.25;  // the world's sounds are background, so they fade slowly
+// A sound that gave way returns only after there was room for this long; otherwise each footstep would interrupt it.
 constexpr double kRoomFor_s = 1.5;
 constexpr double kMuffle_db_per_s = 120.0;
-constexpr double kPulseLow = 0.25;  // what is left of a pulsing loop between its swells
+constexpr double kPulseLow = 0.25;  // level of a pulsing loop between its swells
 constexpr double kDuckDown_s = 0.040, kDuckUp_s = 0.250;
 
 int importance(SoundKind kind) {
@@ -39,18 +39,18 @@ int importance(SoundKind kind) {
         case SoundKind::Alarm:
             return 5;
         default:
-            return 4;  // earcons answer a key
+            return 4;  // earcons, because they answer a key
     }
 }
 
-// What sounds in the room sounds through it: signals and the tone of walls are no part of it.
+// Sounds that are in the room get its reverberation; signals and the wall tone do not.
 bool is_in_room(SoundKind kind) { return !is_earcon(kind) && kind != SoundKind::WallTone && kind != SoundKind::Bell; }
 
 }  // namespace
 
 // ---- buffers, filters and sources ----
 
-// Made when it is first heard; OpenAL keeps the samples.
+// A buffer is made when its sound is first heard; OpenAL keeps the samples.
 ALuint OpenALVoices::buffer_of(const SoundCue& cue) {
     ALuint& buffer = buffers_[sound_index(cue.kind, cue.material)];
     if (buffer == 0) {
@@ -62,7 +62,7 @@ ALuint OpenALVoices::buffer_of(const SoundCue& cue) {
     return buffer;
 }
 
-// Filters are an extension; without it what is behind walls is quieter alone.
+// Filters are an extension. Without it, sounds behind walls only get quieter.
 bool OpenALVoices::load_filters(ALCdevice* device) {
     if (alcIsExtensionPresent(device, "ALC_EXT_EFX") == ALC_FALSE) return false;
     gen_filters_ = reinterpret_cast<LPALGENFILTERS>(alGetProcAddress("alGenFilters"));
@@ -100,10 +100,10 @@ void OpenALVoices::drop_buffers() {
     buffers_.fill(0);
 }
 
-// ---- what one of them sounds like ----
+// ---- the sound of one voice ----
 
-// Doors and walls: the loss itself is part of the gain, high tones lose twice as much and more. A filter is copied when
-// it is attached, so it has to be attached anew.
+// For doors and walls: the loss is part of the gain, and high tones lose at least twice as much. OpenAL copies a filter
+// when it is attached, so it must be attached again after a change.
 bool OpenALVoices::muffle(SinkVoice& voice) const {
     if (voice.filter == 0 || voice.filtered_db == voice.muffled_db ||
         (voice.filtered_db < 0.0 && voice.muffled_db == 0.0))
@@ -114,8 +114,8 @@ bool OpenALVoices::muffle(SinkVoice& voice) const {
     return true;
 }
 
-// Places and levels a source as the ears stand now. OpenAL's listener stays at its origin: x right, y up, z backward of
-// the head.
+// Sets place and level of a source for the listener's present position. OpenAL's listener stays at its origin: x right,
+// y up, z backward of the head.
 void OpenALVoices::apply(SinkVoice& voice) const {
     Vec3 head_m{0.0, 0.0, -1.0};
     double near = 1.0;
@@ -164,7 +164,7 @@ void OpenALVoices::start(SinkVoice& voice, const SoundCue& cue, double level) {
     alSourcePlay(voice.source);
 }
 
-// Silent from the next mixing period on, over its length; stopped when that has surely passed. Those of the world fade
+// Silences a voice over the next mixing period, and stops it when that has certainly passed. The world's sounds fade
 // first.
 void OpenALVoices::end(SinkVoice& voice, bool at_once) {
     if (!voice.active || voice.ending) return;
@@ -185,7 +185,7 @@ SinkVoice& OpenALVoices::free_one_shot() {
                              [&](const SinkVoice& a, const SinkVoice& b) { return cost(a) < cost(b); });
 }
 
-// The voice that plays this loop, or where it may begin; nullptr where there is no room for one more, or nothing to
+// Returns the voice that plays this loop, or one where it may begin. Returns nullptr if there is no room, or nothing to
 // end.
 SinkVoice* OpenALVoices::loop_of(const SoundCue& cue) {
     if (!is_world_sound(cue.kind)) return &loops_[cue.kind == SoundKind::Slide ? 1 + std::min(cue.source, 1U) : 0];
@@ -199,7 +199,7 @@ SinkVoice* OpenALVoices::loop_of(const SoundCue& cue) {
     return free != world.end() ? &*free : nullptr;
 }
 
-// How loud it is at the ears, but for its own samples.
+// Its loudness at the ears, apart from the level of its samples.
 double OpenALVoices::strength(const SinkVoice& voice) const {
     return voice.cue.loudness *
            distance_gain(voice.cue.kind, glm::length(voice.cue.position_m - hearing_.listener.ears_m)) *
@@ -216,7 +216,7 @@ std::vector<SinkVoice*> OpenALVoices::competing() {
     return all;
 }
 
-// At most so many are heard: a one-shot that is one too many ends, a loop is mute until there is room again.
+// Limits how many sounds are heard: an excess one-shot ends, an excess loop is muted until there is room again.
 void OpenALVoices::limit() {
     std::vector<SinkVoice*> all = competing();
     const auto rank = [&](const SinkVoice* v) {
@@ -232,7 +232,7 @@ void OpenALVoices::limit() {
     }
 }
 
-// ---- what is asked of them ----
+// ---- requests ----
 
 void OpenALVoices::play(const SoundCue& cue) {
     start(free_one_shot(), cue, 1.0);

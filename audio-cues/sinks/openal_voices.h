@@ -1,5 +1,5 @@
-// The sounds at their places: which of them are heard, how loud and from where as the ears stand now. The audio thread,
-// with the context current.
+// The sounds at their places: decides which are heard, how loud and from where for the listener's present position.
+// Audio thread only, with the context current.
 #pragma once
 
 #include <AL/al.h>
@@ -18,27 +18,27 @@
 namespace handrail {
 
 inline constexpr double kFadeOut_s =
-    0.020;  // a silenced source is stopped this much later; the mixer's ramp takes 5.3 ms of it
+    0.020;  // a silenced source is stopped this much later; the mixer's ramp takes 5.3 ms
 
-// A source of OpenAL and what it plays.
+// An OpenAL source and the sound it plays.
 struct SinkVoice {
     ALuint source = 0;
     bool active = false;
-    bool leaving = false;  // a loop that goes down to level 0 and then ends
-    bool ending = false;   // fading, to be stopped at stop_at_s
+    bool leaving = false;  // a loop that fades to level 0 and then ends
+    bool ending = false;   // fading, and to be stopped at stop_at_s
     double stop_at_s = 0.0;
     SoundCue cue;
-    double level = 1.0;           // fade, 0 to 1
-    bool audible = true;          // false: too many sounds at once
-    double may_sound_at_s = 0.0;  // one that gave way waits until then
-    double muffled_db = 0.0;      // as it sounds; follows cue.muffled_db
-    double filtered_db = -1.0;    // as the filter has it
+    double level = 1.0;           // of the fade, 0 to 1
+    bool audible = true;          // false: muted, because there are too many sounds
+    double may_sound_at_s = 0.0;  // a sound that gave way stays muted until this time
+    double muffled_db = 0.0;      // present value, which follows cue.muffled_db
+    double filtered_db = -1.0;    // value that the filter is set to
     ALuint filter = 0;
     double pulse = 0.0;       // phase of its swells, 0 to 1
-    std::uint64_t order = 0;  // larger is newer
+    std::uint64_t order = 0;  // a larger number is newer
 };
 
-// How the person hears at this moment.
+// The person's hearing settings and position at this moment.
 struct Listening {
     Listener listener;
     Settings::Sound sound;
@@ -47,16 +47,16 @@ struct Listening {
 
 class OpenALVoices {
 public:
-    static constexpr std::size_t kOneShots = 8;     // more than may sound, so that displaced ones can fade
-    static constexpr std::size_t kOwnLoops = 3;     // the wall tone, and sliding of each hand
-    static constexpr std::size_t kWorldVoices = 6;  // those that are heard, and as many that fade
-    // WallTone, Slide of each hand, then those of the world.
+    static constexpr std::size_t kOneShots = 8;     // more than are heard at once, so that displaced ones can fade
+    static constexpr std::size_t kOwnLoops = 3;     // the wall tone, and one for the sliding of each hand
+    static constexpr std::size_t kWorldVoices = 6;  // those that are heard, and as many that fade out
+    // WallTone, Slide of each hand, then the world's loops.
     using Loops = std::array<SinkVoice, kOwnLoops + kWorldVoices>;
 
-    // Both outlive this object. `most`: sounds that are heard at once.
+    // Both references must outlive this object. `most`: number of sounds that are heard at once.
     OpenALVoices(const Listening& hearing, OpenALRoom& room, int most) : hearing_(hearing), room_(room), most_(most) {}
 
-    // In the order of making: the filters (false: there is no such extension), the sources.
+    // Call in this order: first make the filters (returns false if the extension is missing), then the sources.
     bool load_filters(ALCdevice* device);
     void make_sources(bool filters);
     void drop_sources();
@@ -65,12 +65,12 @@ public:
     void play(const SoundCue& cue);
     void set_loop(const SoundCue& cue);
     void stop_all();
-    // `spoken_over`: the voice speaks, so all but alarms is quieter.
+    // `spoken_over`: the voice speaks, so all sounds but alarms are quieter.
     void update(double dt_s, bool spoken_over, double ducking_db);
     int playing() const;
 
     const Loops& loops() const { return loops_; }
-    // After a change of the device: those that sounded go on.
+    // Call it after a change of the device: loops that were playing continue.
     void go_on(const Loops& before);
 
 private:
@@ -95,7 +95,7 @@ private:
     LPALDELETEFILTERS delete_filters_ = nullptr;
     LPALFILTERI filter_i_ = nullptr;
     LPALFILTERF filter_f_ = nullptr;
-    std::array<ALuint, kSounds> buffers_{};  // by sound_index(); 0: not heard yet
+    std::array<ALuint, kSounds> buffers_{};  // by sound_index(); 0: not made yet
     std::array<SinkVoice, kOneShots> one_shots_{};
     Loops loops_{};
     double duck_ = 1.0;

@@ -1,6 +1,6 @@
-// The person's own screen reader as a voice. It reads what it finds in the accessible objects of the window, so the
-// words only pass through here: ReaderVoice puts them into a ReaderChannel on the audio thread, and whoever owns the
-// objects takes them out on a thread of its own.
+// The person's own screen reader as a voice. It reads the text in the window's accessible objects, so the words only
+// pass through here. ReaderVoice puts them into a ReaderChannel on the audio thread, and the owner of the objects takes
+// them out on its own thread.
 #pragma once
 
 #include <functional>
@@ -13,42 +13,42 @@
 
 namespace handrail {
 
-// Holds one message, the newest: what was not taken before the next came is not read. An alarm is replaced by an alarm
-// only. Any thread; each call holds a mutex for microseconds.
+// Contains one message, the newest: a message that was not taken before the next one came is not read. Only an alarm
+// replaces an alarm. Any thread; each call holds a mutex for microseconds.
 class ReaderChannel {
 public:
-    // The voice's side.
+    // For the voice.
     void want(bool wanted);
     VoiceState state() const;
     void say(const Utterance& utterance);
     void stop();
 
-    // The objects' side.
+    // For the owner of the accessible objects.
     bool wanted() const;
     void set_state(VoiceState state);
     std::optional<std::string> take();
-    // Called on the thread that changes something, with no lock held but this object's own; an empty function ends
-    // that.
+    // The function is called on the thread that changes something, while only this object's own lock is held. An empty
+    // function removes it.
     void on_change(std::function<void()> call);
 
 private:
     void changed();
 
-    mutable std::mutex mutex_;  // guards all below
+    mutable std::mutex mutex_;  // protects all members below
     bool wanted_ = false;
     VoiceState state_ = VoiceState::Gone;
     std::optional<Utterance> waiting_;
-    std::mutex call_mutex_;  // guards call_
+    std::mutex call_mutex_;  // protects call_
     std::function<void()> call_;
 };
 
 // Owned and called by the audio thread.
 class ReaderVoice final : public Voice {
 public:
-    // The window must have the keyboard for a moment before the reader hears of it.
+    // The window must have the keyboard for a moment before the reader notices it.
     static constexpr double kPatience_s = 3.0;
-    // A screen reader does not tell when it has ended, so that is guessed: letters at a brisk rate. Too short would
-    // only let it keep a queue of its own.
+    // A screen reader does not report when it has finished, so this estimates it from the number of letters at a brisk
+    // rate. An estimate that is too short only makes the reader queue the text itself.
     static constexpr double kStart_s = 0.3;
     static constexpr double kLetter_s = 0.045;
 
@@ -63,8 +63,8 @@ public:
     double patience_s() const override { return kPatience_s; }
 
     void say(const Utterance& utterance) override;
-    // Takes back what has not been read yet. What is being read stops by the key that asked for silence: the reader
-    // hears of every key first.
+    // Withdraws what has not been read yet. Reading itself is stopped by the key with which the person asked for
+    // silence, because the reader receives every key first.
     void stop() override;
     bool speaking() const override { return now_s_ < speaks_until_s_; }
     void tick(double now_s) override { now_s_ = now_s; }

@@ -6,7 +6,7 @@
 namespace handrail {
 
 HeardSound RecordingAudio::heard(const SoundCue& cue) const {
-    // The small allowance keeps a time that is a period's start, but for rounding, in that period.
+    // The small allowance keeps a time at the start of a period in that period despite rounding.
     const double start_s = std::ceil(now_s_ / kPeriod_s - 1e-6) * kPeriod_s;
     return {cue, start_s, start_s - cue.event_time_s};
 }

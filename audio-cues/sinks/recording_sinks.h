@@ -1,6 +1,5 @@
-// Sinks that keep what they are given instead of sounding: for scenarios and tests, on virtual time. One thread.
-// What they hold is what a person would have heard, as far as it can be told without samples; OpenALSink's tests
-// measure those.
+// Sinks that store their input instead of sounding: for scenarios and tests, on virtual time. One thread. They store
+// what a person would have heard, as far as that is known without samples; OpenALSink's tests measure those.
 #pragma once
 
 #include <map>
@@ -13,15 +12,15 @@
 
 namespace handrail {
 
-// A sound as it would have started.
+// A sound, with the time at which it would have started.
 struct HeardSound {
     SoundCue cue;
     double time_s = 0.0;     // stream time of its first sample
     double latency_s = 0.0;  // time_s - cue.event_time_s
 };
 
-// The first sample of a sound stands at the start of the mixing period after play(): 256 samples at 48 kHz, as
-// OpenALSink mixes.
+// The first sample of a sound is at the start of the mixing period after play(): 256 samples at 48 kHz, as OpenALSink
+// mixes.
 class RecordingAudio final : public AudioSink {
 public:
     static constexpr double kPeriod_s = 256.0 / 48000.0;
@@ -32,14 +31,14 @@ public:
     void stop_all() override;
     void tick(double now_s) override { now_s_ = now_s; }
 
-    const std::vector<HeardSound>& sounds() const { return sounds_; }  // one-shots in order
+    const std::vector<HeardSound>& sounds() const { return sounds_; }  // one-shots, in order
     const std::vector<HeardSound>& loop_changes() const {
         return changes_;
-    }  // each call that changed a loop's loudness, pitch, place or material
+    }  // one entry for each call that changed a loop's loudness, pitch, place or material
     std::optional<SoundCue> loop(SoundKind kind,
-                                 std::uint32_t source = 0) const;          // what sounds now under this kind and source
-    std::vector<SoundCue> world_sounds() const;                            // the world's loops that sound now
-    const std::vector<double>& silences_s() const { return silences_s_; }  // when stop_all was called
+                                 std::uint32_t source = 0) const;  // the loop that sounds now with this kind and source
+    std::vector<SoundCue> world_sounds() const;                    // the world's loops that sound now
+    const std::vector<double>& silences_s() const { return silences_s_; }  // times of the stop_all() calls
     const Listener& listener() const { return listener_; }
 
 private:
@@ -48,21 +47,21 @@ private:
     double now_s_ = 0.0;
     Listener listener_;
     std::vector<HeardSound> sounds_, changes_;
-    std::map<std::pair<SoundKind, std::uint32_t>, SoundCue> loops_;  // that sound
+    std::map<std::pair<SoundKind, std::uint32_t>, SoundCue> loops_;  // the loops that sound now
     std::vector<double> silences_s_;
 };
 
-// An utterance as it would have been spoken.
+// An utterance, with the times at which it would have been spoken.
 struct HeardSpeech {
     Utterance utterance;
     double time_s = 0.0;
-    double end_s = 0.0;  // when it was over or cut
-    bool cut = false;    // by stop() or by another one
-    bool voiced = true;  // false: only written (its turn had passed)
+    double end_s = 0.0;  // when it was finished or cut
+    bool cut = false;    // by stop() or by another utterance
+    bool voiced = true;  // false: only written, because its turn had passed
 };
 
-// Speaks in no time by default; with a rate, each utterance lasts as long as a voice at that rate would take (0.1 s and
-// its words).
+// By default speech takes no time. With a rate, each utterance lasts as long as a voice at that rate would take (0.1 s
+// plus its words).
 class RecordingSpeech final : public SpeechSink {
 public:
     explicit RecordingSpeech(double words_per_minute = 0.0) : words_per_minute_(words_per_minute) {}
@@ -74,7 +73,7 @@ public:
     void tick(double now_s) override { now_s_ = now_s; }
 
     const std::vector<HeardSpeech>& lines() const { return lines_; }
-    const std::vector<double>& stops_s() const { return stops_s_; }  // when stop() was called
+    const std::vector<double>& stops_s() const { return stops_s_; }  // times of the stop() calls
 
 private:
     void cut();
@@ -82,7 +81,7 @@ private:
     double words_per_minute_;
     double now_s_ = 0.0;
     std::vector<HeardSpeech> lines_;
-    std::optional<std::size_t> voiced_;  // index of the last voiced line
+    std::optional<std::size_t> voiced_;  // index of the last line that was voiced
     std::vector<double> stops_s_;
 };
 

@@ -20,14 +20,14 @@ ServerClient::~ServerClient() { ::close(wake); }
 void ServerClient::rouse() const {
     const std::uint64_t one = 1;
     if (::write(wake, &one, sizeof one) < 0) {
-        // Full: it is awake anyway.
+        // The counter is full, so the thread is awake anyway.
     }
 }
 
 void ServerClient::take_wake() const {
     std::uint64_t times = 0;
     if (::read(wake, &times, sizeof times) < 0) {
-        // Nobody called: its time is up.
+        // There was no call; the wait timed out.
     }
 }
 

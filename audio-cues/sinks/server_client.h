@@ -1,5 +1,6 @@
-// What a client of a server that may hang shares with the thread that speaks to it: how that thread is woken, told to
-// end and cut loose. Held by a shared_ptr of both sides, since a thread whose server never answers outlives its owner.
+// Shared by a client of a server that may hang and the thread that talks to it: lets the client wake the thread, tell
+// it to end, or abandon it. Both sides hold it by shared_ptr, because a thread whose server never answers outlives its
+// owner.
 #pragma once
 
 #include <condition_variable>
@@ -18,23 +19,23 @@ struct ServerClient {
     ServerClient(const ServerClient&) = delete;
     ServerClient& operator=(const ServerClient&) = delete;
 
-    const int wake;  // an eventfd, for the thread to wait for
+    const int wake;  // an eventfd that the thread waits for
 
-    std::mutex mutex;  // guards all below, and what its owner adds
+    std::mutex mutex;  // protects all members below, and those that the owner adds
     std::condition_variable ended_changed;
     bool quit = false, ended = false;
-    int socket = -1;  // of the open connection; shut down from outside where the server does not answer
+    int socket = -1;  // of the open connection; the owner shuts it down if the server does not answer
 
-    // Any thread. Wakes it; takes what woke it.
+    // Any thread. rouse() wakes the thread; take_wake() consumes the wake-up.
     void rouse() const;
     void take_wake() const;
 };
 
-// `work` runs on a thread of that name, on which a server that has gone is an error code and no signal, until `quit` is
-// set.
+// Runs `work` on a thread with that name, until `quit` is set. On this thread a server that has gone causes an error
+// code and no signal.
 std::thread start_client(std::shared_ptr<ServerClient> shared, const char* name, std::function<void()> work);
-// Tells it to quit and waits twice kPatienceAtTheEnd_s at most, the second time with its connection shut down; what
-// then still waits ends by itself.
+// Tells the thread to quit and waits at most twice kPatienceAtTheEnd_s, the second time with its connection shut down.
+// A thread that still waits then is left to end when it can.
 void end_client(ServerClient& shared, std::thread& thread);
 
 }  // namespace handrail

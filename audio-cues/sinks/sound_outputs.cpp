@@ -17,7 +17,7 @@
 namespace handrail {
 namespace {
 
-// Where not even OpenAL's loopback device can be had: says so once and is silent.
+// Used if even OpenAL's loopback device is unavailable: reports so once and is silent.
 class SilentAudio final : public AudioSink {
 public:
     explicit SilentAudio(std::string news) : news_(std::move(news)) {}
@@ -46,7 +46,7 @@ SoundOutputs open_sound_outputs(const Settings& settings, int text_fd, std::shar
         outputs.audio =
             std::make_unique<SilentAudio>(phrase("sound_output.no_sound", {{"problem", opened.error().sentence()}}));
     } else {
-        // The sinks have one owner, who lets go of the voice first.
+        // Both sinks have one owner, which destroys the speech sink first.
         voices.push_back(std::make_unique<EmbeddedVoice>(
             channel, [sound = opened->get()] { return sound->has_device(); }, settings.speech));
         if ((*opened)->has_device()) outputs.description = (*opened)->description();

@@ -1,4 +1,4 @@
-// Opens what sounds and speaks on this machine, with every fallback: called by the composition root before other
+// Opens the sound and speech outputs of this machine, with every fallback. The composition root calls it before other
 // threads start.
 #pragma once
 
@@ -15,14 +15,14 @@ namespace handrail {
 struct SoundOutputs {
     std::unique_ptr<AudioSink> audio;
     std::unique_ptr<SpeechSink> speech;
-    std::string description;  // "Sound goes to Built-in Audio, for headphones."; empty where the sinks' news() says
-                              // what is missing
+    // Such as "Sound goes to Built-in Audio, for headphones."; empty if the sinks' news() reports what is missing.
+    std::string description;
 };
 
-// Text on `text_fd` always. The voice is the first that is there of a screen reader (`reader` leads to it; null: there
-// is no window to read; `braille` likewise), speech-dispatcher and, with a sound device, the embedded voice or its
-// beeps (see VoiceRouter). Without any of them it is the text alone, so that no line waits for a voice that nobody
-// hears. What is missing is said by the sinks' news(). The audio sink must outlive the speech sink.
+// Text always goes to `text_fd`. The voice is the first available of a screen reader, speech-dispatcher and, with a
+// sound device, the embedded voice or its beeps (see VoiceRouter). If there is none, there is only text, so that no
+// line waits for a voice that nobody hears. `reader` leads to the screen reader; null: there is no window to read. The
+// same is true of `braille`. The sinks' news() reports what is missing. The audio sink must outlive the speech sink.
 SoundOutputs open_sound_outputs(const Settings& settings, int text_fd, std::shared_ptr<ReaderChannel> reader = nullptr,
                                 std::shared_ptr<BrailleLink> braille = nullptr);
 

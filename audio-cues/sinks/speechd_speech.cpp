@@ -19,8 +19,8 @@
 namespace handrail {
 namespace {
 
-constexpr double kLongestStart_s = 5.0;   // from say() to the first word of a slow server
-constexpr double kSlowestLetter_s = 0.3;  // no voice is slower
+constexpr double kLongestStart_s = 5.0;   // from say() to the first word, for a slow server
+constexpr double kSlowestLetter_s = 0.3;  // no voice is slower than this
 
 struct CloseConnection {
     void operator()(SPDConnection* connection) const { spd_close(connection); }
@@ -32,16 +32,18 @@ using Connection = std::unique_ptr<SPDConnection, CloseConnection>;
 struct SpeechdSpeech::Shared : ServerClient {
     bool start_server = false;  // set before the thread starts
 
-    // Under the mutex.
+    // Protected by the mutex.
     bool wanted = false;
     VoiceState state = VoiceState::Gone;
     std::string language;
-    std::optional<Utterance> job;  // the newest only: saying cuts
+    std::optional<Utterance> job;  // only the newest, because a new text cuts the one before
     bool silence = false;
-    std::string refused, refused_before;   // languages that the server does not speak: to be told, told last
-    std::uint64_t said = 0, finished = 0;  // utterances by number; speaking while they differ
+    // Languages that the server does not speak: one still to be announced, and the one announced last.
+    std::string refused, refused_before;
+    // Numbers of the last utterance said and finished; it speaks while they differ.
+    std::uint64_t said = 0, finished = 0;
     std::uint64_t calls_begun = 0, calls_answered = 0;
-    // What the server calls this client and the newest utterance, and up to which one it has reported an end.
+    // The server's numbers for this client and the newest utterance, and the last utterance whose end it has reported.
     std::size_t client = 0, message = 0, message_ended = 0;
 
     void on_end(std::size_t ended_message, std::size_t of_client) {
@@ -50,13 +52,13 @@ struct SpeechdSpeech::Shared : ServerClient {
         message_ended = std::max(message_ended, ended_message);
         if (message != 0 && message_ended >= message) finished = std::max(finished, said_as_message);
     }
-    std::uint64_t said_as_message = 0;  // the utterance that `message` is
+    std::uint64_t said_as_message = 0;  // the number in `said` of the utterance `message`
 };
 
 namespace {
 
-// The callbacks of libspeechd come on its own thread and carry no pointer of ours; this leads back to the one instance
-// that is connected. Never destroyed, since that thread may outlive everything.
+// libspeechd calls back on its own thread, without a user pointer. This leads back to the one instance that is
+// connected. Never destroyed, because that thread may outlive everything.
 struct EndListener {
     std::mutex mutex;
     std::weak_ptr<void> of;
@@ -75,11 +77,11 @@ void on_end_event(std::size_t message, std::size_t client, SPDNotificationType) 
 
 }  // namespace
 
-// What runs on the worker thread.
+// The part that runs on the worker thread.
 struct SpeechdSpeech::Worker {
     Shared& shared;
     Connection connection;
-    std::string language{};  // of this connection
+    std::string language{};  // the language set on this connection
     int volume_percent = 100;
 
     template <class Call>
@@ -120,9 +122,9 @@ struct SpeechdSpeech::Worker {
         return told;
     }
 
-    // The words are in this language, whatever the person's default voice speaks; which voice that is they have set up.
-    // A server without a voice for it refuses, and the words in the accent of another voice are better than none. A
-    // server that has gone is noticed by the next call.
+    // Sets the language of the words, whatever the language of the person's default voice. The person has set up which
+    // voice speaks it. A server without a voice for it refuses; then another voice with its accent is better than none.
+    // The next call notices a server that has gone.
     void speak(const std::string& wanted_language) {
         language = wanted_language;
         const bool taken = call([&] { return spd_set_language(connection.get(), language.c_str()); }) == 0;
@@ -153,11 +155,11 @@ struct SpeechdSpeech::Worker {
         shared.message = static_cast<std::size_t>(message);
         shared.said_as_message = number;
         if (shared.message_ended >= shared.message)
-            shared.finished = std::max(shared.finished, number);  // the report came before the number
+            shared.finished = std::max(shared.finished, number);  // the report of its end came before its number
         return true;
     }
 
-    // False when the server has gone.
+    // Returns false if the server has gone.
     bool work_off() {
         std::optional<Utterance> job;
         std::string wanted_language;
@@ -175,7 +177,7 @@ struct SpeechdSpeech::Worker {
         return !silence || call([&] { return spd_cancel(connection.get()); }) == 0;
     }
 
-    // Waits for something to do; false when the server has gone.
+    // Waits for work; returns false if the server has gone.
     bool wait(double most_s) {
         pollfd events[2] = {{shared.wake, POLLIN, 0}, {connection ? connection->socket : -1, POLLRDHUP, 0}};
         ::poll(events, 2, most_s < 0.0 ? -1 : static_cast<int>(std::lround(1000.0 * most_s)));
@@ -303,7 +305,7 @@ void SpeechdSpeech::tick(double now_s) {
         return;
     }
     if (now_s - watched_since_s_ < kStalled_s) return;
-    // Cutting the connection makes the call fail, so that the thread comes back and tries anew later.
+    // Cutting the connection makes the call fail, so that the thread returns and tries again later.
     shared_->state = VoiceState::Gone;
     shared_->finished = shared_->said;
     if (shared_->socket >= 0) ::shutdown(shared_->socket, SHUT_RDWR);
@@ -311,7 +313,7 @@ void SpeechdSpeech::tick(double now_s) {
 
 void SpeechdSpeech::set_speech(const Settings::Speech& settings) {
     const std::lock_guard lock(shared_->mutex);
-    // An espeak-ng voice may have a longer name; its language stands first.
+    // The name of an espeak-ng voice may be longer; its language comes first.
     const std::string voice = settings.voice == "auto" ? spoken_language() : settings.voice;
     const std::size_t letters = std::min(voice.find('-'), voice.size());
     shared_->language = letters == 2 || letters == 3 ? voice.substr(0, letters) : "en";

@@ -1,7 +1,7 @@
-// The voice the person has set up for their desktop: speech-dispatcher, with its own voice, rate and pitch. It plays
-// the sound itself. libspeechd waits for answers of the server, and with a bad sound set-up for ever; so it is called
-// on a thread of its own only, and a watchdog in tick() cuts a connection that does not answer. Everything here returns
-// at once.
+// The voice that the person has set up for their desktop: speech-dispatcher, with its own voice, rate and pitch. It
+// plays the sound itself. libspeechd waits for the server's answers, with a faulty sound set-up for ever. It is
+// therefore called only on a separate thread, and a watchdog in tick() cuts a connection that does not answer. All
+// functions return at once.
 #pragma once
 
 #include <cstdint>
@@ -17,14 +17,15 @@ namespace handrail {
 // Owned and called by the audio thread.
 class SpeechdSpeech final : public Voice {
 public:
-    static constexpr double kStalled_s = 1.0;     // a call without an answer for this long: the server counts as gone
+    // After a call without an answer for this long, the server counts as gone.
+    static constexpr double kStalled_s = 1.0;
     static constexpr double kFirstRetry_s = 1.0;  // after a loss; doubled with every failure
     static constexpr double kSlowestRetry_s = 30.0;
 
-    // Where the person names a server (SPEECHD_ADDRESS) only that one is used; else the default one, which is started
-    // where it does not run. Reads the environment: before other threads change it.
+    // If the person names a server (SPEECHD_ADDRESS), only that one is used. Otherwise it uses the default one, and
+    // starts it if it does not run. Reads the environment, so call it before other threads change the environment.
     explicit SpeechdSpeech(const Settings::Speech& settings);
-    // Waits at most half a second for the server; a thread that is still waiting then is left to end by itself.
+    // Waits at most half a second for the server. A thread that still waits then is left behind and ends when it can.
     ~SpeechdSpeech() override;
     SpeechdSpeech(const SpeechdSpeech&) = delete;
     SpeechdSpeech& operator=(const SpeechdSpeech&) = delete;
@@ -47,10 +48,10 @@ private:
 
     std::shared_ptr<Shared> shared_;
     std::thread thread_;
-    std::uint64_t watched_call_ = 0;  // the unanswered call that tick() saw last, and when first
+    std::uint64_t watched_call_ = 0;  // the unanswered call that tick() saw last, and when it first saw it
     double watched_since_s_ = 0.0;
     double now_s_ = 0.0;
-    double speaks_until_s_ = 0.0;  // a server that never says it has ended is not waited for
+    double speaks_until_s_ = 0.0;  // limit for a server that never reports the end
 };
 
 }  // namespace handrail

@@ -16,27 +16,28 @@ constexpr double kPeak = 0.5;
 
 std::size_t samples_of(double seconds) { return static_cast<std::size_t>(std::lround(seconds * kRate)); }
 
-// How the modes of a thing lie above its lowest one.
+// Selects the ratios of an object's modes to its lowest one.
 enum class Body { Bar, Plate, Block };
 constexpr std::array<std::array<double, 6>, 3> kModeRatios{{
     {1.0, 2.756, 5.404, 8.933, 13.34,
      18.64},  // free bar (Fletcher & Rossing, The physics of musical instruments, 1998)
-    {1.0, 1.594, 2.136, 2.296, 2.653, 2.918},  // plate, near those of a round membrane: dense and inharmonic
-    {1.0, 1.38, 1.71, 2.03, 2.44, 2.87},       // compact solid, modes close together
+    // Plate, with ratios near those of a round membrane: dense and inharmonic.
+    {1.0, 1.594, 2.136, 2.296, 2.653, 2.918},
+    {1.0, 1.38, 1.71, 2.03, 2.44, 2.87},  // compact solid, modes close together
 }};
 
-// What a material sounds like. Chosen by ear of the literature and then spread so that every two differ in brightness
-// or ring by a third or more (test: every_two_materials_differ_when_struck); people have yet to judge them.
+// The sound of a material. Chosen by ear with the literature as a guide, then spread so that every two differ in
+// brightness or ring by a third or more (test: every_two_materials_differ_when_struck). People have yet to judge them.
 struct Timbre {
     Body body;
-    double lowest_hz;     // of the struck thing's modes
-    double ring_s;        // until the lowest mode has fallen by 60 dB
-    double damping;       // how much faster each higher mode dies
-    double noise;         // share of the burst, 0 to 1
-    double noise_hz;      // its upper edge
-    double noise_s;       // until it has fallen by 60 dB
-    double stroke_hz;     // middle of the stroking noise
-    double grains_per_s;  // bumps met while stroking; 0: smooth
+    double lowest_hz;     // lowest mode of the struck object
+    double ring_s;        // time until the lowest mode has fallen by 60 dB
+    double damping;       // how much faster each higher mode decays
+    double noise;         // share of the noise burst, 0 to 1
+    double noise_hz;      // upper edge of the burst
+    double noise_s;       // time until the burst has fallen by 60 dB
+    double stroke_hz;     // centre frequency of the stroking noise
+    double grains_per_s;  // bumps per second while stroking; 0: smooth
 };
 
 constexpr std::array<Timbre, kSoundClasses> kTimbres{{
@@ -63,7 +64,7 @@ constexpr std::array<Timbre, kSoundClasses> kTimbres{{
 
 const Timbre& timbre_of(SoundClass material) { return kTimbres[static_cast<std::size_t>(material)]; }
 
-// White noise, -1 to 1. The engine's sequence is fixed by the language standard, so every run hears the same.
+// White noise, -1 to 1. The language standard fixes the generator's sequence, so every run sounds the same.
 class Noise {
 public:
     explicit Noise(unsigned seed) : engine_(seed + 1U) {}
@@ -81,8 +82,8 @@ unsigned seed_of(SoundKind kind, SoundClass material) {
     return static_cast<unsigned>(kind) * 64U + static_cast<unsigned>(material);
 }
 
-// Two-pole band pass with its peak at 1 (state variable filter, Chamberlin 1985). Stable for centre below a sixth of
-// the rate.
+// Two-pole band pass with a peak of 1 (state variable filter, Chamberlin 1985). Stable for a centre below a sixth of
+// the sample rate.
 class BandPass {
 public:
     BandPass(double centre_hz, double q)
@@ -109,7 +110,7 @@ private:
     double y_ = 0.0;
 };
 
-// Factor per sample that falls by 60 dB in `ring_s`.
+// The factor per sample with which a sound falls by 60 dB in `ring_s`.
 double decay_per_sample(double ring_s) { return std::pow(10.0, -3.0 / (ring_s * kRate)); }
 
 // Adds a decaying tone, made by a recursion of two multiplications per sample.
@@ -131,7 +132,7 @@ void add_noise_burst(std::vector<float>& out, std::size_t from, double edge_hz, 
                      Noise& noise) {
     LowPass soft(edge_hz), softer(edge_hz);
     const double decay = decay_per_sample(ring_s);
-    // A low edge lets little of white noise through; this keeps bursts of all edges about equally strong.
+    // A low edge lets little of the white noise through; this factor makes bursts of all edges about equally strong.
     const double evened = level * std::sqrt(0.5 * kRate / edge_hz);
     double envelope = evened;
     const std::size_t end = std::min(out.size(), from + samples_of(ring_s));
@@ -139,7 +140,7 @@ void add_noise_burst(std::vector<float>& out, std::size_t from, double edge_hz, 
         out[i] += static_cast<float>(envelope * softer(soft(noise())));
 }
 
-// A blow on a thing: `deeper` scales its pitch down and its ring up, as for a larger part of it.
+// A blow on an object. `deeper` lowers its pitch and lengthens its ring, as for a larger part of it.
 void add_impact(std::vector<float>& out, std::size_t from, const Timbre& timbre, double deeper, double level,
                 Noise& noise) {
     const auto& ratios = kModeRatios[static_cast<std::size_t>(timbre.body)];
@@ -152,7 +153,7 @@ void add_impact(std::vector<float>& out, std::size_t from, const Timbre& timbre,
     add_noise_burst(out, from, timbre.noise_hz / deeper, timbre.noise_s * deeper, level * timbre.noise, noise);
 }
 
-// Takes the sound to its peak, starts it within half a millisecond and ends it without a step.
+// Scales the sound to its peak, fades it in within half a millisecond and ends it without a step.
 void finish(std::vector<float>& out, double peak) {
     float highest = 1e-9F;
     for (const float s : out) highest = std::max(highest, std::abs(s));
@@ -178,19 +179,19 @@ std::vector<float> contact(SoundClass material, Noise& noise) {
     return out;
 }
 
-// Heel, and the ball of the foot 90 ms later; on soft ground the shoe itself is heard, on loose ground its grains.
+// The heel, and the ball of the foot 90 ms later. On soft ground the shoe itself is heard, on loose ground its grains.
 std::vector<float> footstep(SoundClass material, Noise& noise) {
     const Timbre& timbre = timbre_of(material);
     const double ring_s = std::min(longest_ring_s(timbre) * 1.4, 0.35);
     std::vector<float> out(samples_of(0.09 + ring_s + 0.08));
     add_impact(out, 0, timbre, 1.4, 1.0, noise);
     add_impact(out, samples_of(0.09), timbre, 1.2, 0.5, noise);
-    add_mode(out, 0, 85.0, 0.09, 0.2);  // weight on the heel
+    add_mode(out, 0, 85.0, 0.09, 0.2);  // the body's weight on the heel
     finish(out, kPeak);
     return out;
 }
 
-// The body's own dull weight, and of the wall what a shoulder makes it say.
+// The dull weight of the body, and the sound that a shoulder causes in the wall.
 std::vector<float> bump(SoundClass material, Noise& noise) {
     const Timbre& timbre = timbre_of(material);
     std::vector<float> out(samples_of(std::max(0.25, std::min(0.6, longest_ring_s(timbre) * 1.8)) + 0.02));
@@ -201,7 +202,7 @@ std::vector<float> bump(SoundClass material, Noise& noise) {
     return out;
 }
 
-// Makes `length` samples of a longer signal repeat without a seam: its surplus is cross-faded into the start at equal
+// Makes a longer signal repeat seamlessly after `length` samples: the surplus is cross-faded into the start at equal
 // power.
 void close_loop(std::vector<float>& out, std::size_t length) {
     const std::size_t surplus = out.size() - length;
@@ -236,15 +237,15 @@ std::vector<float> slide(SoundClass material, Noise& noise) {
     return out;
 }
 
-// A soft hum with breath in it: the hum is heard as one thing, the breath tells where it is (both ears need energy
-// above 1.5 kHz).
+// A soft hum with breath in it. The hum makes it sound like one object; the breath tells where it is, because both ears
+// need energy above 1.5 kHz.
 std::vector<float> wall_tone(Noise& noise) {
     const std::size_t length = samples_of(1.0);
     std::vector<float> out(length + samples_of(0.1));
     BandPass breath(2200.0, 0.7);
     for (float& s : out) s = static_cast<float>(0.9 * breath(noise()));
     close_loop(out, length);
-    for (int harmonic = 1; harmonic <= 6; ++harmonic) {  // whole periods in one second, so the hum has no seam
+    for (int harmonic = 1; harmonic <= 6; ++harmonic) {  // whole periods in one second, so that the hum has no seam
         const double w = 2.0 * kPi * 180.0 * harmonic / kRate;
         for (std::size_t i = 0; i < length; ++i)
             out[i] += static_cast<float>(0.5 / harmonic * std::sin(w * static_cast<double>(i)));
@@ -253,8 +254,8 @@ std::vector<float> wall_tone(Noise& noise) {
     return out;
 }
 
-// A bubble rings and rises (van den Doel, Physically based models for liquid sounds, ACM TAP 2(4), 2005). Past the end
-// it goes on at the start, as a loop wants it.
+// A bubble that rings with rising pitch (van den Doel, Physically based models for liquid sounds, ACM TAP 2(4), 2005).
+// Past the end it continues at the start, as a loop needs.
 void add_bubble(std::vector<float>& out, std::size_t from, double hz, double ring_s, double level) {
     double phase = 0.0, envelope = level;
     const double decay = decay_per_sample(ring_s);
@@ -278,7 +279,7 @@ std::vector<float> splash(Noise& noise) {
     return out;
 }
 
-// A latch, then a hinge that creaks: stick and slip at a rate that rises as the leaf gains speed.
+// A latch, then a creaking hinge: stick and slip at a rate that rises as the leaf gains speed.
 std::vector<float> door_moves(Noise& noise) {
     std::vector<float> out(samples_of(0.6));
     add_noise_burst(out, 0, 2600.0, 0.02, 0.5, noise);
@@ -301,7 +302,7 @@ std::vector<float> door_shuts(Noise& noise) {
     return out;
 }
 
-// A small hand bell, struck twice: bright, so that both ears can tell its side.
+// A small hand bell, struck twice: bright, so that both ears can locate it.
 std::vector<float> bell() {
     std::vector<float> out(samples_of(1.0));
     for (const double from_s : {0.0, 0.22})
@@ -331,8 +332,8 @@ std::vector<float> falls() {
     return out;
 }
 
-// What the way leads to: rhythm first, then pitch, as earcons; they sound at a place, so each has breath in it that
-// tells the ears where.
+// Signs along a route: they differ in rhythm first, then in pitch, as earcons do. They sound at a place, so each
+// contains breath that lets the ears locate it.
 std::vector<float> waymark(SoundKind kind, Noise& noise) {
     struct Strike {
         double at_s, hz, ring_s;
@@ -360,9 +361,9 @@ std::vector<float> waymark(SoundKind kind, Noise& noise) {
             return struck({{0.0, 523.0, 0.1}, {0.09, 659.0, 0.1}, {0.18, 784.0, 0.1}, {0.27, 1047.0, 0.25}}, 0.2);
         case SoundKind::StairsDown:
             return struck({{0.0, 1047.0, 0.1}, {0.09, 784.0, 0.1}, {0.18, 659.0, 0.1}, {0.27, 523.0, 0.25}}, 0.2);
-        case SoundKind::Knock:  // a board over nothing
+        case SoundKind::Knock:  // Knock: a hollow board
             return struck({{0.0, 130.0, 0.16}, {0.09, 110.0, 0.22}}, 0.3);
-        case SoundKind::Border:  // one low thud
+        case SoundKind::Border:  // Border: one low thud
             return struck({{0.0, 70.0, 0.3}}, 0.1);
         default:  // DoorNear: knuckles on wood, twice
             return struck({{0.0, 240.0, 0.07}, {0.12, 240.0, 0.09}}, 0.4);
@@ -371,11 +372,11 @@ std::vector<float> waymark(SoundKind kind, Noise& noise) {
 
 // The world's own sounds: loops of whole seconds, so that every steady tone in them has whole periods and no seam.
 
-// Steady tones above a lowest one, the k-th at `slope` to the power of k.
+// Steady harmonics of a lowest tone; each is weaker than the one before by the factor `slope`.
 void add_harmonics(std::vector<float>& out, double hz, int count, double level, double slope) {
     for (int k = 1; k <= count; ++k, level *= slope) {
-        // The sine by its recursion, of two multiplications a sample; over four seconds it drifts by less than a float
-        // can tell.
+        // Computes the sine by recursion, with two multiplications a sample; over four seconds it drifts by less than a
+        // float resolves.
         const double w = 2.0 * kPi * hz * k / kRate, twice_cos = 2.0 * std::cos(w);
         double y = 0.0, before = -level * std::sin(w);
         for (float& s : out) {
@@ -387,11 +388,11 @@ void add_harmonics(std::vector<float>& out, double hz, int count, double level, 
     }
 }
 
-// Noise around a pitch that may wander: `shape(t)` gives centre in Hz and level, t from 0 to 1 over the loop.
+// Noise around a pitch that may wander: `shape(t)` gives centre in Hz and level, with t from 0 to 1 over the loop.
 template <class Shape>
 void add_air(std::vector<float>& out, Noise& noise, double q, Shape shape) {
     std::vector<float> air(out.size() + samples_of(0.2));
-    constexpr std::size_t kHold = 480;  // the filter is set a hundred times a second
+    constexpr std::size_t kHold = 480;  // the filter is updated a hundred times a second
     double low = 0.0, band = 0.0, f = 0.0, level = 0.0;
     for (std::size_t i = 0; i < air.size(); ++i) {
         if (i % kHold == 0) {
@@ -420,7 +421,7 @@ void add_call(std::vector<float>& out, double start_s, double length_s, double f
     }
 }
 
-// A decaying tone that goes on past the end at the start.
+// A decaying tone that continues past the end at the start.
 void add_ring(std::vector<float>& out, double start_s, double hz, double ring_s, double level) {
     std::vector<float> ring(samples_of(ring_s));
     add_mode(ring, 0, hz, ring_s, level);
@@ -447,7 +448,7 @@ std::vector<float> world_loop(SoundKind kind, Noise& noise) {
             break;
         case SoundKind::Drone:
             add_harmonics(out, 55.0, 6, 0.5, 0.6);
-            add_harmonics(out, 55.5, 6, 0.5, 0.6);  // beats twice a second
+            add_harmonics(out, 55.5, 6, 0.5, 0.6);  // beats against the tone above twice a second
             add_air(out, noise, 0.8, steady(320.0, 0.5));
             break;
         case SoundKind::Drip:
@@ -502,7 +503,7 @@ std::vector<float> world_loop(SoundKind kind, Noise& noise) {
             break;
         case SoundKind::Fan:
             add_air(out, noise, 0.6, [](double) { return std::pair(700.0, 0.6); });
-            for (std::size_t i = 0; i < out.size(); ++i)  // its blades pass twenty times a second
+            for (std::size_t i = 0; i < out.size(); ++i)  // a blade passes twenty times a second
                 out[i] *= static_cast<float>(0.7 + 0.3 * std::sin(2.0 * kPi * 20.0 * static_cast<double>(i) / kRate));
             break;
         case SoundKind::Rain:
@@ -534,8 +535,8 @@ std::vector<float> world_loop(SoundKind kind, Noise& noise) {
             }
             break;
         case SoundKind::HiddenClock:
-            // Ticks five times a second, a little bell of brass, and twice in its four seconds a cuckoo: a world's
-            // clock ticks once a second and calls nothing.
+            // Ticks five times a second, a little brass bell, and twice in its four seconds a cuckoo. A clock of a
+            // world is different: it ticks once a second and has no call.
             for (int k = 0; k < 20; ++k) {
                 add_ring(out, 0.2 * k, 4100.0, 0.03, k % 5 == 0 ? 1.0 : 0.7);
                 add_ring(out, 0.2 * k, 1.41 * 4100.0, 0.02, 0.4);
@@ -545,7 +546,7 @@ std::vector<float> world_loop(SoundKind kind, Noise& noise) {
                 add_ring(out, at_s + 0.3, 587.0, 0.24, 1.0);
             }
             break;
-        default:  // Shimmer
+        default:  // Shimmer, and any other kind
             for (int k = 0; k < 40; ++k) {
                 const double at_s = between(0.0, length_s),
                              hz = 1200.0 * std::pow(2.0, std::floor(between(0.0, 8.0)) / 4.0);
@@ -594,7 +595,7 @@ std::vector<float> earcon(SoundKind kind) {
             return synthesise_notes(std::array{Note{0.0, 0.035, 880.0, 0.9}});
         case SoundKind::Colder:
             return synthesise_notes(std::array{Note{0.0, 0.07, 311.0, 0.9}});
-        // Marks, landmarks and clues differ in the number of their notes; a beacon in how bright it is.
+        // Marks, landmarks and clues differ in the number of their notes; beacons in their brightness.
         case SoundKind::Mark:
             return synthesise_notes(std::array{Note{0.0, 0.14, 740.0, 0.9}});
         case SoundKind::Landmark:

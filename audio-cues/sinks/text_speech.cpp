@@ -13,7 +13,7 @@
 namespace handrail {
 namespace {
 
-// write(2) that reports a vanished reader as EPIPE and leaves no SIGPIPE behind, whatever the process does with that
+// A write(2) that reports a vanished reader as EPIPE and leaves no SIGPIPE behind, whatever the process does with that
 // signal.
 ssize_t write_without_sigpipe(int fd, const char* data, std::size_t size) {
     sigset_t pipe_signal, before, pending;
@@ -59,7 +59,7 @@ void TextSpeech::drain(int timeout_ms) {
             gone_ = true;
             break;
         }
-        // A pipe that is ready takes PIPE_BUF bytes without waiting; more could block.
+        // A pipe that is ready accepts PIPE_BUF bytes without waiting; more could block.
         const ssize_t put =
             write_without_sigpipe(fd_, backlog_.data(), std::min<std::size_t>(backlog_.size(), PIPE_BUF));
         if (put < 0 && errno == EAGAIN) return;

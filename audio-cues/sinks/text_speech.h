@@ -1,5 +1,6 @@
-// Speech as text, always on: one UTF-8 line per announcement, "say: " or "alert: " before it, no cursor movement, so
-// that screen readers on a console, braille displays, pipes and logs can use it. One thread (the audio thread).
+// Speech as text, always on: one UTF-8 line per announcement, with "say: " or "alert: " in front and no cursor
+// movement. Screen readers on a console, braille displays, pipes and logs can thus use it. One thread (the audio
+// thread).
 #pragma once
 
 #include <memory>
@@ -10,15 +11,15 @@
 
 namespace handrail {
 
-// Writes each line at once, unbuffered, to a file descriptor that stays the caller's (standard output: 1). Never waits
-// and never raises SIGPIPE: where the reader is slow, up to kMostBacklog bytes are kept for later ticks and lines
-// beyond that are left out; where the reader has gone, the sink goes quiet for good.
+// Writes each line at once, unbuffered, to a file descriptor that the caller keeps (standard output: 1). Never waits
+// and never raises SIGPIPE. If the reader is slow, up to kMostBacklog bytes are kept for later ticks and further lines
+// are dropped. If the reader has gone, the sink writes nothing more.
 class TextSpeech final : public SpeechSink {
 public:
     static constexpr std::size_t kMostBacklog = 64 * 1024;
 
     explicit TextSpeech(int file_descriptor) : fd_(file_descriptor) {}
-    ~TextSpeech() override;  // waits at most 0.2 s for a slow reader to take the rest
+    ~TextSpeech() override;  // waits at most 0.2 s for a slow reader
     TextSpeech(const TextSpeech&) = delete;
     TextSpeech& operator=(const TextSpeech&) = delete;
 
@@ -38,7 +39,7 @@ private:
     std::string backlog_;
 };
 
-// Gives everything to each of several sinks, in order.
+// Passes everything to each of several sinks, in order.
 class TeeSpeech final : public SpeechSink {
 public:
     explicit TeeSpeech(std::vector<std::unique_ptr<SpeechSink>> sinks) : sinks_(std::move(sinks)) {}
@@ -46,7 +47,7 @@ public:
     void say(const Utterance& utterance) override;
     void write(const Utterance& utterance) override;
     void stop() override;
-    bool speaking() const override;  // any of them
+    bool speaking() const override;  // true if any of them speaks
     void tick(double now_s) override;
     void set_speech(const Settings::Speech& settings) override;
     std::optional<std::string> news() override;

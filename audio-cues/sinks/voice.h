@@ -1,4 +1,4 @@
-// A voice that may not be there yet, or not any more: what VoiceRouter chooses from. Owned and called by the audio
+// A voice that may not be available yet, or no longer: the choices of VoiceRouter. Owned and called by the audio
 // thread.
 #pragma once
 
@@ -10,20 +10,20 @@
 namespace handrail {
 
 enum class VoiceState {
-    Opening,  // being looked for; what is said meanwhile is lost, so nobody asks it to
+    Opening,  // being looked for; do not say anything to it, because that would be lost
     Ready,
-    Gone,  // not there; it goes on looking by itself while it is wanted
+    Gone,  // unavailable; while it is wanted, it keeps looking automatically
 };
 
 class Voice : public SpeechSink {
 public:
     virtual SpeechThrough through() const = 0;         // its name in the settings
     virtual VoiceState state() const = 0;              // as of the last tick()
-    virtual void want(bool wanted) = 0;                // false: it lets go of what it holds and looks no further
-    virtual double patience_s() const { return 1.0; }  // how long the first words wait for it while it is opening
+    virtual void want(bool wanted) = 0;                // false: it releases what it holds and stops looking
+    virtual double patience_s() const { return 1.0; }  // how long the first words wait while it is opening
 };
 
-// "the speech server", as it stands inside a sentence.
+// The voice's name inside a sentence: "the speech server".
 std::string voice_name(SpeechThrough through);
 
 }  // namespace handrail

@@ -1,6 +1,6 @@
-// The way of a voice into the sound sink: whoever synthesises speech puts samples in, OpenALSink takes them out on its
-// own thread. One voice at a time: beginning a new utterance cuts the one before. Any thread; each call holds a mutex
-// for microseconds.
+// Carries a voice's samples to the sound sink: the synthesiser puts samples in, and OpenALSink takes them out on its
+// own thread. One voice at a time: a new utterance cuts the one before. Any thread; each call holds a mutex for
+// microseconds.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +12,17 @@ namespace handrail {
 
 class VoiceChannel {
 public:
-    using Ticket = std::uint64_t;  // names an utterance; later ones are larger
+    using Ticket = std::uint64_t;  // identifies an utterance; later ones are larger
 
-    // The voice's side. Samples may come in pieces while the first already sound; `end` says there are no more.
+    // For the voice. Samples may come in pieces while the first ones already sound; end() marks the last piece.
     Ticket begin(int rate_hz, double gain);
-    bool append(Ticket ticket, std::span<const std::int16_t> samples);  // false when that utterance has been cut
-    bool cut(Ticket ticket) const;                                      // another one has begun, or stop()
+    bool append(Ticket ticket, std::span<const std::int16_t> samples);  // returns false if that utterance was cut
+    bool cut(Ticket ticket) const;                                      // by another utterance, or by stop()
     void end(Ticket ticket);
     void stop();
     bool playing() const;  // from begin() until the sink has played the last sample, or stop()
 
-    // The sink's side: what has come since the last call. A ticket other than before: the utterance before is cut.
+    // For the sink: the samples since the last call. A new ticket means that the previous utterance was cut.
     struct Update {
         Ticket ticket = 0;
         int rate_hz = 0;
@@ -34,7 +34,7 @@ public:
     void finished(Ticket ticket);
 
 private:
-    mutable std::mutex mutex_;  // guards all below
+    mutable std::mutex mutex_;  // protects all members below
     Update now_;
     Ticket finished_ = 0;
 };

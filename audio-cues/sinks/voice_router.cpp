@@ -31,7 +31,7 @@ VoiceRouter::VoiceRouter(std::vector<std::unique_ptr<Voice>> voices, std::unique
     want_what_is_allowed();
 }
 
-// The settings stand in the order of the voices, so a comparison says which of them are passed over.
+// The enumerators have the order of the voices, so a comparison says which of them are passed over.
 bool VoiceRouter::allowed(SpeechThrough voice) const { return voice >= through_; }
 
 void VoiceRouter::want_what_is_allowed() {
@@ -91,7 +91,8 @@ void VoiceRouter::tick(double now_s) {
     if (best != active_ && !waits_for_better(best)) hand_over_to(best);
     else if (!chosen_ && !best && !waits_for_better(nullptr)) hand_over_to(nullptr);
 
-    // What a lost voice left comes after the sentence about the change, which the planner sends as an alarm.
+    // The utterance that a lost voice left unfinished comes after the announcement of the change, which the planner
+    // sends as an alarm.
     if (owed_ && active_ && !news_ && !active_->speaking()) {
         current_ = std::exchange(owed_, std::nullopt);
         active_->say(*current_);
@@ -120,7 +121,7 @@ void VoiceRouter::tell_change(const Voice* before, const Voice* after) {
         news_ = after ? sentence_case(phrase("voice.speaks_now", {{"voice", voice}})) : phrase("voice.only_text_now");
     } else if (through_ != SpeechThrough::Auto && through_ != SpeechThrough::Text &&
                (!after || after->through() != through_)) {
-        // The person asked for one by name; without a word they would think it broken.
+        // The person chose a voice by name; without an announcement they would think it broken.
         const std::string wanted = voice_name(through_);
         news_ = sentence_case(after ? phrase("voice.not_reached", {{"wanted", wanted}, {"voice", voice}})
                                     : phrase("voice.not_reached_only_text", {{"wanted", wanted}}));

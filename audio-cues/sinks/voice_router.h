@@ -1,5 +1,5 @@
-// Who speaks: the first of several voices that is there, and never two. Text, and braille where no screen reader shows
-// it, go along always. Owned and called by the audio thread; calls return at once.
+// Chooses the voice: the first available one of several, never two. Text always gets everything, and braille does
+// unless a screen reader speaks. Owned and called by the audio thread; calls return at once.
 #pragma once
 
 #include <memory>
@@ -11,20 +11,20 @@
 
 namespace handrail {
 
-// A braille display, or what else is to be silent while a screen reader has the words.
+// A braille display, or another sink that must be silent while a screen reader has the words.
 class BrailleSink : public SpeechSink {
 public:
     virtual void want(bool wanted) = 0;
 };
 
-// While a better voice is still opening, the first words wait for it, at most its patience_s(); then the best that is
-// ready has them. A voice that goes in the middle of an utterance leaves it to the next one, after a sentence about the
-// change. Where no voice is left the text is all. With speech.through = X the voices before X are passed over; where X
-// is missing, the next one speaks. Of the screen reader: see ReaderVoice.
+// While a better voice is still opening, the first words wait for it, at most its patience_s(); then the best available
+// voice says them. If a voice is lost in the middle of an utterance, the next voice announces the change and repeats
+// the utterance. If no voice is left, there is only text. With speech.through = X the voices before X are passed over;
+// if X is missing, the next one speaks. For the screen reader see ReaderVoice.
 class VoiceRouter final : public SpeechSink {
 public:
-    // `voices`: the best first. `text` is always given everything; `braille` too, unless a screen reader speaks. Either
-    // may be null.
+    // `voices`: the best first. `text` always gets everything; `braille` does too, unless a screen reader speaks.
+    // Either may be null.
     VoiceRouter(std::vector<std::unique_ptr<Voice>> voices, std::unique_ptr<SpeechSink> text,
                 std::unique_ptr<BrailleSink> braille, const Settings::Speech& settings);
 
@@ -38,7 +38,7 @@ public:
 
     std::string who() const override;
 
-    // Who speaks now; Text: nobody.
+    // The voice that speaks now; Text: none.
     SpeechThrough speaks() const { return active_ ? active_->through() : SpeechThrough::Text; }
 
 private:
@@ -52,13 +52,13 @@ private:
     std::unique_ptr<SpeechSink> text_;
     std::unique_ptr<BrailleSink> braille_;
     SpeechThrough through_;
-    Voice* active_ = nullptr;           // one of voices_
+    Voice* active_ = nullptr;           // points into voices_
     bool chosen_ = false;               // a first choice was made
-    bool choosing_again_ = false;       // the settings changed: what follows is no loss
-    std::optional<double> asked_at_s_;  // when the voices were last told what is wanted
+    bool choosing_again_ = false;       // the settings changed, so a change of voice is not a loss
+    std::optional<double> asked_at_s_;  // when the wishes were last passed to the voices
     double now_s_ = 0.0;
-    std::optional<Utterance> current_;  // given to the active voice and perhaps not finished
-    std::optional<Utterance> owed_;     // to be said when a voice is free for it
+    std::optional<Utterance> current_;  // given to the active voice and possibly not finished
+    std::optional<Utterance> owed_;     // to be said as soon as a voice is free for it
     std::optional<std::string> news_;
 };
 

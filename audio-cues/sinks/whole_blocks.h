@@ -1,7 +1,7 @@
-// Samples by any number of frames from a renderer that is only ever asked for whole blocks of 64: what was made beyond
-// a request begins the next one. OpenAL Soft 1.19.1 writes past its buffer when its reverb fades between two rooms
-// within a request that is no multiple of four frames; its own devices ask for whole periods, so only what asks for
-// samples itself comes upon it. One owner. Cost: a copy of at most 63 frames each way.
+// Delivers any number of frames from a renderer that must only be called for whole blocks of 64. Samples made beyond a
+// request begin the next one. Reason: OpenAL Soft 1.19.1 writes past its buffer if its reverb fades between two rooms
+// within a request that is not a multiple of four frames. Its own devices request whole periods, so this affects only
+// code that requests samples itself. One owner. Cost: a copy of at most 63 frames each way.
 #pragma once
 
 #include <algorithm>
@@ -14,11 +14,11 @@ class WholeBlocks {
 public:
     static constexpr int kFrames = 64;
 
-    // As many of `frames` as make whole blocks.
+    // The largest number of whole blocks in `frames`, in frames.
     static constexpr int whole(int frames) { return frames - frames % kFrames; }
 
-    // Fills `stereo` with the next `frames` frames, left and right in turn. render(to, count) makes the next `count`,
-    // always a multiple of kFrames.
+    // Fills `stereo` with the next `frames` frames, left and right alternating. render(to, count) makes the next
+    // `count`, always a multiple of kFrames.
     template <class Render>
     void take(float* stereo, int frames, Render render) {
         const int kept = std::min(frames, kFrames - at_);
@@ -40,7 +40,7 @@ private:
     }
 
     std::array<float, 2 * kFrames> block_{};
-    int at_ = kFrames;  // the first frame of block_ that nobody has had
+    int at_ = kFrames;  // the first frame of block_ that was not delivered yet
 };
 
 }  // namespace handrail
