@@ -1,4 +1,4 @@
-// The two interfaces between the decision what is heard and its output. One thread owns both sinks (the audio thread).
+// The two interfaces between deciding what is heard and playing it. One thread owns both sinks (the audio thread).
 #pragma once
 
 #include <cstdint>
@@ -63,7 +63,7 @@ enum class SoundKind : std::uint8_t {
     DropNear,  // one beat of the warning before an edge
     StairsUp,
     StairsDown,
-    DoorNear,  // a door is before you
+    DoorNear,  // a door is ahead
     Falls,     // an object of a game falls into a hole
     Knock,     // a covered hole, hollow
     Border,    // a rolled object meets the border of the game, dull
@@ -90,7 +90,7 @@ enum class SoundKind : std::uint8_t {
     Birds,
     Tolling,
     Music,
-    HiddenClock,  // for the hide-and-seek game; unlike any clock of a world
+    HiddenClock,  // for the hunt for a hidden clock; unlike any clock of a world
     Shimmer,      // any other sound
     // Earcons: heard in the middle of the head, whatever their position.
     Denied,

@@ -48,7 +48,8 @@ private:
 class BrailleDisplay final : public BrailleSink {
 public:
     static constexpr double kRetry_s = 5.0;
-    static constexpr double kSizeEvery_s = 0.5;  // because a display may come and go while its server stays
+    // How often the size is queried, because a display may come and go while its server stays.
+    static constexpr double kSizeEvery_s = 0.5;
 
     // Reads the environment (BRLAPI_HOST, WINDOWPATH), so call it before other threads change the environment.
     BrailleDisplay(std::shared_ptr<BrailleLink> link, const Settings::Speech& settings);

@@ -307,7 +307,7 @@ std::vector<float> bell() {
     std::vector<float> out(samples_of(1.0));
     for (const double from_s : {0.0, 0.22})
         for (std::size_t mode = 0; mode < 5; ++mode) {
-            // Hum, prime, tierce, quint and nominal (Fletcher & Rossing, chapter 21).
+            // The partials of a bell: hum, prime, tierce, quint and nominal (Fletcher & Rossing, chapter 21).
             constexpr std::array kPartials{0.5, 1.0, 1.2, 1.5, 2.0}, kLevels{0.3, 0.6, 0.7, 0.4, 1.0};
             add_mode(out, samples_of(from_s), 1450.0 * kPartials[mode], 0.7 / kPartials[mode], kLevels[mode]);
         }
@@ -315,7 +315,7 @@ std::vector<float> bell() {
     return out;
 }
 
-// A tone that falls three octaves ever faster, and a dull landing.
+// A tone that falls three octaves, ever faster, and then a dull landing.
 std::vector<float> falls() {
     constexpr double kFalls_s = 0.6, kFrom_hz = 1200.0, kOctaves = 3.0;
     std::vector<float> out(samples_of(kFalls_s + 0.25));
@@ -361,9 +361,9 @@ std::vector<float> waymark(SoundKind kind, Noise& noise) {
             return struck({{0.0, 523.0, 0.1}, {0.09, 659.0, 0.1}, {0.18, 784.0, 0.1}, {0.27, 1047.0, 0.25}}, 0.2);
         case SoundKind::StairsDown:
             return struck({{0.0, 1047.0, 0.1}, {0.09, 784.0, 0.1}, {0.18, 659.0, 0.1}, {0.27, 523.0, 0.25}}, 0.2);
-        case SoundKind::Knock:  // Knock: a hollow board
+        case SoundKind::Knock:  // a hollow board
             return struck({{0.0, 130.0, 0.16}, {0.09, 110.0, 0.22}}, 0.3);
-        case SoundKind::Border:  // Border: one low thud
+        case SoundKind::Border:  // one low thud
             return struck({{0.0, 70.0, 0.3}}, 0.1);
         default:  // DoorNear: knuckles on wood, twice
             return struck({{0.0, 240.0, 0.07}, {0.12, 240.0, 0.09}}, 0.4);
@@ -448,7 +448,8 @@ std::vector<float> world_loop(SoundKind kind, Noise& noise) {
             break;
         case SoundKind::Drone:
             add_harmonics(out, 55.0, 6, 0.5, 0.6);
-            add_harmonics(out, 55.5, 6, 0.5, 0.6);  // beats against the tone above twice a second
+            // Beats against the tone above: the lowest harmonic once in two seconds, the fourth twice a second.
+            add_harmonics(out, 55.5, 6, 0.5, 0.6);
             add_air(out, noise, 0.8, steady(320.0, 0.5));
             break;
         case SoundKind::Drip:
@@ -522,7 +523,7 @@ std::vector<float> world_loop(SoundKind kind, Noise& noise) {
                 }
             break;
         case SoundKind::Tolling:
-            // Hum, prime, tierce, quint and nominal (Fletcher & Rossing, chapter 21).
+            // The partials of a bell: hum, prime, tierce, quint and nominal (Fletcher & Rossing, chapter 21).
             for (const auto& [ratio, level] : {std::pair(0.5, 0.5), std::pair(1.0, 0.8), std::pair(1.2, 0.7),
                                                std::pair(1.5, 0.4), std::pair(2.0, 1.0)})
                 add_ring(out, 0.0, 392.0 * ratio, 3.6 / std::sqrt(ratio), level);

@@ -1,5 +1,5 @@
 // The mechanics of a hand on a force-feedback device: one mass with damping, a spring towards where the hand wants to
-// be, dry friction and end stops; and the delay of the force on its way to the motor. The simulated device and the
+// be, dry friction and end stops. It also delays the force on its way to the motor. The simulated device and the
 // closed-loop simulation share it, so that studies and scenarios use the same hand. Plain state, no thread of its own;
 // noexcept, no allocation. Metres, newtons, seconds, kilograms.
 #pragma once

@@ -79,9 +79,8 @@ public:
         const bool fresh = sample_.refresh();
         DeviceSample sample = sample_.read();
         sample.fresh = fresh;
-        sample.connected = handle_ != kInvalid &&
-                           // Read first, because the reason is set before this flag.
-                           !lost_.load(std::memory_order_acquire);
+        sample.connected =
+            handle_ != kInvalid && !lost_.load(std::memory_order_acquire);  // read first: the reason is set before it
         sample.hot = hot_.load(std::memory_order_acquire);
         sample.failed = failed_.load(std::memory_order_acquire);
         return sample;

@@ -30,10 +30,8 @@ bool watch(HandMailbox& mailbox, int guard_fd, int life_fd) {
         const int events = ::poll(watched.data(), watched.size(), kLookMs);
         mailbox.relief_beats.fetch_add(1, std::memory_order_release);
         if (watched[0].revents != 0) return true;
-        if (events > 0 &&
-            watched[1].revents !=
-                // The program is gone. The first guard notices that as well, releases the device and ends.
-                0) {
+        // The program is gone. The first guard notices that as well, releases the device and ends.
+        if (events > 0 && watched[1].revents != 0) {
             watched[1].fd = -1;
             orphaned_s = clock.now_s();
             continue;

@@ -37,8 +37,8 @@ public:
     void start(Clock& clock);
     void stop();
     // Runs every whole step that has ended by now_s; called by the thread, or by the owner of virtual time. After a
-    // stall at most kMostBehind steps are made up for, and the rest of the time is dropped: bodies then move slower
-    // than the clock, which a person who touches them cannot distinguish from heavier ones. Returns false if no step
+    // stall at most kMostBehind steps are made up for, and the rest of the time is dropped. Bodies then move slower
+    // than the clock; a person who touches them cannot distinguish this from heavier bodies. Returns false if no step
     // was due.
     bool step_until(double now_s);
 

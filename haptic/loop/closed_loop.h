@@ -22,7 +22,7 @@ struct LoopSettings {
     double encoder_quantum_m = 0.06e-3;
     double tremor_m = 0.0;       // tremor of the hand's target, 8 to 12 Hz, rms along each axis
     double noise_m = 0.0;        // white noise of the sensor before the encoder's step, rms along each axis
-    double stall_every_s = 0.0;  // 0: none
+    double stall_every_s = 0.0;  // 0: no stalls
     double stall_s = 0.0;        // during a stall nothing is read or written, and the motor holds its force
     std::uint32_t seed = 1;
 };

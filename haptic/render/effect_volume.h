@@ -112,12 +112,11 @@ struct EffectVolume {
 
     FeatureId feature = kNoFeature;
     EffectRegion region;
-    double edge_hand_m =
-        0.010;  // depth inside the border at which the law has its full strength; less if the region is smaller
+    // Depth inside the border at which the law has its full strength; less if the region is smaller.
+    double edge_hand_m = 0.010;
     EffectLaw law;
-    std::uint32_t body =
-        // Index in HapticScene::bodies of the body it is attached to; region and targets are then in that body's frame.
-        kNoBody;
+    // Index in HapticScene::bodies of the body it is attached to; region and targets are then in that body's frame.
+    std::uint32_t body = kNoBody;
 
     // Computed when the scene is built.
     double inner_radius_m = 0.0;           // radius of a ball that fits into the region

@@ -19,7 +19,7 @@ constexpr double kBoundsSlack = 1e-9;
 // nothing.
 constexpr double kNearZero_m = 1024.0;
 
-// A liquid's surface looks up if its normal rises by more than 45 degrees.
+// A face of a liquid counts as facing up if its normal rises by more than 45 degrees.
 constexpr double kLooksUp = 0.7071;
 // Steepest slopes of the laws in liquids.cpp. The first is the drag's spring. The others are per newton, for a film 4
 // mm thick and a buoyancy that rises over 20 mm.

@@ -10,7 +10,7 @@
 
 namespace handrail {
 
-// Relative to the solver's anchor.
+// The points of the path, relative to the solver's anchor.
 struct ProxyPath {
     static constexpr int kMostRounds = 64;  // rounds in one move
 
@@ -18,7 +18,7 @@ struct ProxyPath {
     int size = 0;
     int rubs_from = 0;       // index of the point from which on friction treats the proxy as never in the air
     int rounds_left = 0;     // rounds left over from the last move, for friction
-    bool was_free = true;    // nothing held the ball before this move
+    bool was_free = true;    // nothing held the proxy before this move
     double longest_m = 0.0;  // greatest length of the path
 
     Vec3& operator[](int i) noexcept {

@@ -63,7 +63,7 @@ public:
 
     static constexpr std::uint16_t kStill = OwnedObstacle::kStill;  // the obstacle belongs to no body
 
-    // One surface that holds the ball.
+    // One surface that holds the proxy.
     struct Hold {
         std::uint32_t obstacle = 0;
         std::uint16_t body = kStill;  // the body whose shape the obstacle belongs to
@@ -131,9 +131,10 @@ public:
     // Converts a world place to the coordinates of the shape that holds, those of its triangles, boxes and planes.
     Vec3 to_own(const HapticScene& scene, const Hold& hold, const Vec3& world_m) const noexcept;
 
-    // Valid after move(). offset_m: from the goal to the proxy, exactly zero in free space. slide_m: from where the
-    // proxy was before the move to where it is now. press_m: as offset_m, but without friction and speed cap, so to
-    // where the surfaces alone would let the proxy go.
+    // Valid after move().
+    // - offset_m: from the goal to the proxy; exactly zero in free space.
+    // - slide_m: from where the proxy was before the move to where it is now.
+    // - press_m: as offset_m, but without friction and speed cap: to where the surfaces alone would let the proxy go.
     Vec3 offset_m() const noexcept { return ball_m_ - goal_m_; }
     Vec3 slide_m() const noexcept { return ball_m_ - path_[0]; }
     // Like slide_m, without the free movement up to the first contact; valid after hold_back().

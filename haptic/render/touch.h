@@ -24,7 +24,7 @@ class ProxySolver;
 // new one when something changes.
 struct TouchTuning {
     double radius_m = 0.005;                  // radius of the proxy, world metres; 0 counts as 1e-5
-    double world_m_per_hand_m = 1.0;          // S
+    double world_m_per_hand_m = 1.0;          // the scale S
     double rated_stiffness_n_per_m = 1000.0;  // per hand metre: the stiffness at fraction 1.0
     double default_stiffness_fraction = 0.8;  // for surfaces that specify none
     double damping_ns_per_m = 0.0;            // for hand speed, along the normal, one pole at 50 Hz

@@ -65,7 +65,7 @@ struct TickEvents {
 class ContactTracker {
 public:
     static constexpr double kLetGoS = 0.020;       // a contact or liquid counts as left after this long without touch
-    static constexpr double kSlideEveryS = 0.010;  // between two Slide events of one surface
+    static constexpr double kSlideEveryS = 0.010;  // shortest time between two Slide events of one surface
     // Thresholds for the hand's speed along the surface.
     static constexpr double kSlideStartsMPerS = 0.001, kSlideStopsMPerS = 0.0005;
 

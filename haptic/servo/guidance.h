@@ -53,7 +53,7 @@ struct GuidanceState {
 class Guidance {
 public:
     static constexpr double kStiffness_n_per_m = 300.0;
-    // Of the two limits the lesser counts; kMostShare is a share of the device's peak force.
+    // The lesser of the two limits counts; kMostShare is a share of the device's peak force.
     static constexpr double kMostForce_n = 0.8, kMostShare = 0.25;
     static constexpr double kRamp_s = 0.5, kFade_s = 0.075;
     static constexpr double kLetGo_n = 1.2, kLetGo_s = 0.3;

@@ -36,8 +36,8 @@ struct PersonalWall {
 inline constexpr double kPersonalWallAt = 0.8;  // share of the workspace radius
 inline constexpr double kPersonalWallMost_n = 1.5, kPersonalWallShare = 0.6, kPersonalWallStiffest_n_per_m = 400.0;
 
-// The wall breaks at the least of three forces: 1.5 N, 60 % of the ceiling, and what the wall's spring presses halfway
-// between its plane and the end of the workspace. wall_n_per_m: stiffness of the default wall on this device.
+// The wall breaks at the least of three forces: 1.5 N, 60 % of the ceiling, and the force of its spring halfway between
+// its plane and the end of the workspace. wall_n_per_m: stiffness of the default wall on this device.
 PersonalWall personal_wall_of(const DeviceSpec& spec, double ceiling_n, double wall_n_per_m) noexcept;
 
 class PersonalSpace {

@@ -19,7 +19,7 @@ namespace handrail {
 
 // The person's settings, and what they request by keys.
 struct WorkspaceTuning {
-    bool rim = false;  // press past the rim of the reach to scroll
+    bool rim = false;  // pressing past the rim of the workspace scrolls it
     // No rim on the side of the person's body, because something else is there. Around that direction the rim is a
     // tube.
     bool rim_open_behind = false;
