@@ -222,8 +222,8 @@ void CuePlanner::on_contact(const ContactEvent& event, AudioSink& audio) {
             return;
         }
         case ContactEventKind::Slide: {
-            if (event.feature && !is_touched(hand, event.feature))
-                touch(hand, event);  // the hand slid onto another feature without leaving the surface
+            // The hand slid onto another feature without leaving the surface.
+            if (event.feature && !is_touched(hand, event.feature)) touch(hand, event);
             // In a corner the hand slides along two surfaces at once. One of them is heard until it stops, not both in
             // turn.
             if (hand.sliding && event.feature != hand.slide_feature && event.time_s - hand.slide_s < kSlideOwner_s)

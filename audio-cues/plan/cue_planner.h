@@ -92,8 +92,8 @@ class CuePlanner {
 public:
     explicit CuePlanner(Settings settings);
     void set_settings(const Settings& settings);
-    void enter_world(
-        std::shared_ptr<const Scene> scene);  // source of names and materials; also forgets what the hand touched
+    // The scene is the source of names and materials. Also forgets what the hand touched.
+    void enter_world(std::shared_ptr<const Scene> scene);
     // The same world with something added, moved or removed. Names are looked up in it from now on, and nothing is said
     // again.
     void follow_edit(std::shared_ptr<const Scene> scene);

@@ -74,8 +74,8 @@ void OpenALSpeech::update(double now_s) {
         alSourcef(s.source, AL_GAIN, static_cast<float>(s.gain));
         ALint state = 0;
         alGetSourcei(s.source, AL_SOURCE_STATE, &state);
-        if (state != AL_PLAYING)
-            alSourcePlay(s.source);  // either the first piece, or the synthesis was slower than the speech
+        // It is the first piece, or the synthesis was slower than the speech.
+        if (state != AL_PLAYING) alSourcePlay(s.source);
         s.active = true;
     }
     if (s.ended) {

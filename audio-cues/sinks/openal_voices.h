@@ -17,8 +17,8 @@
 
 namespace handrail {
 
-inline constexpr double kFadeOut_s =
-    0.020;  // a silenced source is stopped this much later; the mixer's ramp takes 5.3 ms
+// A silenced source is stopped this much later; the mixer's ramp takes 5.3 ms.
+inline constexpr double kFadeOut_s = 0.020;
 
 // An OpenAL source and the sound it plays.
 struct SinkVoice {

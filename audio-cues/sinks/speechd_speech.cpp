@@ -154,8 +154,8 @@ struct SpeechdSpeech::Worker {
         const std::lock_guard lock(shared.mutex);
         shared.message = static_cast<std::size_t>(message);
         shared.said_as_message = number;
-        if (shared.message_ended >= shared.message)
-            shared.finished = std::max(shared.finished, number);  // the report of its end came before its number
+        // The report of its end came before its number.
+        if (shared.message_ended >= shared.message) shared.finished = std::max(shared.finished, number);
         return true;
     }
 

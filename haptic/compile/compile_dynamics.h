@@ -25,8 +25,8 @@ struct DynamicsReport {
         BodyFault fault = BodyFault::None;
     };
     std::vector<Refused> refused;  // these stay driven
-    std::vector<std::uint32_t>
-        driven;  // for each placed model its index in DynamicsScene::driven; kNoBody: it is free, or has no volume
+    // For each placed model its index in DynamicsScene::driven; kNoBody: it is free, or has no volume.
+    std::vector<std::uint32_t> driven;
     std::vector<std::uint32_t> bodies;  // for each placed model its index in DynamicsScene::bodies, or kNoBody
     std::vector<double> mass_kg;        // for each body
 };

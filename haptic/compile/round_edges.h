@@ -16,9 +16,9 @@ namespace handrail {
 
 struct RoundingReport {
     static constexpr std::size_t kMostNames = 3;
-    static constexpr std::size_t kMostRounded =
-        100'000;            // most solids of a scene; if there are more, all stay sharp, because each takes some 40 us
-    double radius_m = 0.0;  // the requested radius
+    // Most solids of a scene; if there are more, all stay sharp, because each takes some 40 us.
+    static constexpr std::size_t kMostRounded = 100'000;
+    double radius_m = 0.0;    // the requested radius
     std::size_t rounded = 0;  // number of rounded solids
     std::size_t less = 0;     // how many of these are rounded by less, namely a quarter of their thickness
     // Sharp, because a quarter of their thickness is less than a quarter of the requested radius.

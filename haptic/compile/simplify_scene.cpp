@@ -492,8 +492,8 @@ private:
             const Solid& solid = scene_.solids[i];
             const Aabb& wall = solid.shape.bounds_m;
             if (solid.feature == id || !is_wall(scene_, solid)) continue;
-            if (std::min(wall.max_m.z, box.max_m.z) - std::max(wall.min_m.z, box.min_m.z) < kFrame_m)
-                continue;  // the floor or the ceiling
+            // Skips the floor and the ceiling.
+            if (std::min(wall.max_m.z, box.max_m.z) - std::max(wall.min_m.z, box.min_m.z) < kFrame_m) continue;
             const Vec3 middle = box.centre_m();
             Vec3 way = glm::clamp(middle, wall.min_m, wall.max_m) - middle;
             way.z = 0.0;

@@ -79,8 +79,8 @@ public:
         const bool fresh = sample_.refresh();
         DeviceSample sample = sample_.read();
         sample.fresh = fresh;
-        sample.connected =
-            handle_ != kInvalid && !lost_.load(std::memory_order_acquire);  // read first: the reason is set before it
+        // Read before hot_ and failed_, because the library's thread sets the reason first.
+        sample.connected = handle_ != kInvalid && !lost_.load(std::memory_order_acquire);
         sample.hot = hot_.load(std::memory_order_acquire);
         sample.failed = failed_.load(std::memory_order_acquire);
         return sample;

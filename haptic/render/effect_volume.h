@@ -46,8 +46,8 @@ struct MagnetTarget {
 struct MagnetLaw {
     std::vector<MagnetTarget> targets;
     double force_n = 2.0;  // F0; negative pushes away; at most 4
-    double width_hand_m =
-        0.010;  // w, at least 1 mm; within a small region it shrinks to 0.4 of the region's inner radius
+    // Width w, at least 1 mm; within a small region it shrinks to 0.4 of the region's inner radius.
+    double width_hand_m = 0.010;
 };
 // A row of detents along a direction: F = -F0 sin(2 pi s / l). The hand rests at the origin and at every multiple of l
 // from it.

@@ -149,8 +149,8 @@ struct BodyWays {
     std::uint64_t number_before = 0;  // number of the movement that ended where this one begins; 0: unknown
     std::span<const BodyPose> to{};   // the target poses; empty: nothing moves
     double part = 0.0;                // how much of the movement is done, 0 to 1
-    std::span<const MovingBody>
-        moving{};  // the bodies that move, appear or vanish in it, in rising order; valid if number_before is known
+    // The bodies that move, appear or vanish in it, in rising order; valid if number_before is known.
+    std::span<const MovingBody> moving{};
 };
 
 // The poses of all bodies of a scene in a tick, in the scene's order; or empty: every body is as the scene has it.
@@ -177,8 +177,8 @@ struct HapticScene {
     static constexpr std::size_t kMostBodies = 16384;
 
     std::uint32_t generation = 0;  // unique among the scenes built in this process
-    std::uint32_t world =
-        0;  // shared by scenes that are one world with something added or removed; otherwise the generation
+    // Shared by scenes that are one world with something added or removed; otherwise the generation.
+    std::uint32_t world = 0;
     Vec3 origin_m{0.0};  // place in the world of the local zero; everything below is local
     std::vector<Obstacle> obstacles;
     TriangleMesh mesh;  // triangles share their corners
@@ -210,8 +210,8 @@ struct HapticScene {
     std::vector<Relief> reliefs;            // height and friction textures
     MeshShading shading;                    // for `mesh`, if requested
     bool fields = false;                    // there are reliefs or shading, here or in a body
-    std::vector<std::uint8_t>
-        relief_axis;  // by the FeatureId of a mesh: 0, 1 or 2, the axis along which its textures are projected
+    // By the FeatureId of a mesh: 0, 1 or 2, the axis along which its textures are projected.
+    std::vector<std::uint8_t> relief_axis;
 
     // Local coordinates. Requires obstacle < obstacles.size().
     ClosestPoint closest(std::uint32_t obstacle, const Vec3& local_m) const noexcept {

@@ -24,8 +24,8 @@ inline constexpr int kDropWork = 6;      // for each candidate, when some of the
 inline constexpr int kGlanceWork = 30;   // to look at a body and decide whether it must be followed
 inline constexpr int kKnownWork = 12;    // to find how much is known around a followed body
 inline constexpr int kCarryWork = 25;    // for each followed body in each sub-step
-inline constexpr int kCutsOfAWork =
-    2;  // candidates that a projection looks through for one unit, four at a time: about a nanosecond each
+// Candidates that a projection looks through for one unit, four at a time: about a nanosecond each.
+inline constexpr int kCutsOfAWork = 2;
 inline constexpr int kExchangeWork = 30;       // for each scan of a projection, in addition
 inline constexpr int kSubStepWork = 300;       // for a sub-step of bodies, without their candidates
 inline constexpr int kTurnWork = 20;           // to turn a cut of a moving body

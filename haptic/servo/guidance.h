@@ -58,8 +58,8 @@ public:
     static constexpr double kRamp_s = 0.5, kFade_s = 0.075;
     static constexpr double kLetGo_n = 1.2, kLetGo_s = 0.3;
     static constexpr double kFastest_m_per_s = 0.05;  // at this speed of the hand the pull has fallen to zero
-    static constexpr double kPointSpeed_m_per_s =
-        0.04;  // speed of the pulling point; slower than kFastest, so that the hand can catch up
+    // Speed of the pulling point; slower than kFastest, so that the hand can catch up.
+    static constexpr double kPointSpeed_m_per_s = 0.04;
     static constexpr double kLead_m = 0.0025;    // the point waits for a hand that is farther behind than this: 0.75 N
     static constexpr double kArrived_m = 0.004;  // distance from the end of the path that counts as arrived
     static constexpr double kLineHalfWidth_m = 0.006,

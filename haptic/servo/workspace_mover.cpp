@@ -103,8 +103,8 @@ void WorkspaceMover::move(WorkspaceFrame& frame, const WorkspaceTuning& tuning, 
     // 1. What the hand requests.
     const WorkspaceMotion before = motion_;
     out_m_ = hand.at_m;
-    if (tuning.rim_open_behind)
-        out_m_.y = std::max(0.0, out_m_.y);  // the distance stays smooth there, and so does the force
+    // The distance stays smooth there, and so does the force.
+    if (tuning.rim_open_behind) out_m_.y = std::max(0.0, out_m_.y);
     distance_m_ = length(out_m_);
     rim_on_ = tuning.rim;
     const double scrolls_from_m =
