@@ -170,7 +170,7 @@ double distance_gain(SoundKind kind, double distance_m) {
         constexpr double kFades_m = 10.0;
         return std::clamp((kWorldSoundRange_m - distance_m) / kFades_m, 0.0, 1.0) / std::max(1.0, distance_m);
     }
-    // A beacon is audible at any distance at which it is set.
+    // A beacon stays audible, however far away it is set.
     constexpr double kNear_m = 2.0, kRollOff = 0.5, kBeaconLeast = 0.35;
     const double gain = kNear_m / (kNear_m + kRollOff * std::max(0.0, distance_m - kNear_m));
     return is_beacon(kind) ? std::max(gain, kBeaconLeast) : gain;

@@ -41,7 +41,7 @@ struct RoundedSolid {
 };
 
 // Converts a rounding in millimetres of the hand to world metres. At scales for details, closer to 1:15 than to 1:60,
-// edges stay sharp, because the person is looking for them.
+// edges stay sharp, because edges are then what the person is looking for.
 double edge_rounding_m(double rounding_hand_mm, double world_m_per_hand_m);
 
 // Returns one for each solid of the scene; none at all if there are too many, or if a stop was requested. Rounds

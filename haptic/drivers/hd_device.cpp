@@ -79,7 +79,7 @@ public:
         const bool fresh = sample_.refresh();
         DeviceSample sample = sample_.read();
         sample.fresh = fresh;
-        // Read before hot_ and failed_, because the library's thread sets the reason first.
+        // lost_ is read before hot_ and failed_, because the library's thread sets the reason first.
         sample.connected = handle_ != kInvalid && !lost_.load(std::memory_order_acquire);
         sample.hot = hot_.load(std::memory_order_acquire);
         sample.failed = failed_.load(std::memory_order_acquire);

@@ -50,7 +50,7 @@ void ProxySolver::place_in(const HapticScene& scene, std::uint16_t body, double 
         });
     work_.looks += most_looks - looks;
     spend((most_looks - looks) * kLookWork);
-    // If there was too much to look at, the unseen rest may begin here.
+    // If there was too much to look at, unseen obstacles may begin at this distance.
     if (looks <= 0) radius_m_ = std::min(radius_m_, std::max(known * scale, kSmallestRadius_m));
 }
 

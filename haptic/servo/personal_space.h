@@ -76,7 +76,8 @@ public:
     static constexpr double kHold_s = 0.8;      // longer than people press to test how hard a wall is
     static constexpr double kSlide_m = 0.0015;  // sideways movement of the hand; beyond it the person is exploring
     static constexpr double kStraight = 0.5;    // most force across, as a share of the force along the pull
-    static constexpr double kNearHalf = 0.1;    // share of the workspace radius; only on the body's side of the middle
+    // Share of the workspace radius: a pull counts only this far on the person's side of the middle.
+    static constexpr double kNearHalf = 0.1;
 
     // held_n: force of the touched surfaces on the hand, device frame, before any ceiling. Returns true in the tick in
     // which the hand is let through.
