@@ -56,7 +56,7 @@ struct HandRing {
 // Rounds a time to whole microseconds, so that it can be stored as an integer and is bit-identical when read.
 inline double in_whole_microseconds(double time_s) noexcept { return std::round(time_s * 1e6) / 1e6; }
 // Rounds a sample in the same way: to whole micrometres, and to millionths of a radian for the grip. If one coordinate
-// is not finite or over a kilometre away, all coordinates are marked invalid.
+// of a vector is not finite or over a kilometre (1,000 rad) away, the whole vector becomes NaN.
 void round_to_whole_steps(DeviceSample& sample) noexcept;
 
 }  // namespace handrail

@@ -19,8 +19,8 @@ struct ServoSwitches {
 };
 static_assert(std::atomic<std::uint32_t>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
-// The tuning after the switches are applied: they only ever reduce the force. The second overload takes the values that
-// were read earlier.
+// The tuning after the switches are applied: they only ever reduce the force. The first overload takes values that were
+// read earlier; the second reads the switches itself.
 inline ServoTuning with_switches(ServoTuning tuning, std::uint32_t stops, bool focused) noexcept {
     tuning.panic = tuning.panic || stops != tuning.stops_let_go;
     tuning.focused = tuning.focused && focused;
