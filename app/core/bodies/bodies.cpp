@@ -15,20 +15,20 @@
 namespace handrail {
 namespace {
 
-constexpr double kMoved_m = 1e-4;          // less is how a resting body breathes
-constexpr double kTurned = 1e-4;           // likewise, of a turn, radians
-constexpr double kRestsAfter_s = 0.2;      // so long without moving all stands still
-constexpr double kBeforeFeet_m = 0.06;     // so near before the body something is pushed
-constexpr double kPushFor_s = 0.05;        // longer than a frame, so that it goes evenly
-constexpr double kGivesWayWithin_s = 0.5;  // what has not gone by then is in the way
+constexpr double kMoved_m = 1e-4;          // smaller movements are the jitter of a resting body
+constexpr double kTurned = 1e-4;           // the same for turns, in radians
+constexpr double kRestsAfter_s = 0.2;      // everything rests after this long without movement
+constexpr double kBeforeFeet_m = 0.06;     // a body this near in front of the walker is pushed
+constexpr double kPushFor_s = 0.05;        // longer than a frame, so that the push is even
+constexpr double kGivesWayWithin_s = 0.5;  // a body that has not moved by then blocks the walker
 constexpr double kGone_m = 0.01;
-constexpr double kUnderFeet_m = 0.01;  // what is lower one stands on
+constexpr double kUnderFeet_m = 0.01;  // a body whose top is lower than this is underfoot
 constexpr double kOff_m_per_s = 0.3;
-constexpr double kHeldBack = 0.3;    // of what one wished is left: one stands
-constexpr double kAhead = 0.25;      // cosine of how far aside of straight ahead one takes hold
-constexpr double kStrained_s = 2.0;  // between two pushes of one and the same attempt
-constexpr double kUnder = 0.8;       // cosine of how steeply below the middle something is under it
-constexpr double kHeard_s = 3.0;     // so long a hit counts for what one does
+constexpr double kHeldBack = 0.3;    // share of the wished speed below which the walker counts as stopped
+constexpr double kAhead = 0.25;      // cosine of the widest angle from straight ahead at which a thing can be taken
+constexpr double kStrained_s = 2.0;  // pause after which pushing counts as a new attempt
+constexpr double kUnder = 0.8;       // cosine of the angle to straight down within which a hit counts as underneath
+constexpr double kHeard_s = 3.0;     // how long a hit explains why the held or pushed thing stopped
 
 bool differs(const Placement& a, const Placement& b) {
     const double turned = 1.0 - std::abs(a.rotation.w * b.rotation.w + a.rotation.x * b.rotation.x +
@@ -81,7 +81,7 @@ Placement Bodies::middle(std::uint32_t body) const {
     return middle_of(is, world_.things.at(is.haptic));
 }
 
-// Nothing but the body itself is met on the way to its nearest place, or to its middle.
+// True if nothing but the body itself is between the eyes and its nearest point, or between the eyes and its middle.
 bool Bodies::in_sight(std::uint32_t body, const Aabb& box_m) const {
     const Vec3 eye = context_.body.feet_m() + Vec3(0.0, 0.0, kLookHeight_m);
     const auto seen = [&](const Vec3& at_m) {
@@ -91,7 +91,7 @@ bool Bodies::in_sight(std::uint32_t body, const Aabb& box_m) const {
     return seen(glm::clamp(eye, box_m.min_m, box_m.max_m)) || seen(box_m.centre_m());
 }
 
-// What the hand touches, what stands straight ahead, or what is nearest of all before one.
+// Returns the body that the hand touches; else the one straight ahead; else the nearest one in front.
 std::uint32_t Bodies::in_reach() const {
     if (context_.hands.tool.touches())
         if (const std::uint32_t touched = body_of(context_.hands.tool.touched()); touched != kNoBody) return touched;
@@ -144,11 +144,11 @@ void Bodies::restart() {
     grip_.let_go();
     engine_->order({.kind = BodyEngine::Order::Kind::LetGo});
     engine_->order({.kind = BodyEngine::Order::Kind::Restart});
-    walker_m_ = Vec3(std::numeric_limits<double>::infinity());  // the engine knows of nobody then
+    walker_m_ = Vec3(std::numeric_limits<double>::infinity());  // after the restart the engine knows no walker
     driven_.clear();
 }
 
-// Where doors and the person are.
+// Sends the places of doors and of the person to the engine.
 void Bodies::tell_engine() {
     std::vector<Placement> now;
     for (const DrivenThing& thing : scene_->driven) now.push_back(world_.things.at(thing.haptic));
@@ -159,8 +159,8 @@ void Bodies::tell_engine() {
         driven_ = std::move(now);
     }
     if (!context_.body.walker) return;
-    // The capsule's round end would let a ball under the soles. So it reaches into the floor, but not into a body that
-    // one stands on.
+    // A small ball could roll under the capsule's round end, below the soles. So the capsule reaches into the floor,
+    // except while the person is in the air or stands on a body.
     const bool lifted = !context_.body.walker->state().on_ground || body_of(context_.body.ground) != kNoBody;
     const Vec3 feet = context_.body.feet_m();
     if (feet == walker_m_ && lifted == walker_lifted_) return;
@@ -234,7 +234,7 @@ void Bodies::hear(double now_s) {
         const FeatureId met = event.other_body != kNoBody ? scene_->bodies[event.other_body].feature : event.other;
         if (on_hit) on_hit(scene_->bodies[event.body].feature, met, now_s);
         if (!mine) continue;
-        // What lies under it stops nothing.
+        // A hit underneath the body stops nothing.
         const Vec3 off = event.at_m - middle(event.body).position_m;
         if (off.z < -kUnder * glm::length(off)) continue;
         hit_ = met;
@@ -252,8 +252,8 @@ void Bodies::shove(std::uint32_t body, const Vec3& speed_m_per_s) {
     engine_->order(order);
 }
 
-// An engine lets bodies overlap a little, and walking passes over what overlaps, so that nobody is held for ever.
-// Which one it was; kNoBody: none.
+// The engine lets bodies overlap a little, and the walker can pass through the overlap, so nobody is trapped for ever.
+// Returns the body that the walker meets; kNoBody: none.
 std::uint32_t Bodies::keep_apart(Vec3& wish_m_per_s) {
     std::uint32_t met = kNoBody;
     const Vec3 feet = context_.body.feet_m();
@@ -325,7 +325,7 @@ bool Bodies::push_ahead(Vec3& wish_m_per_s, double now_s) {
     const double against = -glm::dot(hit.normal, along);
     const Vec3 level(hit.normal.x, hit.normal.y, 0.0);
     const double across = glm::length(level);
-    // At a slant it goes aside, as the side that was met looks.
+    // A body met at a slant is pushed along the horizontal normal of the side that was met.
     const Vec3 way = across > 0.1 ? -level / across : along;
     shove(body, way * (speed * std::max(0.3, against)));
     if (begins)

@@ -1,7 +1,7 @@
-// The things of a world that are free to move: it owns their engine, says where doors and the person are, and puts
-// what has moved where the hand, the body and the picture meet it. Without a clock the engine is stepped here, so the
-// same input gives the same bits; with one it runs on a thread of its own. In a world in which nothing is free there is
-// neither. App thread only.
+// The movable things of a world. This class owns their physics engine, sends it the positions of doors and of the
+// person, and updates the moved things for hand, walker and view. Without a clock, the session steps the engine here,
+// so equal input gives bit-identical results; with a clock, the engine runs on its own thread. If a world has no
+// movable things, it has neither engine nor thread. App thread only.
 #pragma once
 
 #include <array>
@@ -24,58 +24,60 @@ namespace handrail {
 
 class Bodies : SessionPart {
 public:
-    // It moves the things of `world` and tells the servos by `hands`.
+    // Moves the things of `world` and passes the engine to the servos through `hands`.
     Bodies(const SessionContext& context, WorldState& world, HandsState& hands)
         : SessionPart(context), world_(world), hand_grip_(context, hands) {}
 
-    // Of every world entered from now on.
+    // Applies to every world entered from now on.
     void make_engines(BodyEngines how) { how_ = std::move(how); }
-    // Null: nothing is free in it. The world and its things are entered already.
+    // Null: nothing in this world is movable. Call it after the world and its things have been entered.
     void enter_world(std::shared_ptr<const DynamicsScene> scene, double now_s);
 
-    // Taking hold, letting go, putting back, and while something is held the keys that move it. False: it is another's.
+    // Takes hold, lets go, puts back and, while something is held, moves it. Returns false if the command belongs to
+    // another feature.
     bool act(Command command, double now_s, int times = 1);
-    // The key moves what is held, and not the body.
+    // True if the key moves the held thing instead of the walker.
     bool keeps(Command command) const { return grip_.keeps(command); }
     void release(Command command) { grip_.release(command); }
-    // The engine goes on to now where it has no thread: each millisecond where a hand is to feel it, else tick() does.
+    // Advances an engine without its own thread to `now_s`. Call it every millisecond if a hand is to feel the bodies;
+    // otherwise tick() does it.
     void step_engine(double now_s);
-    // Before the things of the world are told to the servo.
+    // Call it before the places of the things are sent to the servo.
     void tick(double now_s);
-    // The body is about to walk that way: what lies before it and is not too heavy goes along. True: something does.
-    // What has been driven against the body is pushed off, and nobody walks farther into it: that is taken from the
-    // wish.
+    // Call it before the walker moves in this direction. Pushes what is in front of the walker if it is light enough,
+    // and returns true while that moves. A body that has been driven into the walker is pushed away, and the part of
+    // the wish that goes into it is removed.
     bool push_ahead(Vec3& wish_m_per_s, double now_s);
 
-    // Where what is held came to is told by a game.
+    // A game announces where the held thing came to rest, so the grip does not.
     void step_is_told() { grip_.step_is_told(); }
-    // Everything where the world has it, without a word.
+    // Puts everything back to its place in the world, silently.
     void restart();
     bool any_moving() const { return moving_; }
-    // While any move: where each is.
+    // The place of each thing while any of them moves; otherwise empty.
     std::vector<MovedThing> moved() const;
     bool idle() const { return grip_.idle(); }
-    // All has come to rest since this was asked last.
+    // True once after everything has come to rest.
     bool take_rested() { return std::exchange(rested_, false); }
-    // A free body is there: its mass; nothing: none.
+    // Mass of a movable feature; no value: the feature is not movable.
     std::optional<double> mass_kg(FeatureId feature) const;
-    // The engine of this world; null: nothing is free in it.
+    // The engine of this world; null: nothing in it is movable.
     const BodyEngine* engine() const { return engine_.get(); }
-    // What has been read of it until now.
+    // How much of the engine's output has been read up to now.
     struct EngineRead {
         std::uint32_t engine = 0;  // HandChannel::engine
         std::uint64_t frame = 0;   // DynamicsFrame::number; 0: none yet
-        std::uint64_t events = 0;  // all of them
+        std::uint64_t events = 0;  // number of all events read
     };
     const EngineRead& read_of_engine() const { return read_; }
-    // For the servo of a hand: 0 the only or right one, 1 the left one. Null: nothing is free in this world.
+    // For the servo of a hand: 0 is the only or right hand, 1 the left. Null: nothing in this world is movable.
     const std::shared_ptr<HandEngine>& hand_engine(std::size_t which) const { return hand_engines_[which]; }
     // What a hand holds; kNoFeature: nothing.
     FeatureId held_by_hand(std::size_t which) const {
         return hand_grip_.held(which) == kNoBody ? kNoFeature : scene_->bodies[hand_grip_.held(which)].feature;
     }
 
-    // Set by a game: one thing has met another, or a part of the building.
+    // Set by a game; called when one thing hits another or a part of the building.
     std::function<void(FeatureId thing, FeatureId met, double now_s)> on_hit;
 
 private:
@@ -93,26 +95,26 @@ private:
 
     WorldState& world_;
     BodyEngines how_;
-    std::shared_ptr<const DynamicsScene> scene_;  // null: nothing is free here
+    std::shared_ptr<const DynamicsScene> scene_;  // null: nothing is movable
     std::unique_ptr<BodyEngine> engine_;
-    DynamicsLoop* stepped_ = nullptr;  // the same one, where nobody else steps it
+    DynamicsLoop* stepped_ = nullptr;  // the same engine if this class steps it; otherwise null
     EngineRead read_;
     BodyGrip grip_{context_};
     BodySounds sounds_{context_};
     HandGrip hand_grip_;
     std::array<std::shared_ptr<HandEngine>, 2> hand_engines_;
-    std::vector<Placement> driven_;  // as the engine was told last
-    Vec3 walker_m_{0.0};             // likewise
+    std::vector<Placement> driven_;  // as last sent to the engine
+    Vec3 walker_m_{0.0};             // also as last sent
     bool walker_lifted_ = false;
     double moved_s_ = -1e9;
     bool moving_ = false, rested_ = false;
-    FeatureId hit_ = kNoFeature;  // by what is held, last
+    FeatureId hit_ = kNoFeature;  // last hit by the held thing
     double hit_s_ = -1e9;
-    // What somebody who walks pushes: since when, and whether it went.
+    // What the walker pushes, since when without progress, when last, and from where.
     std::uint32_t pushed_ = kNoBody;
     double pushed_since_s_ = 0.0, pushed_s_ = -1e9;
     Vec3 pushed_from_m_{0.0};
-    // What it is held from going into, likewise.
+    // The body that last stopped the walker, and when.
     std::uint32_t in_the_way_ = kNoBody;
     double in_the_way_s_ = -1e9;
 };

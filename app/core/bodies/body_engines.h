@@ -1,5 +1,4 @@
-// How the engines of what is free to move are made in a session, one for each world that has such things. Plain data,
-// chosen once.
+// How a session makes the physics engine of each world with movable things. Plain data, set once.
 #pragma once
 
 #include <functional>
@@ -12,11 +11,12 @@
 namespace handrail {
 
 struct BodyEngines {
-    // Each has a thread of its own, by this clock, the session's, which outlives it; null: it is stepped in each tick.
+    // With a clock, each engine runs on its own thread. It is the session's clock and outlives the engines. Null: each
+    // tick steps the engine.
     Clock* clock = nullptr;
-    // Gets each step of theirs, and outlives the session; null: nothing is kept.
+    // Records every step of the engines, and outlives the session; null: no recording.
     EngineRecording* recording = nullptr;
-    // Makes one that goes on by itself, as a recording had it, from that moment; empty: they are real ones.
+    // Makes an engine that replays a recording from that moment on. Empty: real engines.
     std::function<std::unique_ptr<BodyEngine>(std::shared_ptr<const DynamicsScene> scene, double begin_s)> played;
 };
 

@@ -12,12 +12,12 @@
 namespace handrail {
 namespace {
 
-constexpr double kStep_m = 0.25;   // a tap; of a ball two of its diameters
-constexpr double kRepeat_s = 1.0;  // of a key that is held
-constexpr double kRests_s = 0.15;  // so long without moving it has come to its end
-constexpr double kStill_m = 2e-3;  // less is no movement
-constexpr double kMost_s = 2.5;    // longer no step takes
-constexpr double kShort = 0.25;    // of a step: it came no farther since something is in its way
+constexpr double kStep_m = 0.25;   // one tap; a ball moves by two of its diameters
+constexpr double kRepeat_s = 1.0;  // repeat interval of a held key
+constexpr double kRests_s = 0.15;  // after this long without movement the step is over
+constexpr double kStill_m = 2e-3;  // smaller shifts do not count as movement
+constexpr double kMost_s = 2.5;    // longest duration of a step
+constexpr double kShort = 0.25;    // share of a step; if more than this is missing, something blocked it
 
 constexpr std::array kSteps{Command::Forward,   Command::Back,   Command::TurnLeft,
                             Command::TurnRight, Command::TiltUp, Command::TiltDown};
@@ -73,7 +73,7 @@ void BodyGrip::lead(BodyEngine& engine) const {
     engine.order(order);
 }
 
-// North is up on a map; else ahead is where the body looks.
+// On a map, ahead is north; otherwise it is where the walker faces.
 Vec3 BodyGrip::way_of(Command command) const {
     const double ahead = context_.settings.workspace.frame == FrameChoice::Map ? 0.0 : context_.body.heading_goal_rad;
     switch (command) {
@@ -101,7 +101,7 @@ void BodyGrip::step(Command command, BodyEngine& engine, const DynamicsScene& sc
     const DynamicsBody& is = scene.bodies[held_];
     const bool lifts = command == Command::TiltUp || command == Command::TiltDown;
     if (is.ball && lifts) return context_.answer(phrase("bodies.ball_rolls"), now_s);
-    // From where it was to come, unless it has been stopped before.
+    // A step begins at the previous target, unless the thing was stopped before it.
     if (!stepped_s_) to_m_ = Vec3(middle.position_m.x, middle.position_m.y, lifts ? middle.position_m.z : to_m_.z);
     to_m_ += way_of(command) * (step_m(is) * times);
     stepped_s_ = rests_since_s_ = now_s;

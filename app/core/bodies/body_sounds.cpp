@@ -7,10 +7,10 @@ namespace handrail {
 namespace {
 
 constexpr double kLoudest_ns = 20.0;          // a crate of 4 kg that falls from more than a metre
-constexpr double kFaintest = 0.05;            // what is not as loud is not heard
-constexpr double kLoudestRoll_m_per_s = 1.5;  // as fast as one walks
-constexpr double kSilent_s = 0.2;             // rolling and sliding are told 20 times a second
-constexpr std::uint32_t kFirstSource = 16;    // below are the hands
+constexpr double kFaintest = 0.05;            // quieter sounds are not played
+constexpr double kLoudestRoll_m_per_s = 1.5;  // walking speed
+constexpr double kSilent_s = 0.2;             // the engine reports rolling and sliding 20 times a second
+constexpr std::uint32_t kFirstSource = 16;    // lower numbers belong to the hands
 
 }  // namespace
 
@@ -59,7 +59,7 @@ void BodySounds::hear(const BodyEvent& event, const DynamicsScene& scene, double
             Loop& heard = loops_[event.body];
             heard.heard_s = now_s;
             heard.at_m = event.at_m;
-            // What slides scrapes, what rolls only murmurs.
+            // Sliding scrapes loudly, rolling only murmurs.
             const double most = event.kind == BodyEvent::Kind::Slides ? 1.0 : 0.5;
             const double loudness = most * std::min(1.0, event.speed_m_per_s / kLoudestRoll_m_per_s);
             loop(event.body, loudness < kFaintest ? 0.0 : loudness, sound_of(other), now_s);

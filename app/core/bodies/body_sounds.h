@@ -1,5 +1,5 @@
-// What is heard of things that move: where they hit, roll and slide, at their places, by impulse, speed and both
-// materials. App thread only.
+// Sounds of moving things: hits, rolling and sliding, played at the place of contact. Impulse, speed and both materials
+// determine the sound. App thread only.
 #pragma once
 
 #include <vector>
@@ -13,10 +13,10 @@ class BodySounds : SessionPart {
 public:
     explicit BodySounds(const SessionContext& context) : SessionPart(context) {}
 
-    // Another world, or none: what sounds falls silent.
+    // Call it when another world, or none, is entered: all sounds stop.
     void enter_world(std::size_t bodies, double now_s);
     void hear(const BodyEvent& event, const DynamicsScene& scene, double now_s);
-    // What has rolled or slid and does no more falls silent.
+    // Stops the sound of each body that no longer rolls or slides.
     void tick(double now_s);
 
 private:

@@ -1,4 +1,4 @@
-// What is said of things that are free to move. Functions of what the context holds; app thread.
+// Words for movable things. Functions of what the context contains; app thread.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace handrail {
 
-// As a sentence begins with it, without its material: "Crate".
+// The name as a sentence begins with it, without the material: "Crate".
 std::string body_name(const SessionContext& context, FeatureId feature);
-// "12 kilograms", with two digits that count.
+// "12 kilograms", with two significant digits.
 std::string mass_words(double mass_kg);
 // "Safe. Heavy, 400 kilograms."
 std::string heavy_words(const SessionContext& context, FeatureId feature, double mass_kg);

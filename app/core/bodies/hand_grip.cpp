@@ -11,7 +11,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kAnswers_s = 0.3;  // so long the servo has to take hold of what it was asked to
+constexpr double kAnswers_s = 0.3;  // time that the servo has to take hold after a request
 
 }  // namespace
 
@@ -64,7 +64,7 @@ void HandGrip::tick(const DynamicsScene& scene, double now_s) {
     for (std::size_t which = 0; which < sides_.size(); ++which) {
         Side& side = sides_[which];
         const ToolState& is = tool(which);
-        if (is.scene_world != context_.world.felt) continue;  // what it did in the world one has left
+        if (is.scene_world != context_.world.felt) continue;  // still the state from the world that was left
         const bool heavy = std::exchange(side.heavies, is.heavies) != is.heavies && side.heavies_known;
         side.heavies_known = true;
         if (heavy && is.heavy < scene.bodies.size()) {

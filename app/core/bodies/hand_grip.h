@@ -1,5 +1,5 @@
-// Holding a thing by a device's hand: by its button, or by the key that uses things while the hand touches one. The
-// servo holds it; here it is asked for, and told what is held, let go and too heavy. App thread only.
+// Holding a thing with the hand of a device, by its button or by the Use key while the hand touches the thing. The
+// servo holds it; this class requests that and announces what is held, released or too heavy. App thread only.
 #pragma once
 
 #include <array>
@@ -12,14 +12,15 @@ namespace handrail {
 
 class HandGrip : SessionPart {
 public:
-    // It tells the servos by `hands`.
+    // Sends requests to the servos through `hands`.
     HandGrip(const SessionContext& context, HandsState& hands) : SessionPart(context), hands_(hands) {}
 
     void enter_world();
-    // Taking hold of what a hand touches, letting go, turning by quarters. False: it is another's.
+    // Takes hold of what a hand touches, lets go, turns by quarters. Returns false if the command belongs to another
+    // feature.
     bool act(Command command, const DynamicsScene& scene, double now_s);
     void tick(const DynamicsScene& scene, double now_s);
-    // The hand's; kNoBody: nothing. 0: the only or right hand, 1: the left one.
+    // The body that the hand holds; kNoBody: nothing. 0: the only or right hand, 1: the left one.
     std::uint32_t held(std::size_t which) const { return sides_[which].held; }
 
 private:

@@ -1,5 +1,5 @@
-// Leaving is asked for twice, the program as well as a lesson in it: whoever has asked a moment ago is not asked again.
-// Plain state; app thread only.
+// To leave the program or a lesson, the person must confirm a question; a second request within kWindow_s leaves
+// without asking again. Plain state; app thread only.
 #pragma once
 
 namespace handrail {

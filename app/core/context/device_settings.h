@@ -1,4 +1,4 @@
-// What the settings say of one device: what the person wrote for it, what was measured with it. Pure functions; any
+// What the settings contain for one device: the person's overrides and what was measured with it. Pure functions; any
 // thread.
 #pragma once
 
@@ -7,12 +7,12 @@
 
 namespace handrail {
 
-// What was measured with that very device; null: nothing, or there is no hand.
+// What was measured with exactly this device; null: nothing was measured, or there is no hand.
 const DeviceProfile* profile_of(const Settings& settings, const HandFacts& hand);
-// On top of the general workspace lies what the person wrote for devices of this name, on top of that what was measured
-// with this very one.
+// Overrides the general workspace settings with those for devices of this name, and these with what was measured with
+// exactly this device.
 void lay_device_overrides(Settings& settings, const HandFacts& hand);
-// Newtons: the lowest of what the person chose for all devices and what was found comfortable with this one.
+// Newtons; the lower of two limits: the person's choice for all devices, and what was found comfortable with this one.
 double ceiling_n(const Settings& settings, const HandFacts& hand);
 
 }  // namespace handrail

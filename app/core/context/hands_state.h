@@ -1,5 +1,5 @@
-// The hands: what they hold, where their servos told last that they are, and what the servos are told. Plain state; app
-// thread only.
+// The hands: their devices, what their servos last reported, and what is sent to the servos. Plain state; app thread
+// only.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace handrail {
 
-// What the hand has: none, or a device of which the workspace size, force and stiffness count.
+// The device of one hand, or none. Of `spec`, only workspace size, force and stiffness are used.
 struct HandFacts {
     bool present = false;
     bool simulated = false;
@@ -23,15 +23,16 @@ struct HandsState {
     HandFacts right, left;  // right: also the only one
     ToolState tool, left_tool;
     ServoTuning tuning;
-    BodyTuning left_bodies;  // what the left hand's servo is told of holding; all else as tuning.bodies
+    BodyTuning left_bodies;  // what the left hand's servo receives about holding; everything else as in `tuning`
     WorkspacePose pose;
     std::optional<NamedScale> named_scale;  // none: the scale of the settings
-    bool keys_alone = false;                // the simulated hand is there for want of a real one
-    bool left_behind = false;  // the body has gone on, and something solid is between it and the only or right hand
+    bool keys_alone = false;                // the keyboard moves a simulated hand because there is no device
+    bool left_behind = false;               // the walker moved on, and a solid is between it and the only or right hand
 
-    // The place of the only or right hand is known.
+    // True if the position of the only or right hand is known.
     bool known() const { return right.present && tool.ticks > 0; }
-    // That hand is where the body is: what it touches and where it is answer questions, and not what is at the feet.
+    // True if that hand is where the walker is. Questions are then about what it touches and where it is, not about the
+    // walker's feet.
     bool answers() const { return known() && !left_behind; }
     bool two() const { return right.present && left.present; }
     bool at_desk() const { return tool.desk.open; }

@@ -1,4 +1,4 @@
-// Lists to choose from and questions to answer: opening one says its first words. App thread only.
+// Opens lists to choose from and questions to answer, and announces their first words. App thread only.
 #pragma once
 
 #include <functional>
@@ -23,7 +23,7 @@ public:
     }
 
     Dialogue dialogue;
-    std::function<void()> before_open;  // set by the session: from here on keys are the list's, so the body stops
+    std::function<void()> before_open;  // set by the session: from then on keys go to the list, so the walker stops
 
 private:
     Cues& cues_;

@@ -1,5 +1,5 @@
-// What a session asks of whoever owns it (the program, a scenario, a test): each waits until the owner takes it. Plain
-// state; app thread only.
+// Requests of a session to its owner (the program, a scenario or a test). Each one waits until the owner takes it.
+// Plain state; app thread only.
 #pragma once
 
 #include <optional>
@@ -12,25 +12,27 @@
 namespace handrail {
 
 struct OwnerRequests {
-    // The set-up by voice; once for each time it was asked for.
+    // The set-up by voice was requested; true once for each request.
     bool take_set_up() { return std::exchange(set_up, false); }
-    // That one of the first minutes: headphones and the hand only. The owner tells when it is over, or left.
+    // The set-up of the first minutes was requested: only headphones and hand. The owner reports when it is over or was
+    // left.
     bool take_first_set_up() { return std::exchange(first_set_up, false); }
-    // The hand that was offered last is wanted, by the force key.
+    // The person wants the hand that was offered last, and pressed the force key.
     bool take_offered_hand() { return std::exchange(offered_hand, false); }
-    // What is plugged in, to be answered by DevicesFound.
+    // The list of plugged-in devices is wanted; the owner answers with DevicesFound.
     bool take_devices() { return std::exchange(devices, false); }
-    // To be read and entered.
+    // A world to read and enter.
     std::optional<WorldRequest> take_world() { return std::exchange(world, std::nullopt); }
-    // The world one is in, which a person has mended: to be read again and gone on in at the same place, or begun anew
-    // where no place in it is where it was.
+    // The present world was mended by a person and must be read again. The session then continues at the same place, or
+    // begins anew if no place in it is where it was.
     bool take_read_again() { return std::exchange(read_again, false); }
     bool take_begin_anew() { return std::exchange(begin_anew, false); }
-    // To be gone on at: the owner reads that world where it is another one.
+    // The place to continue at. The owner reads its world if that is another one.
     std::optional<LastPlace> take_last_place() { return std::exchange(last_place, std::nullopt); }
 
     std::optional<std::size_t> take_lesson() { return std::exchange(lesson, std::nullopt); }
-    // Who can be here, to be answered by TeacherActed::Kind::Learners; and who of those is to be here instead.
+    // The list of learners is wanted; the owner answers with TeacherActed::Kind::Learners. The second is the learner to
+    // switch to.
     bool take_learners() { return std::exchange(learners, false); }
     std::optional<std::size_t> take_learner() { return std::exchange(learner, std::nullopt); }
     std::optional<LessonDraft> take_lesson_draft() { return std::exchange(lesson_draft, std::nullopt); }
@@ -40,8 +42,8 @@ struct OwnerRequests {
     std::optional<WorldRequest> world;
     std::optional<LastPlace> last_place;
     std::optional<LessonDraft> lesson_draft;  // to be written
-    std::optional<std::size_t> lesson;        // to be begun: of those that were offered, by number
-    std::optional<std::size_t> learner;       // likewise: of those that were listed
+    std::optional<std::size_t> lesson;        // number of the offered lesson to begin
+    std::optional<std::size_t> learner;       // number of the listed learner to switch to
     bool learners = false;
     bool leave = false;  // the session is to end
 };

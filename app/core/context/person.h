@@ -1,4 +1,4 @@
-// What the person has chosen: settings, and the keys that follow from them. Plain state; app thread only.
+// What the person has chosen: settings, and the keys that result from them. Plain state; app thread only.
 #pragma once
 
 #include <string>
@@ -15,7 +15,8 @@ struct Person {
 
     Settings settings;
     KeyMap keys;
-    std::vector<std::pair<std::string, std::string>> changes;  // by a command, to be stored and saved: key and value
+    // Settings changed by a command, to store and save: key and value.
+    std::vector<std::pair<std::string, std::string>> changes;
 };
 
 }  // namespace handrail

@@ -1,6 +1,6 @@
-// What every feature of the session may look at, and what it may ask for. The session makes one and each feature keeps
-// a reference to it; it owns nothing, and what is const here is only looked at. A feature that needs another one gets
-// it in its constructor, by name. App thread only.
+// What every feature of a session may read and request. The session makes one, and each feature keeps a reference to
+// it. The context owns nothing; its const members are read-only. A feature that needs another feature gets it by name
+// in its constructor. App thread only.
 #pragma once
 
 #include <functional>
@@ -26,17 +26,17 @@ namespace handrail {
 
 // What takes more than one feature, so that the session alone can do it; it sets them all.
 struct SessionAsks {
-    // Saves what the person added to the world; where another session has changed the same file, everybody reads it
-    // again. False if the file could not be written: that is said, and it is tried again later.
+    // Saves what the person added to the world. If another session has changed the same file, everybody reads it again.
+    // Returns false if the file could not be written; that is announced, and saving is tried again later.
     std::function<bool(double now_s)> save_additions;
-    // Puts the body somewhere else in this world; the workspace jumps with it.
+    // Moves the walker to another place in this world; the workspace moves along.
     std::function<void(const Vec3& feet_m, double heading_rad, double now_s)> place;
-    // Makes that place the base of this world, until the world is entered again.
+    // Makes that place the base of this world until the world is entered again.
     std::function<void(const Vec3& feet_m, double heading_rad)> move_base;
-    // As if its key had been pressed and let go of.
+    // Acts as if the command's key had been pressed and released.
     std::function<void(Command command, double now_s)> perform;
-    // One setting of any key ("workspace.scale", "keys.forward"), in force at once and saved. Fails with a sentence and
-    // changes nothing.
+    // Changes one setting of any key ("workspace.scale", "keys.forward"). It is effective at once and saved. Fails with
+    // a sentence and then changes nothing.
     std::function<Result<void>(std::string_view key, const std::string& value, double now_s)> set;
 };
 
@@ -48,23 +48,23 @@ struct SessionContext {
     const HandsState& hands;
     Cues& cues;
     Lists& lists;
-    SideFile& additions;  // to the world one is in: each topic writes lists and tables of its own
+    SideFile& additions;  // what the person added to the present world; each topic writes its own lists and tables
     Events& events;
     OwnerRequests& requests;
-    const Executor& executor;  // of background tasks
+    const Executor& executor;  // runs background tasks
     SessionAsks asks = {};
-    double tick_s = -1.0;  // of the last tick: when what a list or a question leads to happens
+    double tick_s = -1.0;  // time of the last tick; what a list or question triggers happens at this time
 
     void say(std::string text, SpeechClass speech_class, double now_s) const {
         cues.say(std::move(text), speech_class, now_s);
     }
     void warn(std::string text, double now_s) const { cues.warn(std::move(text), now_s); }
     void answer(std::string text, double now_s) const { cues.answer(std::move(text), now_s); }
-    // Saves what the person has just added, and answers with the words, which say so if it is not on the disk.
+    // Saves what the person has just added, and answers with `words`. The answer says so if saving failed.
     void keep_and_answer(const std::string& words, double now_s) const {
         answer(asks.save_additions(now_s) ? words : phrase("guide.not_saved", {{"words", words}}), now_s);
     }
-    // A setting that can be set so.
+    // Sets a setting to a value that is known to be valid.
     void set(std::string_view key, const std::string& value, double now_s) const {
         const bool fits = asks.set(key, value, now_s).has_value();
         contract_pre(fits);

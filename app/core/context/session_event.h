@@ -1,6 +1,6 @@
-// What happens in a session, as facts for whoever follows it (a recording, a lesson, a test) beside what is said and
-// played. Told by features through the context; who listens is not their business. Plain data; metres of the world,
-// seconds of the session's clock.
+// What happens in a session, as facts for a recording, a lesson or a test, as well as what is said and played. Features
+// report them through the context and do not know who listens. Plain data; world metres, seconds of the session's
+// clock.
 #pragma once
 
 #include <cstdint>
@@ -14,81 +14,82 @@
 
 namespace handrail {
 
-// A hand came to touch something else than before.
+// A hand began to touch another feature, or nothing.
 struct Touched {
     FeatureId feature;
-    bool left = false;   // the left one of two hands
-    Vec3 at_m{0.0};      // the ball's middle
-    double force_n = 0;  // of the contacts
+    bool left = false;   // the left of two hands
+    Vec3 at_m{0.0};      // centre of the proxy
+    double force_n = 0;  // of all contacts
 };
-// The body came into a room, by its number in the room graph.
+// The walker entered a room; the number is that of the room graph.
 struct RoomEntered {
     std::uint32_t room = 0;
     std::string name;
 };
-// By what somebody is at a thing: a hand touches it, it was asked about, or it is faced.
+// How the person visits a thing: the hand touches it, the person asks about it, or faces it.
 enum class VisitedBy : std::uint8_t { Hand, Asking, Facing };
-// The person stands at a thing: once for each stay.
+// The person is at a thing; reported once per stay.
 struct ThingVisited {
     FeatureId feature;
     VisitedBy by = VisitedBy::Hand;
 };
-// A question was answered by typing.
+// The person answered a question by typing.
 struct Answered {
     std::string question, text;
 };
-// All of a wall is known by now.
+// The person now knows all of a wall.
 struct WallDone {
     FeatureId feature;
     std::uint32_t room = 0;
 };
-// The person asked where they are, what is around or which ways lead out.
+// The person asked where they are, what is around, or which exits there are.
 struct HelpAsked {
     Command command;
 };
-// The person opened or shut a door, pressed a button or called a lift.
+// The person opened or closed a door, pressed a button or called a lift.
 struct DoorUsed {
     FeatureId feature;
 };
-// The body was put somewhere else.
+// The walker was moved to another place.
 struct Teleported {
     Vec3 feet_m{0.0};
     double heading_rad = 0.0;
 };
 
-// By what somebody is brought somewhere: a pull on the hand, lines under it, words step by step, a sound at the goal.
+// How the person is guided: a pull on the hand, lines under the hand, words step by step, or a sound at the goal.
 enum class LedBy : std::uint8_t { Hand, Lines, Ear, Beacon };
-// From now on the person is led to a goal, or to the next stop of a way, or on from elsewhere; as it is told.
+// Guidance begins to a goal or to the next stop of a route, or begins again from another place. `goal` is the spoken
+// name.
 struct Led {
     std::string goal;
     LedBy by = LedBy::Ear;
 };
-// The body, or the hand that is pulled, is off the way it is led along.
+// The walker, or the hand that is pulled, has left the route.
 struct LeftRoute {
     std::string goal;
     LedBy by = LedBy::Ear;
 };
-// A stop of a kept way is reached, and the way goes on from it.
+// A stop of a saved route was reached, and the route continues.
 struct StopPassed {
     std::string stop;
     LedBy by = LedBy::Ear;
 };
-// The end of what one was led along is reached: the goal, or where one gets nearest to it.
+// The end of the guidance is reached: the goal, or the nearest place to it that can be reached.
 struct Arrived {
     std::string goal;
     LedBy by = LedBy::Ear;
     bool to_nearest = false;
 };
-// From now on the person is led by anything at all, or by nothing any more.
+// Whether the person is being guided by anything has changed.
 struct Leading {
     bool on = false;
 };
-// A list or a question is open from now on, or none is any more.
+// A list or a question opened, or the last one closed.
 struct ListShown {
     bool open = false;
 };
 
-// What somebody in a lesson asks of whoever teaches.
+// What a learner requests of whoever teaches.
 enum class LessonWish : std::uint8_t { Done, MoreHelp, LessHelp, Leave };
 struct LessonWished {
     LessonWish wish = LessonWish::Done;
@@ -102,20 +103,19 @@ struct SessionEvent {
     Happening what;
 };
 
-// In the order in which they happened, until they are taken. Nobody need take them: the oldest go where there are more
-// than kMost. App thread only.
+// The events in order until they are taken. If nobody takes them, the oldest beyond kMost are dropped. App thread only.
 class Events {
 public:
     static constexpr std::size_t kMost = 4096;
 
     void tell(Happening what, double now_s);
     std::vector<SessionEvent> take();
-    // Set by the session: each as it is told, for features that follow what happens.
+    // Set by the session; called with each event at once, for features that react to events.
     std::function<void(const SessionEvent&)> on_told;
 
 private:
     std::vector<SessionEvent> waiting_;
-    std::size_t oldest_ = 0;  // once it is full, a ring
+    std::size_t oldest_ = 0;  // start of the ring buffer once it is full
 };
 
 }  // namespace handrail

@@ -1,11 +1,11 @@
-// What all features of a session have in common: the context that they look at. App thread only.
+// The base of all features of a session: it keeps the context. App thread only.
 #pragma once
 
 #include "app/core/context/session_context.h"
 
 namespace handrail {
 
-// Never copied: the session, other features, open lists and questions know a feature by its place.
+// Not copyable: the session, other features, open lists and questions keep the address of a feature.
 class SessionPart {
 public:
     SessionPart(const SessionPart&) = delete;

@@ -1,5 +1,5 @@
-// All plain state that a session is made of, and the context through which its features look at it. The session owns
-// one, and so does a test of features without a session. App thread only.
+// All plain state of a session, and the context through which features read it. A session owns one; so does a test of
+// features without a session. App thread only.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,7 @@ struct SessionState {
     Cues cues{body};
     Lists lists{cues};
     SideFile additions;
-    std::optional<double> additions_due_s;  // what could not be saved is tried again then
+    std::optional<double> additions_due_s;  // when to try again to save the additions
     Events events;
     OwnerRequests requests;
     SessionContext context;

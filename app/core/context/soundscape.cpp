@@ -12,10 +12,11 @@ namespace handrail {
 namespace {
 
 constexpr std::size_t kFollowedPerTick = 8;
-constexpr double kHeadHalf_m = 0.12;     // within any body's radius, so that no ear is inside a wall
-constexpr double kOneObstacle_m = 0.05;  // pieces nearer to each other than this are one wall, built of several brushes
-constexpr double kLikeAWall_m = 1.9;     // a thing as high as this cannot be heard over
-constexpr double kSilent_db = -46.0;     // at the ears, before any volume
+constexpr double kHeadHalf_m = 0.12;  // smaller than any walker's radius, so that no ear is inside a wall
+// Solids nearer to each other than this count as one wall built of several brushes.
+constexpr double kOneObstacle_m = 0.05;
+constexpr double kLikeAWall_m = 1.9;  // from this height on, a thing muffles like a wall
+constexpr double kSilent_db = -46.0;  // level at the ears, before any volume setting
 constexpr double kRoomEvery_s = 0.5;
 constexpr double kMoved_m = 0.02, kChanged_db = 0.25, kChanged_pulses_per_s = 0.2;
 
@@ -44,8 +45,8 @@ double along_line_db(const BodyWorld& world, const Vec3& from_m, const Vec3& to_
     return sum_db + here_db;
 }
 
-// Share of a sound that a material swallows at 1 kHz, as tables of room acoustics have it (Kuttruff, Room Acoustics,
-// 2009); furniture apart.
+// Share of sound that a material absorbs at 1 kHz, from tables of room acoustics (Kuttruff, Room Acoustics, 2009),
+// without furniture.
 double absorption_of(SoundClass material) {
     constexpr std::array<double, static_cast<std::size_t>(SoundClass::Generic) + 1> kShares{
         /* plaster, wood, brick, concrete, tile */ 0.05,
@@ -135,7 +136,7 @@ void Soundscape::add(const std::vector<AddedSound>& sounds) {
     added_ = sounds.size();
     for (std::size_t i = 0; i < sounds.size(); ++i) {
         Source& source = sources_[own + i];
-        // One that goes on where it was is followed further.
+        // A sound that continues in place keeps its state.
         if (source.kind != sounds[i].kind || source.position_m != sounds[i].position_m) source = Source{};
         source.kind = sounds[i].kind;
         source.position_m = sounds[i].position_m;
@@ -146,7 +147,7 @@ void Soundscape::add(const std::vector<AddedSound>& sounds) {
 
 void Soundscape::tick(const BodyWorld& world, const Vec3& ears_m, double now_s, std::vector<CueRequest>& cues) {
     contract_pre(is_finite(ears_m) && std::isfinite(now_s));
-    // 1. How loud each is where the ears are, and the way of some of them.
+    // 1. Compute the level of each source at the ears, and the muffling of some of them.
     std::size_t followed = 0;
     for (std::size_t i = 0; i < sources_.size(); ++i) {
         Source& source = sources_[(next_ + i) % sources_.size()];
@@ -164,7 +165,7 @@ void Soundscape::tick(const BodyWorld& world, const Vec3& ears_m, double now_s, 
         next_room_s_ = now_s + kRoomEvery_s;
         reverberation_s_ = handrail::reverberation_s(world, ears_m);
     }
-    // 2. What the planner does not know yet. What stops comes first, so that there is room.
+    // 2. Send the changes to the planner, stopped sounds first to make room.
     const auto source_of = [&](const CueRequest& told) -> const Source* {
         if (told.source >= sources_.size()) return nullptr;
         const Source& source = sources_[told.source];
@@ -209,7 +210,7 @@ void Soundscape::choose(double now_s) {
     }
     const auto louder = [](const Source& a, const Source& b) { return a.level_db < b.level_db; };
     while (true) {
-        // The loudest of those that are not heard against the quietest of those that are.
+        // Compare the loudest source that is not playing with the quietest that is.
         Source *best = nullptr, *least = nullptr;
         for (Source& source : sources_) {
             Source*& rival = source.heard ? least : best;

@@ -1,5 +1,5 @@
-// What somebody who teaches does to a session, a lesson file or a person at the desk alike: one value each, on the one
-// way in (session_input.h). Nothing here reaches forces, speech or sound. Plain data.
+// What a teacher does to a session: the same value from a lesson file and from a person at the desk, through
+// session_input.h. It reaches neither forces nor speech nor sound directly. Plain data.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +12,24 @@ namespace handrail {
 
 struct TeacherActed {
     enum class Kind : std::uint8_t {
-        Begin,     // a lesson: text, its title
-        Offer,     // items: the lessons there are, as they are told; what is chosen is asked of the owner by number
-        Task,      // text: what is to be done now, told and told again when asked for
-        Ask,       // text: a question that is answered by typing
-        Order,     // text: a question; items: to be put in order
-        Point,     // text: towards what; answered by facing it, or by moving the hand towards it
-        Lead,      // items and places_m: stops of a way; number: how much help, 0 to 1; nothing is led at 0
-        Leave,     // the way that is led is over
-        Block,     // text: a door; number: its feature. It is shut and stays so, and ways lead round it
-        Open,      // likewise: not any more
-        Note,      // text: of the one who teaches; kept, not told
-        Result,    // text: what was measured of a task, in JSON; kept, not told
-        Summary,   // text: how it stands; kept, not told
-        End,       // of the lesson: nothing is blocked, led or asked any more
-        Learners,  // text: who is here; items: who can be, each a name and what is told of them; number: which of them
-                   // is here. Opened as a list; who is chosen is asked of the owner by number
+        Begin,  // begins a lesson; text: its title
+        // Offers lessons; items: their spoken names. The session requests the chosen one from the owner by number.
+        Offer,
+        Task,     // text: the task, announced now and whenever the person asks for it
+        Ask,      // text: a question to answer by typing
+        Order,    // text: a question; items: to be put in order
+        Point,    // text: what to point at, by facing it or by moving the hand towards it
+        Lead,     // items and places_m: stops of a route; number: amount of guidance from 0 to 1, 0: none
+        Leave,    // ends the guidance along the route
+        Block,    // text: a door; number: its feature. It is shut, stays shut, and routes avoid it
+        Open,     // ends the blocking of a door; text and number as for Block
+        Note,     // text: a note of the teacher; kept, not announced
+        Result,   // text: measurements of a task in JSON; kept, not announced
+        Summary,  // text: the present results; kept, not announced
+        End,      // ends the lesson: nothing is blocked, guided or asked any more
+        // Opens a list of learners. text: who is here; items: name and description of each who can be; number: which of
+        // them is here. The session requests the chosen one from the owner by number.
+        Learners,
     };
     Kind kind = Kind::Task;
     std::string text = {};

@@ -1,4 +1,4 @@
-// Tells when a hand comes to touch something else than before. App thread only.
+// Reports when a hand begins to touch something else. App thread only.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@ namespace handrail {
 class TouchEvents : SessionPart {
 public:
     explicit TouchEvents(const SessionContext& context) : SessionPart(context) {}
-    // Once a tick, when the context knows what the hands feel.
+    // Call it once a tick, after the context has the state of the hands.
     void tick(double now_s);
 
 private:

@@ -1,4 +1,5 @@
-// What can be seen: a plain snapshot that Session hands to the window (and to nothing else) each frame. App thread.
+// A plain snapshot of what can be seen. The session passes it to the window, and to nothing else, each frame. App
+// thread.
 #pragma once
 
 #include <cstdint>
@@ -21,17 +22,17 @@ struct DrawnRoom {
     RoomOutline outline;
 };
 
-// A thing that moves freely, on its way.
+// A movable thing that is on its way.
 struct MovedThing {
-    std::uint32_t thing = 0;  // of Scene::placed
+    std::uint32_t thing = 0;  // index in Scene::placed
     Placement at;
 
     bool operator==(const MovedThing&) const = default;
 };
 
 struct ViewState {
-    std::shared_ptr<const Scene> scene;  // a new pointer when another world was entered
-    std::vector<MovedThing> moved;       // those of its things that are not where it has them
+    std::shared_ptr<const Scene> scene;  // a new pointer after another world was entered
+    std::vector<MovedThing> moved;       // things that are not at their place in the scene
     Vec3 eyes_m{0.0};
     double heading_rad = 0.0;
     double tilt_rad = 0.0;  // up is positive
@@ -45,8 +46,8 @@ struct ViewState {
     bool north_up = true;  // Map frame
     std::shared_ptr<const std::vector<DrawnRoom>>
         rooms;                      // of the room graph, in its order; null: not known, or no plan is shown
-    std::uint32_t room = kNothing;  // among them, where one is
-    std::string last_spoken;        // large text
+    std::uint32_t room = kNothing;  // index of the walker's room in `rooms`
+    std::string last_spoken;        // shown as large text
     std::vector<Vec3> path_m;       // walked path, oldest first
     DialogueView dialogue;          // the list or question that is open
 

@@ -1,4 +1,4 @@
-// Which commands lay the hand's workspace: its scale, where it is and how it is turned. App thread only.
+// Which commands change the hand's workspace: its scale, its place and its orientation. App thread only.
 #pragma once
 
 #include "app/core/dialogue/command.h"
@@ -6,7 +6,7 @@
 namespace handrail {
 
 bool lays_workspace(Command command);
-// Of these, what pushes it in one of six directions.
+// Those of them that push the workspace in one of six directions.
 bool pushes_workspace(Command command);
 
 }  // namespace handrail

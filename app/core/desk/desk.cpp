@@ -13,7 +13,7 @@
 namespace handrail {
 namespace {
 
-// Of a setting's value; 0 for a value that is no number.
+// The value of a setting as a number; 0 if it is not a number.
 double number(const std::string& text) {
     double value = 0.0;
     parse_finite(text, value);
@@ -50,7 +50,7 @@ int nearest_position(const DeskSetting& row, double wanted) {
     return best;
 }
 
-// Words stand among words, numbers between numbers.
+// Settings have either only words or only numbers as values.
 bool is_word(const DeskSetting& row) {
     return !row.values.front().empty() && std::isalpha(static_cast<unsigned char>(row.values.front().front())) != 0;
 }
@@ -93,7 +93,7 @@ int beside(const DeskSetting& row, const std::string& value, int step) {
     const int at = position_of(row, value);
     if (is_word(row)) return at + step;
     const double off = number(value) - number(row.values[static_cast<std::size_t>(at)]);
-    // Between two positions the nearest one may already lie the way it goes.
+    // Between two positions, the nearest one may already be in the right direction.
     if (std::abs(off) < 1e-9 * std::max(1.0, std::abs(number(value))) || (off > 0.0) == (step > 0)) return at + step;
     return at;
 }
@@ -109,7 +109,7 @@ DeskControl bound(const DeskSetting& row, std::function<std::string()> read,
     control.put = [&row, write = std::move(write)](int position) {
         write(row.values[static_cast<std::size_t>(position)]);
     };
-    // Quantities as the settings have them; a slider of words by its positions.
+    // Numbers use the units of the setting; words have no number, so their slider uses positions.
     if (!is_word(row)) {
         control.number = [&row, read] {
             double step = number(row.values.back()) - number(row.values.front());

@@ -1,6 +1,6 @@
-// The person's desk as data: controls with a name, a value in words and what they change. One function changes a
-// control, whoever asks: the hand at the desk, the keys, a screen reader. How they lie before the hand is
-// desk_panel.h's affair, what a hand does with them desk_hand.h's. App thread only.
+// The person's desk as data: controls with a name, a value in words and an effect. One function changes a control for
+// the hand at the desk, for keys and for screen readers. desk_panel.h places the controls before the hand, and
+// desk_hand.h interprets the hand. App thread only.
 #pragma once
 
 #include <cstddef>
@@ -16,33 +16,34 @@
 
 namespace handrail {
 
-// How a control feels and is worked by the hand. By key all that have positions go up and down, and all others are
-// pressed.
+// How a control feels to the hand and is operated by it. With keys, controls with positions go up and down; all others
+// are pressed.
 enum class DeskKind {
     Button,     // pressed
-    Assign,     // a button that puts its own value on the knob
-    Slider,     // pressed where its value is to be; slid along while pressed
-    Knob,       // turned round while pressed, one position every 30 degrees
-    List,       // pressed above its middle: the one before, below: the next
+    Assign,     // pressed; puts its own value on the knob
+    Slider,     // pressed at the wanted value; follows the hand while pressed
+    Knob,       // turned while pressed, one position every 30 degrees
+    List,       // pressed above its middle: previous entry; below: next entry
     Indicator,  // read only
 };
 
 struct DeskControl {
     std::string name;  // "Sound volume"
     DeskKind kind = DeskKind::Indicator;
-    int positions = 0;                   // 0: it has no value to change
-    std::function<int()> many;           // positions where they come and go, as marks do; else empty
+    int positions = 0;                   // 0: no value to change
+    std::function<int()> many;           // number of positions if it varies, as with marks; otherwise empty
     std::function<std::string()> value;  // in words: "80 percent"; empty function: none
-    std::function<int()> position;       // of the value, the nearest one
+    std::function<int()> position;       // the position nearest to the value
     std::function<int(int)>
         beside;  // the position of one step down (-1) or up (+1) from the value; empty: position and step
     std::function<void(int)> put;  // changes the value
-    // Its value as a number, and the position whose number is nearest to one; empty: it is a choice, not a quantity.
+    // `number` gives the value as a number, `nearest` the position nearest to a number. Empty: the control is a choice,
+    // not a quantity.
     std::function<ItemNumber()> number;
     std::function<int(double)> nearest;
-    std::function<std::string()> pressed;  // what happens when it is pressed; returns what is to be said
+    std::function<std::string()> pressed;  // acts on a press; returns what to announce
 
-    int count() const { return many ? many() : positions; }  // of positions now
+    int count() const { return many ? many() : positions; }  // number of positions now
     bool adjustable() const { return positions > 0 || many || kind == DeskKind::Knob; }
 };
 
@@ -55,21 +56,20 @@ public:
     // "Sound volume, 80 percent".
     std::string words(std::size_t control) const;
     std::string value(std::size_t control) const;
-    // What the knob turns; no value: nothing is on it yet.
+    // The control that the knob turns; no value: none yet.
     std::optional<std::size_t> on_knob() const { return on_knob_; }
     // The control whose value this one shows and changes: itself, or what is on the knob.
     std::size_t target(std::size_t control) const;
 
-    // The one way to change a value: to a position, or by steps. Positions beyond the ends are the ends. Returns its
-    // value in words; of a control without a value, nothing.
+    // All changes of a value go through these: to a position, or by steps. Positions beyond the ends count as the ends.
+    // Returns the value in words, or nothing for a control without a value.
     std::string put(std::size_t control, int position);
     std::string step(std::size_t control, int by);
-    // Of a control that shows a quantity, itself or through the knob, that quantity; a knob with nothing on it has a
-    // range of nothing.
+    // The quantity that a control shows, itself or through the knob. An empty knob has an empty range.
     std::optional<ItemNumber> number(std::size_t control) const;
-    // To the position whose number is nearest. What is no number changes nothing.
+    // Moves to the position whose number is nearest. NaN changes nothing.
     std::string put_number(std::size_t control, double number);
-    // Pressed as a button; what is to be said. Controls with a value say it.
+    // Presses the control as a button; returns what to announce. A control with a value announces the value.
     std::string press(std::size_t control);
 
 private:
@@ -77,20 +77,20 @@ private:
     std::optional<std::size_t> on_knob_;
 };
 
-// A setting as a row of the desk: its key, the values it takes there, rising, and how they are said.
+// A setting as a control of the desk: its key, its values in rising order, and their words.
 struct DeskSetting {
-    std::string_view name;  // key of its text
+    std::string_view name;  // key of its name in the texts
     DeskKind kind;
     std::string_view key;
     std::vector<std::string> values;  // as TOML writes them
     std::string (*words)(const std::string& value);
 };
 std::span<const DeskSetting> desk_settings();
-// The place of `value` among the row's values: the nearest number, or the same word.
+// Index of `value` among the row's values: the nearest number, or the same word.
 int position_of(const DeskSetting& row, const std::string& value);
-// One step down or up: a value between two positions goes to the next one that way.
+// One step down or up. From a value between two positions, it goes to the next position in that direction.
 int beside(const DeskSetting& row, const std::string& value, int step);
-// A control bound to a setting: `read` gives its value as TOML writes it, `write` changes it.
+// A control bound to a setting: `read` returns its value in TOML syntax, `write` changes it.
 DeskControl bound(const DeskSetting& row, std::function<std::string()> read,
                   std::function<void(const std::string&)> write);
 

@@ -5,7 +5,7 @@
 namespace handrail {
 namespace {
 
-// Which detent of a knob the hand is at, clockwise from the top, not whole between two.
+// The knob detent at the hand, clockwise from the top; a fraction between two detents.
 double detent_at(const PlacedControl& knob, const Vec3& at_m) {
     const double turns = std::atan2(at_m.x - knob.x_m, at_m.z - knob.z_m) / (2.0 * kPi);
     return (turns - std::floor(turns)) * kKnobDetents;
@@ -44,7 +44,7 @@ void DeskHand::drag(const PlacedControl& control, const DeskTouch& touch, std::v
         news.push_back({DeskNews::Kind::Put, control, static_cast<int>(at_)});
     } else if (control.kind == DeskKind::Knob) {
         double way = detent_at(control, touch.proxy_m) - at_;
-        way -= kKnobDetents * std::floor(way / kKnobDetents + 0.5);  // the shorter way round
+        way -= kKnobDetents * std::floor(way / kKnobDetents + 0.5);  // the shorter direction of rotation
         if (std::abs(way) <= kHysteresis) return;
         const double steps = std::round(way);
         at_ += steps;
@@ -56,7 +56,7 @@ std::vector<DeskNews> DeskHand::follow(const DeskTouch& touch, const DeskPanel& 
     std::vector<DeskNews> news;
     const PlacedControl* touched = panel.find(touch.touched);
     if (page_ != panel.page) {
-        // Under the hand that turned the page is the page button again.
+        // The hand that turned the page is on the page button again.
         page_ = panel.page;
         met_ = coming_ = touched ? touched->feature : kNoFeature;
     }
@@ -70,7 +70,7 @@ std::vector<DeskNews> DeskHand::follow(const DeskTouch& touch, const DeskPanel& 
             coming_ = touched->feature;
             coming_s_ = now_s;
         }
-        // While something is pressed the hand works that, over whatever it slides.
+        // While a control is pressed, the hand operates only that one, even if it slides over others.
         if (coming_ != met_ && !touch.held && now_s - coming_s_ >= kSettle_s) meet(*touched);
     } else {
         coming_ = kNoFeature;
@@ -79,7 +79,7 @@ std::vector<DeskNews> DeskHand::follow(const DeskTouch& touch, const DeskPanel& 
     const PlacedControl* held = panel.find(touch.held);
     if (touch.presses != presses_) {
         presses_ = touch.presses;
-        // A press that is over already was on what is touched still, or was told last.
+        // If the press is already over, it belongs to the control still touched, or to the last one announced.
         const PlacedControl* pressed = held ? held : touched ? touched : panel.find(met_);
         if (pressed) {
             met_ = coming_ = pressed->feature;

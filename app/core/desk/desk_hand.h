@@ -1,5 +1,5 @@
-// What a hand at the desk means: which control it has come to, that it pressed one, and to where it slid or turned it.
-// From what the servo tells of the hand about sixty times a second to news in order. Plain state; app thread.
+// Interprets the hand at the desk: which control it has reached, that it pressed one, and how far it slid or turned
+// one. Turns what the servo reports about sixty times a second into events in order. Plain state; app thread.
 #pragma once
 
 #include <vector>
@@ -11,10 +11,10 @@ namespace handrail {
 
 struct DeskNews {
     enum class Kind {
-        Met,      // the hand has come to this control
-        Pressed,  // as a button
-        Put,      // to position `number`
-        Stepped,  // by `number`
+        Met,      // the hand reached this control
+        Pressed,  // pressed as a button
+        Put,      // slid to position `number`
+        Stepped,  // turned by `number` positions
     } kind = Kind::Met;
     PlacedControl on;
     int number = 0;
@@ -22,9 +22,10 @@ struct DeskNews {
 
 class DeskHand {
 public:
-    static constexpr double kSettle_s = 0.04;   // a hand that goes past on its way elsewhere hears no name
-    static constexpr double kForget_s = 0.25;   // away for so long, the name is told again
-    static constexpr double kHysteresis = 0.6;  // of a position: so far from its middle the next one begins
+    static constexpr double kSettle_s = 0.04;  // a hand that only passes hears no name
+    static constexpr double kForget_s = 0.25;  // after this long away, the name is announced again
+    // In positions; at this distance from the middle of one, the next begins.
+    static constexpr double kHysteresis = 0.6;
 
     void begin(const DeskTouch& touch);
     std::vector<DeskNews> follow(const DeskTouch& touch, const DeskPanel& panel, double now_s);
@@ -34,11 +35,11 @@ private:
     void drag(const PlacedControl& control, const DeskTouch& touch, std::vector<DeskNews>& news);
 
     std::uint32_t presses_ = 0;
-    FeatureId met_ = kNoFeature;     // told
+    FeatureId met_ = kNoFeature;     // already announced
     FeatureId coming_ = kNoFeature;  // touched since coming_s_
     double coming_s_ = 0.0, away_s_ = 0.0;
     std::size_t page_ = 0;
-    double at_ = 0.0;  // position of the slider, or detent of the knob, that was told last
+    double at_ = 0.0;  // last reported position of the slider, or detent of the knob
 };
 
 }  // namespace handrail

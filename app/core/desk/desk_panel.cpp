@@ -12,15 +12,16 @@ namespace handrail {
 namespace {
 
 constexpr double kPitchM = kControlM + kControlGapM;
-constexpr double kPanelAt = 0.1;  // of the reach before the middle, so that a push has room behind it
+constexpr double kPanelAt = 0.1;  // share of the reach behind the middle, leaves room to push
 constexpr double kPanelThickM = 0.02;
-constexpr double kMostReach = 0.95;     // of the reach, to the corners of the outermost controls
-constexpr double kButtonHighM = 0.004;  // in front of the panel
+constexpr double kMostReach = 0.95;     // share of the reach, for the corners of the outermost controls
+constexpr double kButtonHighM = 0.004;  // height above the panel
 constexpr double kSliderHighM = 0.002, kKnobHighM = 0.002, kDomeHighM = 0.003;
-constexpr double kKnobPostM = 0.0022, kKnobPostHighM = 0.005;  // radius; what one turns round
+// Radius and height of the post that the hand turns round.
+constexpr double kKnobPostM = 0.0022, kKnobPostHighM = 0.005;
 constexpr double kRidgeHighM = 0.0002,
                  kRidgeWideM = 0.0006;  // higher ones hold a soft device's hand back by more than a position
-constexpr double kFriction = 0.1;       // smooth: what is turned and slid must follow the hand
+constexpr double kFriction = 0.1;       // low, so that a slider or knob follows the hand
 constexpr double kListGapM = 0.002;
 constexpr double kSliderEndM = 0.0025;  // from a slider's end to its first position
 
@@ -33,7 +34,7 @@ struct Cell {
     int column, row, wide;
 };
 
-// Row by row; with more pages than one the last place of each is the page button's.
+// Places the controls row by row. With several pages, the last place of each belongs to the page button.
 std::vector<Cell> cells_of(std::span<const DeskControl> controls, const DeskGrid& grid, bool paged) {
     std::vector<Cell> cells;
     std::size_t page = 0;
@@ -85,7 +86,7 @@ private:
     Scene scene_;
 };
 
-// A box that stands `high_m` out of the panel towards the person; its middle across and up.
+// Adds a box that stands `high_m` out of the panel towards the person, with its middle at x and z.
 void raise(PanelBuilder& to, FeatureId feature, double x_m, double z_m, double width_m, double height_m,
            double panel_y_m, double high_m, double turned_rad = 0.0) {
     to.add(feature, PrimitiveKind::Box, {x_m, panel_y_m - 0.5 * high_m, z_m}, {width_m, high_m, height_m},
@@ -95,7 +96,7 @@ void raise(PanelBuilder& to, FeatureId feature, double x_m, double z_m, double w
 void shape(PanelBuilder& to, PlacedControl& control, double panel_y_m) {
     const FeatureId own = control.feature;
     const double x = control.x_m, z = control.z_m;
-    const Rotation forward = rotation_about({1.0, 0.0, 0.0}, 0.5 * kPi);  // a cylinder's axis from up to along y
+    const Rotation forward = rotation_about({1.0, 0.0, 0.0}, 0.5 * kPi);  // turns a cylinder's axis from up to along y
     double high = kButtonHighM;
     switch (control.kind) {
         case DeskKind::Button:
@@ -118,7 +119,7 @@ void shape(PanelBuilder& to, PlacedControl& control, double panel_y_m) {
                    {2.0 * kKnobPostM, 2.0 * kKnobPostM, kKnobPostHighM}, forward);
             for (int i = 0; i < kKnobDetents; ++i) {
                 const double angle = 2.0 * kPi * (i + 0.5) / kKnobDetents, middle = 0.5 * (kKnobPostM + radius);
-                // Turned about y a box that lies across comes to point along (cos, -sin) of the angle.
+                // Rotated about y, the horizontal box points along (cos, -sin) of the angle.
                 raise(to, own, x + middle * std::sin(angle), z + middle * std::cos(angle), radius - kKnobPostM,
                       kRidgeWideM, panel_y_m, high + kRidgeHighM, angle - 0.5 * kPi);
             }
@@ -190,7 +191,7 @@ DeskPanel lay_out_desk(std::span<const DeskControl> controls, const DeviceSpec& 
     const double left = -0.5 * (grid.columns - 1) * kPitchM, top = 0.5 * (grid.rows - 1) * kPitchM;
 
     PanelBuilder builder;
-    // A control has the same number on every page: for a moment the hand still touches the page before.
+    // A control has the same feature on every page, because for a moment the hand still touches the previous page.
     const FeatureId desk = builder.feature("desk", FeatureKind::Wall),
                     turn = builder.feature(phrase("desk.next_page"), FeatureKind::Button);
     std::vector<FeatureId> features;

@@ -1,7 +1,7 @@
-// The desk as something to touch: an upright panel before the person with the controls on it, built as a Scene like any
-// world and compiled by the same code. Each kind has its own shape, each position of a slider or knob lies between two
-// ridges. Where a panel has not room for all, it has pages and in its last place a button that turns them. Device
-// frame, hand metres: x right, y away from the person, z up. Pure functions; app thread.
+// The desk to touch: an upright panel before the person with the controls on it. It is built as a Scene like any world,
+// and the same code compiles it. Each kind of control has its own shape, and each position of a slider or knob is
+// between two ridges. If the controls do not all fit, the panel has pages; the last place of each is a button that
+// turns them. Device frame, hand metres: x right, y away from the person, z up. Pure functions; app thread.
 #pragma once
 
 #include <memory>
@@ -17,25 +17,24 @@
 namespace handrail {
 
 inline constexpr double kControlM = 0.013;      // least width and height of a control
-inline constexpr double kControlGapM = 0.0064;  // between two of them, free of anything
-inline constexpr double kDeskBallM = 0.002;     // radius of the ball that touches it, as in servo_tick
-inline constexpr int kKnobDetents = 12;         // on a whole turn
+inline constexpr double kControlGapM = 0.0064;  // free space between two controls
+inline constexpr double kDeskBallM = 0.002;     // radius of the proxy at the desk, as in servo_tick
+inline constexpr int kKnobDetents = 12;         // per whole turn
 
 // A control on the panel.
 struct PlacedControl {
-    std::optional<std::size_t> control;  // of the desk; none: the button that turns the pages
-    FeatureId feature;                   // in the panel's scenes
+    std::optional<std::size_t> control;  // index in the desk; none: the button that turns the pages
+    FeatureId feature;                   // in the panel's scene
     DeskKind kind = DeskKind::Button;
     int positions = 0;
     double x_m = 0.0, z_m = 0.0;  // of its middle
     double width_m = kControlM, height_m = kControlM;
     double face_y_m = 0.0;  // of its front
 
-    // Of a slider: the place across of a position, and the position of a place, between two of them where it is not
-    // exact.
+    // For a slider: the x of a position, and the position of an x, which is a fraction between two positions.
     double x_of(int position) const;
     double position_at(double x_m) const;
-    // Where the ball's middle is when it touches the front, there.
+    // Where the proxy's centre is when it touches the front at this offset from the middle.
     Vec3 touch_m(double across_m = 0.0, double up_m = 0.0) const {
         return {x_m + across_m, face_y_m - kDeskBallM, z_m + up_m};
     }
@@ -51,14 +50,14 @@ struct DeskPanel {
     const PlacedControl* of(std::size_t control) const;  // null: on another page
 };
 
-// Columns and rows that a device of this reach has room for.
+// Columns and rows that fit into the workspace of this device.
 struct DeskGrid {
     int columns = 1, rows = 1;
 };
 DeskGrid desk_grid(const DeviceSpec& spec);
-// The page on which each control lies.
+// The page of each control.
 std::vector<std::size_t> desk_pages(std::span<const DeskControl> controls, const DeskGrid& grid);
-// page: beyond the last counts from the first again.
+// page: numbers beyond the last page start again from the first.
 DeskPanel lay_out_desk(std::span<const DeskControl> controls, const DeviceSpec& spec, std::size_t page);
 
 }  // namespace handrail

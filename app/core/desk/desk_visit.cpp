@@ -16,7 +16,7 @@
 namespace handrail {
 namespace {
 
-// What needs the world to go on.
+// True for commands that need the world to run.
 bool needs_world(Command command) {
     switch (command) {
         case Command::SwitchFrame:
@@ -57,7 +57,7 @@ void DeskVisit::furnish() {
         controls.push_back(bound(
             row, [this, &row] { return value_of(row.key); },
             [this, &row](const std::string& value) {
-                // The desk says what the setting is afterwards, so a refused value needs no other answer.
+                // The control announces the resulting value, so a refused value needs no other answer.
                 static_cast<void>(context_.asks.set(row.key, value, context_.tick_s));
             }));
     };
@@ -67,7 +67,7 @@ void DeskVisit::furnish() {
         one.value = std::move(value);
         controls.push_back(std::move(one));
     };
-    // The knob stands behind the volumes, and what is one cell wide beside the sliders.
+    // The knob comes after the volumes, and controls one cell wide go next to the sliders.
     for (const DeskSetting& row : desk_settings()) {
         of_setting(row);
         if (row.key == "sound.earcon_volume") {
@@ -87,7 +87,7 @@ void DeskVisit::furnish() {
         one.pressed = std::move(pressed);
         controls.push_back(std::move(one));
     };
-    // A place in something whose entries come and go; `at` stays among them.
+    // A selection in a list of varying length; `at` stays within it.
     const auto list = [&](std::string name, std::size_t& at, const std::function<std::size_t()>& many,
                           std::function<std::string()> value) {
         DeskControl one;
@@ -115,7 +115,7 @@ void DeskVisit::furnish() {
         phrase("desk.units"),
         [this] { return phrase(context_.settings.speech.distances_in_steps ? "desk.steps" : "desk.metres"); },
         [this] { return switch_units(); });
-    // The first sentence of what the report says; the floor of a place is looked over once.
+    // Only the first sentence of the report. The floor of a place is examined once.
     indicator(phrase("desk.explored"), [this] {
         if (!context_.world.scene) return phrase("desk.nothing_explored");
         std::string words = progress(context_.tick_s);
@@ -160,7 +160,7 @@ std::string DeskVisit::go_to_world() {
     return phrase("desk.going_to", {{"world", name_of_file(*file)}});
 }
 
-// On the mark that is chosen, or off where it is on that one already.
+// Puts the beacon on the selected mark, or switches it off if it is on that mark already.
 std::string DeskVisit::switch_beacon() {
     const Mark* chosen = mark();
     const std::optional<std::string> on = beacon();
@@ -180,7 +180,7 @@ std::string DeskVisit::switch_units() {
     return phrase(in_steps ? "desk.in_steps" : "desk.in_metres");
 }
 
-// As TOML writes it; a scale that waits for the hand to be back counts already.
+// In TOML syntax. A scale that waits until the hand is back counts already.
 std::string DeskVisit::value_of(std::string_view key) const {
     if (key == "workspace.scale" && scale_waits_) return *scale_waits_;
     if (key == "workspace.scale" && context_.hands.named_scale && context_.world.scene)
@@ -188,7 +188,7 @@ std::string DeskVisit::value_of(std::string_view key) const {
     return setting_text(context_.settings, key).value_or("");
 }
 
-// For another device, or another page.
+// Lays the panel out again for another device or another page.
 void DeskVisit::lay(std::size_t page) {
     const HandFacts& hand = context_.hands.right;
     panel_ = hand.present ? lay_out_desk(desk_.controls(), hand.spec, page) : DeskPanel{};
@@ -276,7 +276,7 @@ std::vector<ListItem> DeskVisit::items() const {
     return items;
 }
 
-// One change may show in several places: on the knob, in the open list.
+// One change may show in several places, on the knob or in the open list.
 std::string DeskVisit::after_change(std::string words) {
     if (const DialogueView view = context_.lists.dialogue.view();
         view.kind == DialogueView::Kind::List && view.title == phrase("desk.title"))
