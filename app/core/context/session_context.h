@@ -24,7 +24,7 @@
 
 namespace handrail {
 
-// What takes more than one feature, so that the session alone can do it; it sets them all.
+// Actions that involve several features, so only the session can do them. The session sets all of them.
 struct SessionAsks {
     // Saves what the person added to the world. If another session has changed the same file, everybody reads it again.
     // Returns false if the file could not be written; that is announced, and saving is tried again later.

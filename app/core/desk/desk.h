@@ -35,7 +35,7 @@ struct DeskControl {
     std::function<std::string()> value;  // in words: "80 percent"; empty function: none
     std::function<int()> position;       // the position nearest to the value
     std::function<int(int)>
-        beside;  // the position of one step down (-1) or up (+1) from the value; empty: position and step
+        beside;  // The position one step down (-1) or up (+1) from the value. Empty: the position plus the step.
     std::function<void(int)> put;  // changes the value
     // `number` gives the value as a number, `nearest` the position nearest to a number. Empty: the control is a choice,
     // not a quantity.

@@ -12,7 +12,8 @@ namespace handrail {
 namespace {
 
 constexpr double kPitchM = kControlM + kControlGapM;
-constexpr double kPanelAt = 0.1;  // share of the reach behind the middle, leaves room to push
+// Share of the reach; the panel is this far beyond the middle, so a push has room behind it.
+constexpr double kPanelAt = 0.1;
 constexpr double kPanelThickM = 0.02;
 constexpr double kMostReach = 0.95;     // share of the reach, for the corners of the outermost controls
 constexpr double kButtonHighM = 0.004;  // height above the panel
@@ -20,7 +21,7 @@ constexpr double kSliderHighM = 0.002, kKnobHighM = 0.002, kDomeHighM = 0.003;
 // Radius and height of the post that the hand turns round.
 constexpr double kKnobPostM = 0.0022, kKnobPostHighM = 0.005;
 constexpr double kRidgeHighM = 0.0002,
-                 kRidgeWideM = 0.0006;  // higher ones hold a soft device's hand back by more than a position
+                 kRidgeWideM = 0.0006;  // higher ridges hold the hand of a soft device back by more than a position
 constexpr double kFriction = 0.1;       // low, so that a slider or knob follows the hand
 constexpr double kListGapM = 0.002;
 constexpr double kSliderEndM = 0.0025;  // from a slider's end to its first position

@@ -10,8 +10,8 @@
 namespace handrail {
 namespace {
 
-// The keys of arrows, PageUp and PageDown, F, Home and Escape are those of the walking demo of the plugin that Handrail
-// succeeds; they never change meaning.
+// The keys for arrows, PageUp and PageDown, F, Home and Escape are those of the walking demo of Handrail's predecessor,
+// a plugin. They never change meaning.
 constexpr std::array kCommands{
     // Walking and learning a place.
     CommandInfo{Command::Forward, "forward", "Up", true},
@@ -22,7 +22,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::SideRight, "side-right", "Alt+D", true},
     CommandInfo{Command::TiltUp, "tilt-up", "PageUp", true},
     CommandInfo{Command::TiltDown, "tilt-down", "PageDown", true},
-    // Marks and guidance, after force and frame.
+    // Force, frame, scale and workspace.
     CommandInfo{Command::ToggleForces, "forces", "F Grave", false},
     CommandInfo{Command::SwitchFrame, "frame", "F4", false},
     CommandInfo{Command::ScaleBuilding, "building", "F5", false},
@@ -64,7 +64,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::Home, "home", "Home", false},
     CommandInfo{Command::BringOut, "out", "G", false},
     CommandInfo{Command::LastPlace, "last-place", "Control+0", false},
-    // Rooms, routes and what moves.
+    // Rooms, routes and movable things.
     CommandInfo{Command::Use, "use", "Enter", false},
     CommandInfo{Command::PutBack, "put-back", "Alt+Backspace", false},
     CommandInfo{Command::DropMark, "mark", "Insert Shift+M", false},

@@ -1,5 +1,5 @@
-// What a person can ask for, by key, terminal line, scenario or device button. One list, so that every way in can do
-// everything.
+// Everything a person can request, by key, terminal line, scenario or device button. There is one list, so every kind
+// of input can do everything.
 #pragma once
 
 #include <algorithm>
@@ -15,21 +15,21 @@ namespace handrail {
 enum class Command : std::uint8_t {
     // Walking and learning a place.
     Forward,
-    Back,  // a tap is one step; held, walking
+    Back,  // a tap is one step, a held key walks
     TurnLeft,
     TurnRight,
     SideLeft,  // steps to the side, facing as before
     SideRight,
     TiltUp,
     TiltDown,
-    // Marks and guidance, after force and frame.
+    // Force, frame, scale and workspace.
     ToggleForces,
     SwitchFrame,  // Map <-> Walk
     ScaleBuilding,
     ScaleFloor,
     ScaleRoom,
     ScaleDetail,
-    WorkspaceForward,  // the workspace moves on while the key is held
+    WorkspaceForward,  // the workspace moves while the key is held
     WorkspaceBack,
     WorkspaceLeft,
     WorkspaceRight,
@@ -37,68 +37,68 @@ enum class Command : std::uint8_t {
     WorkspaceDown,
     WorkspaceTurnLeft,
     WorkspaceTurnRight,
-    WorkspaceCentre,  // back to the body
-    Grab,             // the world goes along with the hand, until pressed again
+    WorkspaceCentre,  // back to the walker
+    Grab,             // the world moves along with the hand until the key is pressed again
     // Questions.
     WhereAmI,
     Heading,
-    AroundMe,   // one thing per quarter
-    AheadOfMe,  // up to four, by distance
-    Lost,       // turns to the nearest wall; the room, and the way back to the last known place
-    Describe,   // a list of rooms; the chosen one: size, exits, things by wall
+    AroundMe,   // one thing for each quarter of the circle
+    AheadOfMe,  // up to four things, by distance
+    Lost,       // turns to the nearest wall; announces the room and the route to the last known place
+    Describe,   // list of rooms; for the chosen one: size, exits, things by wall
     Overview,   // the building in three sentences
-    Storeys,    // a list of storeys; the lift or the way to the chosen one
-    LookNext,   // along the next of 16 directions, or where the hand points
+    Storeys,    // list of storeys; the lift or the route to the chosen one
+    LookNext,   // what is along the next of 16 directions, or where the hand points
     LookBefore,
-    ScaleBar,     // and north
-    Simplified,   // list of what is too small at this scale and felt otherwise
-    Understood,   // list of what was understood of the file, and of what is to be checked
-    Faults,       // list of what should be mended in this world
-    Coordinates,  // and height above the floor
+    ScaleBar,     // the scale, and north
+    Simplified,   // list of what is too small at this scale and therefore rendered differently
+    Understood,   // list of what was understood of the world's file, and of what should be checked
+    Faults,       // list of what should be corrected in this world
+    Coordinates,  // with the height above the floor
     WhatIsThis,   // what the hand touches
     Repeat,
-    HistoryBack,  // through what was said
+    HistoryBack,  // back through earlier announcements
     HistoryForward,
     StopSpeech,
-    StopEverything,  // F12: all force and sound
+    StopEverything,  // F12: stops all force and sound
     Home,
-    BringOut,   // out of whatever the hand or the body is inside
-    LastPlace,  // where a session that was never left had come to
-    // Rooms, routes and what moves.
-    Use,  // opens or shuts the door, presses the button, that the hand touches or the body stands before
+    BringOut,   // out of the solid that contains the hand or the walker
+    LastPlace,  // where a session that ended without being left had been
+    // Rooms, routes and movable things.
+    Use,  // opens or shuts the door, or presses the button, that the hand touches or the walker stands before
     PutBack,
     DropMark,
     DeleteMark,  // chosen from a list
-    Marks,       // list of marks, with the beacon and the help on the way
-    SetBeacon,   // on what the hand touches, or what is ahead, or chosen
+    Marks,       // list of marks, with the beacon and guidance to the chosen one
+    SetBeacon,   // on what the hand touches, on what is ahead, or on a chosen mark
     MuteBeacon,
-    TakeMe,  // leads the hand to what was chosen; again lets go
-    Find,    // list of everything that has a name, with the ways to find it
+    TakeMe,  // guides the hand to what was chosen; a second press ends that
+    Find,    // list of everything with a name, with the ways to find the chosen one
     CrossLines,
-    Exits,           // of this room, clockwise
-    UnvisitedExits,  // that lead where one has not been
-    Routes,          // a list of rooms; the way to the chosen one in words, and along it
-    RepeatLeg,       // of the way that is followed, from where one is
+    Exits,           // exits of this room, clockwise
+    UnvisitedExits,  // exits to places where the person has not been
+    Routes,          // list of rooms; directions to the chosen one, and guidance along the route
+    RepeatLeg,       // the present leg of the followed route, from where the walker is
     NextLeg,
     RestOfWay,
-    FaceWay,   // turns to the leg that is told
-    NameRoom,  // another name for the room one is in, typed
-    Ways,      // a list of the ways that were kept
-    KeepWay,   // the one planned or walked last, under a name
+    FaceWay,   // turns the walker towards the announced leg
+    NameRoom,  // the person types another name for the present room
+    Ways,      // list of the saved routes
+    KeepWay,   // saves the last planned or walked route under a name
     PlanView,
     // Help and settings.
-    Menu,  // everything that can be done, in a list
+    Menu,  // list of everything that can be done
     Help,
-    InputHelp,  // keys are explained instead of done
+    InputHelp,  // explains keys instead of acting on them
     Lessons,
-    FirstMinutes,  // as at the first start
-    Task,          // of the lesson of an instructor; without one a list to begin or prepare one
-    TaskDone,      // it is done, or the question is answered: by facing or pointing there
-    Learners,      // list of who can be here, to be asked of whoever owns the session
+    FirstMinutes,  // the introduction of the first start
+    Task,          // the task in an instructor's lesson; without a lesson, a list to begin or prepare one
+    TaskDone,      // the task is done, or its question is answered by facing or pointing there
+    Learners,      // list of learners, requested from the owner of the session
     Language,
-    Devices,  // list of what is plugged in, and what each is good for
+    Devices,  // list of the connected devices and their uses
     NextSound,
-    LastSound,  // the sound dictionary: names and plays one sound after the other
+    LastSound,  // with NextSound, steps through the sound dictionary, which names and plays one sound at a time
     VerbosityCycle,
     // Moving by ear.
     TrailLeft,
@@ -117,12 +117,12 @@ enum class Command : std::uint8_t {
     Unexplored,
     ProgressReport,
     LearnPlace,
-    LearntRooms,  // list of rooms with how much of each is learnt; the way to the chosen one
+    LearntRooms,  // list of rooms with how much of each is learnt; the route to the chosen one
     Hunt,
-    Labyrinth,  // how the game stands, in a world that is one
-    Calibrate,  // the set-up by voice, run by whoever owns the device
-    Leave,      // Escape: asks once more at the top
-    // The hand without a device: the simulated hand's target moves.
+    Labyrinth,  // the state of the game, in a world that is a labyrinth
+    Calibrate,  // the set-up by voice, run by the owner of the device
+    Leave,      // Escape: asks for confirmation at the top level
+    // Without a device, the keyboard moves the target of the simulated hand.
     HandForward,
     HandBack,
     HandLeft,
@@ -130,17 +130,17 @@ enum class Command : std::uint8_t {
     HandUp,
     HandDown,
     HandCentre,
-    Desk,  // the controls of one's own desk by keys
+    Desk,  // the controls of the person's desk, by keys
 };
 
-// A row of the key table: the command, its word for terminals and scenarios, the default key and a line of help
+// A row of the key table: a command with its word for terminals and scenarios, its default keys, and a line of help
 // (settings/languages).
 struct CommandInfo {
     Command command;
     std::string_view word;     // "where", typed in a terminal
     std::string_view key;      // default keys by name, separated by a blank: "F2 1"
-    bool hold;                 // acts as long as the key is down
-    std::string help() const;  // one sentence, in the language spoken
+    bool hold;                 // acts while the key is down
+    std::string help() const;  // one sentence, in the language spoken now
 };
 
 std::span<const CommandInfo> command_table();  // in the order of Command
@@ -151,14 +151,14 @@ constexpr bool is_one_of(Command command, std::initializer_list<Command> command
     return std::find(commands.begin(), commands.end(), command) != commands.end();
 }
 
-// One step or one notch of a turn.
+// True for one step or one notch of a turn.
 bool steps_or_turns(Command command);
 
-// What becomes of a command while a list is open.
+// What happens to a command while a list is open.
 enum class InList : std::uint8_t {
-    Waits,     // the list is to be closed first
-    Answered,  // what only asks; the list stays open
-    Always,    // no list keeps it from acting
+    Waits,     // must wait until the list is closed
+    Answered,  // a question, answered while the list stays open
+    Always,    // acts even while a list is open
 };
 InList in_list(Command command);
 

@@ -1,6 +1,6 @@
-// The words that a person may type for a command: its own of command_table(), which settings, worlds and scenarios know
-// too, and beside it those of the language spoken and plain other ones (settings/languages, command_word). Pure
-// functions of the language spoken; any thread but the servo's.
+// The words that a person may type for a command. Each command has its own word in command_table(), which settings,
+// worlds and scenarios also use. The language spoken adds others and plain synonyms (settings/languages, command_word).
+// Pure functions of the language spoken; any thread except the servo's.
 #pragma once
 
 #include <optional>
@@ -13,24 +13,25 @@
 
 namespace handrail {
 
-// As words are compared: in lower case, umlauts written out.
+// The form in which words are compared: lower case, umlauts written out.
 std::string plain_word(std::string_view word);
-// Whatever its case; umlauts may be written out ("zurueck"). Every word means one command at most.
+// Case does not matter, and umlauts may be written out ("zurueck"). Every word means at most one command.
 std::optional<Command> command_of_word(std::string_view word);
-// How it is called in the language spoken: the first of its words there.
+// The name of a command in the language spoken: the first of its words there.
 std::string spoken_word(Command command);
-// Whether it is the word that leaves at once.
+// True if the word leaves at once.
 bool is_quit_word(std::string_view word);
-// Each command as it is called, in the order of command_table(), for "did you mean": no word among them leaves at once.
+// The name of each command in the order of command_table(), for "did you mean". None of them is a word that leaves at
+// once.
 std::vector<std::string> spoken_words();
 
-// The keys of a list that are typed as words, "down" and the like, in English or the language spoken: the English word,
-// or the word itself where it is none of them.
+// Translates a key of a list typed as a word, such as "down", from the language spoken to the English word. Any other
+// word is returned unchanged.
 std::string list_word(std::string_view word);
 
-// The same for any table of the languages ("wizard_word"): `words` are its keys, the English words.
+// The same for any table of the languages ("wizard_word"). `words` are the table's keys, which are the English words.
 std::string english_word(std::string_view table, std::span<const std::string_view> words, std::string_view typed);
-// How such a word is called in the language spoken: the first that its table has for it.
+// The name of such a word in the language spoken: the first that its table lists.
 std::string spoken_word(std::string_view table, std::string_view word);
 
 }  // namespace handrail

@@ -13,13 +13,13 @@
 namespace handrail {
 namespace {
 
-// With a full stop at its end, unless the text ends its sentence already.
+// Adds a full stop unless the text already ends a sentence.
 std::string as_sentence(std::string text) {
     if (text.empty() || std::string_view(".?!").find(text.back()) == std::string_view::npos) text += '.';
     return text;
 }
 
-constexpr double kSearchGoesOn_s = 1.0;  // letters that follow each other this fast are one word
+constexpr double kSearchGoesOn_s = 1.0;  // letters typed within this time belong to one word
 
 std::string_view without_blanks(std::string_view text) {
     constexpr std::string_view kBlank = " \t\r\n";
@@ -32,7 +32,7 @@ bool begins_with(const std::string& name, const std::string& begin) {
     return !begin.empty() && lower_ascii(name).starts_with(begin);
 }
 
-// A word of the name that is not its first begins so.
+// True if a word of the name, other than the first, begins with `begin`.
 bool holds_word(const std::string& name, const std::string& begin) {
     const std::string lower = lower_ascii(name);
     for (std::size_t at = lower.find(begin); at != std::string::npos; at = lower.find(begin, at + 1))
@@ -40,19 +40,21 @@ bool holds_word(const std::string& name, const std::string& begin) {
     return false;
 }
 
-// Questions may be typed with or without their mark.
+// The question mark may be left out.
 bool is_also_called(const ListItem& item, std::string_view typed) {
     if (typed.ends_with('?')) typed.remove_suffix(1);
     return !item.also_typed.empty() && is_called(item.also_typed, typed);
 }
 
-// The item that is called just so, of that number, or whose name is or begins so, or has a word that does; as many as
-// there are: none. "To the kitchen", where nothing is called so, is the kitchen; umlauts may be written out.
+// Finds an item by its exact name or number, or by the beginning of its name or of a word in it. Returns the number of
+// items if there is no match. "To the kitchen" finds the kitchen if no name begins with "to"; umlauts may be written
+// out.
 std::size_t item_called(const ListSpec& list, std::string_view typed) {
     std::size_t number = 0;
     const auto [end, error] = std::from_chars(typed.data(), typed.data() + typed.size(), number);
     const bool is_number = error == std::errc{} && end == typed.data() + typed.size();
-    // Platforms and rooms are called by numbers too, and what is spoken is the name.
+    // Platforms and rooms may have numbers as names. A name comes before an item's number, because the name is what was
+    // spoken.
     for (std::size_t i = 0; is_number && i < list.items.size(); ++i)
         if (list.items[i].name == typed) return i;
     if (is_number && number >= 1 && number <= list.items.size()) return number - 1;
@@ -66,13 +68,13 @@ std::size_t item_called(const ListSpec& list, std::string_view typed) {
     return list.items.size();
 }
 
-// Two sentences, one after the other.
+// Joins two sentences.
 std::string sentences(const std::string& first, const std::string& then) {
     const bool ends = !first.empty() && std::string_view(".?!:").find(first.back()) != std::string_view::npos;
     return first + (ends ? " " : ". ") + then;
 }
 
-// The last whole character, and what stays without it.
+// Removes the last whole UTF-8 character from `text` and returns it.
 std::string take_last_character(std::string& text) {
     std::size_t begin = text.size();
     while (begin > 0 && (static_cast<unsigned char>(text[--begin]) & 0xC0U) == 0x80U) {
@@ -82,7 +84,7 @@ std::string take_last_character(std::string& text) {
     return last;
 }
 
-// The key of a list that is typed as this word; empty: none.
+// The key that this word stands for; empty: none.
 std::string_view key_of_word(std::string_view word) {
     constexpr std::string_view kKeys[] = {"Down", "Up", "Home", "End", "Enter", "Escape", "Left", "Right", "Space"};
     const auto* const found =
@@ -122,7 +124,7 @@ bool Dialogue::typing() const { return is_open() && std::holds_alternative<TextS
 
 std::string Dialogue::item_words(const ListSpec& list) const {
     const ListItem& item = list.items[list.at];
-    // No number beside a number: "Room 3; 12 steps, 4 of 28".
+    // Two numbers are never adjacent: "Room 3; 12 steps, 4 of 28".
     const auto ends_in_digit = [](const std::string& text) {
         return !text.empty() && text.back() >= '0' && text.back() <= '9';
     };
@@ -171,18 +173,18 @@ DialogueReply Dialogue::list_key(ListSpec& list, std::string_view name, double n
     else if (name == "Space" && search_goes_on(now_s)) return typed(" ", now_s);
     else if (name == "Space") return {true, false, item_words(list)};
     else if (name == "F1") return {true, false, phrase("dialogue.help_list")};
-    else return {true, false, {}};  // letters come as typed characters; nothing else reaches the world
+    else return {true, false, {}};  // letters arrive as typed characters; no other key reaches the world
     search_.clear();
     return {true, list.at == was, item_words(list)};
 }
 
-// `change` is a function of its own: the caller may open or close lists meanwhile.
+// `change` is a copy, because the caller's function may open or close lists meanwhile.
 template <class Change>
 DialogueReply Dialogue::change_value(ListSpec& list, Change change) {
     const std::size_t at = list.at;
     const std::string name = list.items[at].name;
     std::string value = change(at);
-    // The items may be others by now, and this one elsewhere.
+    // The items may have changed by now, and this one may have moved.
     if (is_open() && std::get_if<ListSpec>(stack_.back().get()) == &list && list.items[list.at].name == name)
         list.items[list.at].value = value;
     return {true, false, std::move(value)};
@@ -238,7 +240,7 @@ DialogueReply Dialogue::typed(std::string_view utf8, double now_s) {
     }
     auto& list = std::get<ListSpec>(*stack_.back());
     const std::string letters = lower_ascii(utf8);
-    // A blank comes twice: as a key, which has said the item again or gone on with the name, and as a character.
+    // A blank arrives twice: first as a key, which repeated the item or continued the name, then as a character.
     if (letters == " " && (!search_goes_on(now_s) || search_.ends_with(' '))) return {true, false, {}};
     const bool goes_on = search_goes_on(now_s) && search_ != letters;
     search_ = goes_on ? search_ + letters : letters;
@@ -249,8 +251,8 @@ bool Dialogue::search_goes_on(double now_s) const { return !search_.empty() && n
 
 DialogueReply Dialogue::search(ListSpec& list, bool goes_on, double now_s) {
     searched_s_ = now_s;
-    // A word that is being typed may stay where it is; a first letter goes on to the next one. Names that begin so come
-    // before those in which a later word does.
+    // A word that is being typed may stay at the present item; a first letter goes on to the next one. Names that begin
+    // with the letters come before names in which a later word does.
     for (const auto fits : {begins_with, holds_word})
         for (std::size_t step = goes_on ? 0 : 1; step <= list.items.size(); ++step) {
             const std::size_t i = (list.at + step) % list.items.size();
@@ -288,7 +290,7 @@ DialogueReply Dialogue::line(std::string_view text, double now_s) {
     if (auto done = as_key(word)) return *done;
     const std::size_t found = item_called(*list, text);
     if (found == list->items.size()) {
-        // Other words for the keys give way to names, which may begin like them.
+        // Names come before other words for keys, which may begin in the same way.
         if (auto done = as_key(list_word(text))) return *done;
         return {true, true, phrase("dialogue.not_in_list", {{"typed", text}})};
     }

@@ -1,7 +1,7 @@
-// Lists to choose from and lines to type, one kind of each for everything: the same in speech, in the terminal, in the
-// picture and for screen readers. A stack: what opens over an open list gives it back when it is left. Plain state
-// without a clock or a world; says what is to be said and does what was chosen through the caller's functions. App
-// thread only.
+// Lists to choose from and lines to type. Everything uses these two kinds, and they work alike in speech, in the
+// terminal, in the window and for screen readers. They form a stack: a list that opens over another returns to it when
+// it is left. Plain state without a clock or a world. It returns what to announce, and calls the caller's functions for
+// what was chosen. App thread only.
 #pragma once
 
 #include <functional>
@@ -14,69 +14,70 @@
 
 namespace handrail {
 
-// A quantity as a screen reader has it; `value` of the item says it in words.
+// A quantity for a screen reader; the item's `value` gives it in words.
 struct ItemNumber {
     double now = 0.0, least = 0.0, most = 0.0;
-    double step = 0.0;  // the smallest between two values it takes
+    double step = 0.0;  // smallest difference between two possible values
     bool operator==(const ItemNumber&) const = default;
 };
 
 struct ListItem {
     std::string name;
-    std::string value;  // said after the name; empty: none
+    std::string value;  // announced after the name; empty: none
     bool adjustable = false;
-    std::optional<ItemNumber> number{};  // of an adjustable one that is a quantity
-    // What people also type for it, as a question; never said or shown.
+    std::optional<ItemNumber> number{};  // of an adjustable item that is a quantity
+    // A question that people also type to choose it; never announced or shown.
     std::string also_typed{};
 };
 
 struct ListSpec {
     std::string title;
     std::vector<ListItem> items;
-    std::size_t at = 0;                       // where one begins
+    std::size_t at = 0;                       // selected at first
     std::function<void(std::size_t)> chosen;  // Enter
     std::function<std::string(std::size_t, int)>
         adjusted{};  // Left -1, Right +1 on an adjustable item; returns its value from now on, in words
-    std::function<std::string(std::size_t, double)> put{};  // the quantity of an item, to a number; returns likewise
-    std::function<void()> left{};                           // Escape
-    bool stays_open = false;  // else Enter closes this list and all that it lies on, before `chosen` is called
+    // Sets an item's quantity to a number; returns the new value in words.
+    std::function<std::string(std::size_t, double)> put{};
+    std::function<void()> left{};  // Escape
+    bool stays_open = false;       // false: Enter closes this list and all lists under it before it calls `chosen`
 };
 
-// Text of at most kLongestTyped bytes of UTF-8, without blanks round it and never empty.
+// A text of at most kLongestTyped bytes of UTF-8. Surrounding blanks are removed, and it is never empty.
 struct TextSpec {
     std::string question;
-    std::string text;  // to begin with
+    std::string text;  // initial text
     std::function<void(std::string)> done;
     std::function<void()> left{};
 };
 inline constexpr std::size_t kLongestTyped = 200;
 
-// What a picture or a screen reader shows of it.
+// What the window or a screen reader shows of the dialogue.
 struct DialogueView {
     enum class Kind { None, List, Text } kind = Kind::None;
     std::string title;  // or the question
     std::vector<ListItem> items;
     std::size_t at = 0;
-    std::string text;   // typed so far
-    std::string where;  // what is said of the item or question one is at
+    std::string text;   // typed up to now
+    std::string where;  // announcement for the selected item or the question
 
     bool operator==(const DialogueView&) const = default;
 };
 bool operator==(const ListItem& a, const ListItem& b);
 
-// What a key did.
+// The result of a key.
 struct DialogueReply {
-    bool taken = false;  // false: the key means nothing here
+    bool taken = false;  // false: the key has no meaning here
     bool denied = false;
-    std::string words;  // to be said; may be empty
+    std::string words;  // to announce; may be empty
     struct Answer {
         std::string question, text;
     };
-    std::optional<Answer> answer = {};  // that was given to a question for a text
+    std::optional<Answer> answer = {};  // set if a text question was answered
 };
 
-// What somebody does with an item of the open list without going through it: a screen reader's action. `name` is the
-// item's as it was shown; a list that has changed since does nothing.
+// An action of a screen reader on any item of the open list. `name` is the item's name as it was shown; if the list has
+// changed since, nothing happens.
 struct ItemAct {
     enum class Kind { GoTo, Choose, Less, More, Put } kind = Kind::Choose;
     std::size_t item = 0;
@@ -84,47 +85,48 @@ struct ItemAct {
     double number = 0.0;  // for Put
 };
 
-// Whether that is what somebody typed, without "to", "the" and the like in front.
+// True if `typed` is this name, without leading "to", "the" and the like.
 bool is_called(std::string_view name, std::string_view typed);
 
 class Dialogue {
 public:
-    // Both return what is to be said. A list without items opens nothing and says so.
+    // Both return what to announce. A list without items does not open, and the answer says so.
     std::string open(ListSpec list);
     std::string ask(TextSpec question);
     bool is_open() const { return !stack_.empty(); }
     bool typing() const;
     void close_all() { stack_.clear(); }
 
-    // A key by name went down, or repeats while it is held.
+    // A key was pressed, given by name, or repeats while it is held.
     DialogueReply key(std::string_view name, double now_s);
-    // Characters, as the keyboard's layout makes them of keys. In a list they look for names that begin so.
+    // Characters produced by the keyboard layout. In a list they search for names that begin with them.
     DialogueReply typed(std::string_view utf8, double now_s);
-    // A line of a terminal: the name of a key (down, up, home, end, enter, escape, left, right, backspace), "list" for
-    // all items, an item's number, the begin of its name or what is also typed for it; for a question the text itself.
+    // A line typed in a terminal. In a list it may be a key's name (down, up, home, end, enter, escape, left, right,
+    // backspace), "list" for all items, an item's number, the beginning of its name, or its `also_typed`. For a
+    // question it is the text itself.
     DialogueReply line(std::string_view line, double now_s);
 
-    // Whether such a line would choose an item of the open list by its number or name; by all of its name, or only by
-    // the begin of it or of a word in it, too.
+    // True if such a line would choose an item of the open list by its number or name. by_all: only the complete name
+    // counts; otherwise the beginning of the name or of a word in it is enough.
     bool holds(std::string_view typed, bool by_all = false) const;
 
-    // Whether the open list has a use for such a line: as a key's name, for all items, or to choose an item.
+    // True if the open list would accept such a line: as a key's name, as "list", or to choose an item.
     bool has_use_for(std::string_view line) const;
 
     DialogueReply act(const ItemAct& act, double now_s);
 
-    // What stands in the open list is other now; `at` stays where it is, as far as there is one. Nothing without an
-    // open list.
+    // Replaces the items of the open list. `at` stays, if there are enough items. Without an open list, nothing
+    // happens.
     void change_items(std::vector<ListItem> items);
 
     DialogueView view() const;
-    // The item, or question and text, that one is at; empty without any.
+    // The selected item, or the question and its text; empty if nothing is open.
     std::string where() const;
 
 private:
     using Part = std::variant<ListSpec, TextSpec>;
     DialogueReply list_key(ListSpec& list, std::string_view name, double now_s);
-    // Whether what is typed next belongs to the name that is being typed.
+    // True if the next character continues the name that is being typed.
     bool search_goes_on(double now_s) const;
     DialogueReply search(ListSpec& list, bool goes_on, double now_s);
     DialogueReply text_key(TextSpec& question, std::string_view name);
@@ -134,10 +136,11 @@ private:
     DialogueReply finish(TextSpec& question);
     DialogueReply leave();
     std::string item_words(const ListSpec& list) const;
-    // What is said on being back in what lies on top now.
+    // Announcement on return to the list or question that is now on top.
     std::string back_words() const;
 
-    std::vector<std::unique_ptr<Part>> stack_;  // by pointer: stays in place while others open over it
+    // Pointers, so that parts keep their address while others open over them.
+    std::vector<std::unique_ptr<Part>> stack_;
     std::string search_;
     double searched_s_ = -1e9;
 };

@@ -1,4 +1,4 @@
-// Which key does what: the built-in table with the person's own keys from the settings laid over it. App thread.
+// Which key does what: the built-in table, overridden by the person's own keys from the settings. App thread.
 #pragma once
 
 #include <map>
@@ -13,23 +13,25 @@
 
 namespace handrail {
 
-// A key's name as it is said in the language spoken: "Shift+PageUp", "Umschalt+Bild auf". What is typed and stored is
-// the name itself.
+// The spoken name of a key in the language spoken: "Shift+PageUp", "Umschalt+Bild auf". What is typed and stored is the
+// name itself.
 std::string spoken_key(std::string_view key_name);
 
 class KeyMap {
 public:
-    // `changes`: command word -> key names separated by blanks, replacing that command's default keys.
-    // hand: the set for one hand that lies between the two. The key name "none" takes all keys away.
+    // `changes`: command word -> key names separated by blanks, which replace that command's default keys. The key name
+    // "none" removes all keys. hand: the set of keys for one hand, which overrides the built-in table and is overridden
+    // by `changes`.
     explicit KeyMap(const std::map<std::string, std::string>& changes, KeyboardHand hand = KeyboardHand::Both);
 
     std::optional<Command> find(std::string_view key_name) const;  // ASCII case is ignored
-    std::string keys_of(Command command) const;  // "F2 or 1", for help; for who types the command's word
-    // The names of those keys, separated by blanks; without one of them.
+    std::string keys_of(Command command) const;  // "F2 or 1" for help; without keys, how to type the command's word
+    // The names of those keys, separated by blanks; `without` leaves one of them out.
     std::string words_of_keys(Command command, std::string_view without = {}) const;
-    // Those it has where the person changed nothing.
+    // The keys of a command if the person has changed nothing.
     std::string_view default_keys(Command command) const;
-    // A sentence for each unknown command and each key that two commands claim; the built-in meaning then stands.
+    // One sentence for each unknown command and for each key that two commands claim. Such a key keeps its built-in
+    // meaning.
     const std::vector<std::string>& problems() const { return problems_; }
 
 private:

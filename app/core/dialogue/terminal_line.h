@@ -1,5 +1,5 @@
-// A typed line understood: the same commands that keys give, as words, for a console screen reader, a pipe, a script or
-// a test. Pure functions. Any thread.
+// Interprets a typed line. It knows the same commands as the keys, as words, for a console screen reader, a pipe, a
+// script or a test. Pure functions; any thread.
 #pragma once
 
 #include <optional>
@@ -11,17 +11,18 @@
 
 namespace handrail {
 
-// One line understood: a command done `times` times, or the end.
+// The meaning of one line: a command done `times` times, or leaving.
 struct TerminalLine {
     std::optional<Command> command;  // none: an empty line
     int times = 1;                   // "forward 5"
-    std::string choice = {};         // "describe library": what is chosen in the list that the command opens
-    bool leave = false;              // "quit", or its word in the language spoken: leaves without asking
+    std::string choice = {};         // "describe library": the item to choose in the list that the command opens
+    bool leave = false;              // "quit", or its word in the language spoken: leaves without confirmation
 };
 
-// Understands "word", "word count" or, of a command that opens a list of places, "word choice", the word in English or
-// the language spoken, and whole sentences (typed_sentences.h); an unknown word fails naming the nearest of the latter,
-// a bad count says what it takes, a sentence that is not known that it is none.
+// Understands "word", "word count", whole sentences (typed_sentences.h) and, for a command that opens a list of places,
+// "word choice". The word may be in English or in the language spoken. An error for an unknown word suggests the
+// nearest known word of the language spoken. An error for a bad count gives the valid range. An error for an unknown
+// sentence says that it is unknown.
 Result<TerminalLine> parse_terminal_line(std::string_view line);
 
 }  // namespace handrail

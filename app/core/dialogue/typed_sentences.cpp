@@ -12,14 +12,14 @@ namespace handrail {
 namespace {
 
 constexpr std::string_view kCount = "<count>", kName = "<name>";
-constexpr std::size_t kLongestSentence = 200;  // longer lines are none
+constexpr std::size_t kLongestSentence = 200;  // longer lines are not sentences
 
 struct TypedWord {
-    std::string plain;    // by which it is compared
-    std::string written;  // as it was typed
+    std::string plain;    // used for comparison
+    std::string written;  // as typed
 };
 
-// Without the signs between them. Apostrophes join: "what's" is "whats".
+// Splits at blanks and punctuation. Apostrophes join: "what's" is "whats".
 std::vector<TypedWord> typed_words(std::string_view text) {
     constexpr std::string_view kBetween = " \t\r\n,.;:!?\"";
     std::vector<TypedWord> words;
@@ -37,26 +37,26 @@ std::vector<TypedWord> typed_words(std::string_view text) {
     return words;
 }
 
-// What the language spoken has beside its sentences.
+// Words of the language spoken that are not part of a command's sentences.
 struct SmallWords {
     std::vector<TypedWord> polite = typed_words(phrase("typed.polite")), fillers = typed_words(phrase("typed.fillers")),
-                           numbers = typed_words(phrase("typed.numbers"));  // from one on
+                           numbers = typed_words(phrase("typed.numbers"));  // from one upwards
 };
 
-// Where it stands, from 0 on.
+// Its index, from 0.
 std::optional<std::size_t> place_among(const std::vector<TypedWord>& words, const std::string& plain) {
     for (std::size_t i = 0; i < words.size(); ++i)
         if (words[i].plain == plain) return i;
     return std::nullopt;
 }
 
-// As people type to be polite, at either end.
+// Removes polite words at either end.
 void drop_politeness(std::vector<TypedWord>& words, const SmallWords& small) {
     while (words.size() > 1 && place_among(small.polite, words.front().plain)) words.erase(words.begin());
     while (words.size() > 1 && place_among(small.polite, words.back().plain)) words.pop_back();
 }
 
-// "3" or "three"; 0: it is no number from 1 to kMostTimes.
+// "3" or "three"; 0 if it is not a number from 1 to kMostTimes.
 int count_of(const std::string& word, const SmallWords& small) {
     int count = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), count);
@@ -65,7 +65,7 @@ int count_of(const std::string& word, const SmallWords& small) {
     return number ? static_cast<int>(*number) + 1 : 0;
 }
 
-// As written, from that place on, without fillers in front.
+// The words from `first` on, as written, without leading fillers.
 std::string name_from(const std::vector<TypedWord>& words, std::size_t first, const SmallWords& small) {
     while (first + 1 < words.size() && place_among(small.fillers, words[first].plain)) ++first;
     std::string text;
@@ -73,7 +73,7 @@ std::string name_from(const std::vector<TypedWord>& words, std::size_t first, co
     return text;
 }
 
-// A name stands at the end and takes all that is left. Words of politeness may stand anywhere else.
+// A name comes last in a pattern and takes all remaining words. Polite words may be anywhere else.
 bool fits(const std::vector<TypedWord>& pattern, const std::vector<TypedWord>& words, const SmallWords& small,
           TypedSentence& said) {
     std::size_t at = 0;
@@ -95,7 +95,7 @@ bool fits(const std::vector<TypedWord>& pattern, const std::vector<TypedWord>& w
     return at == words.size();
 }
 
-// The sentences of a command, which bars separate.
+// Visits each sentence of a command; bars separate them.
 template <class Visit>
 void each_pattern(const std::string& text, const SmallWords& small, Visit visit) {
     for (std::size_t begin = 0; begin < text.size();) {
@@ -107,7 +107,7 @@ void each_pattern(const std::string& text, const SmallWords& small, Visit visit)
     }
 }
 
-// Words that are joined for a command, "rest-of-way", may be typed apart.
+// Hyphenated command words, such as "rest-of-way", may be typed as separate words.
 std::optional<Command> command_apart(const std::vector<TypedWord>& words) {
     std::string all;
     for (const TypedWord& word : words) all += (all.empty() ? "" : "-") + word.plain;
@@ -129,7 +129,7 @@ std::optional<TypedSentence> typed_sentence(std::string_view line) {
     std::vector<TypedWord> words = typed_words(line);
     drop_politeness(words, small);
     if (words.empty()) return std::nullopt;
-    // What is known whole comes before what has a name in it, and of those what says the most besides.
+    // A sentence without a name wins over one with a name, and among the latter the longest pattern wins.
     std::optional<TypedSentence> whole, with_name;
     std::size_t longest = 0;
     for (const CommandInfo& row : command_table()) {

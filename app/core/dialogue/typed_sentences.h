@@ -1,6 +1,6 @@
-// What people type when they do not know the words of commands: whole sentences, "where am I", "take me to the
-// kitchen", "turn left three times". They stand in settings/languages under typed_sentence, those of a command in one
-// text. Pure functions of the language spoken; any thread but the servo's.
+// Whole sentences that people type if they do not know the words of the commands: "where am I", "take me to the
+// kitchen", "turn left three times". settings/languages lists them under typed_sentence, one text for each command.
+// Pure functions of the language spoken; any thread except the servo's.
 #pragma once
 
 #include <optional>
@@ -14,20 +14,20 @@ namespace handrail {
 struct TypedSentence {
     Command command = Command::Help;
     int times = 1;            // 1 to kMostTimes
-    std::string choice = {};  // what is chosen in the list that the command opens, without article; empty: nothing
+    std::string choice = {};  // the item to choose in the list that the command opens, without article; empty: nothing
 };
 
-inline constexpr int kMostTimes = 1000;  // that a command may be typed to be done
+inline constexpr int kMostTimes = 1000;  // most repetitions that a person can type
 
-// None: no sentence of the language spoken, or of English, that is known. Case, stops, question marks and words of
-// politeness do not count, umlauts may be written out, small numbers may be words.
+// No value if the line is not a known sentence in the language spoken or in English. Case, punctuation and polite words
+// are ignored, umlauts may be written out, and small numbers may be words.
 std::optional<TypedSentence> typed_sentence(std::string_view line);
 
-// Whether the command opens a list of places that one chooses from by name.
+// True if the command opens a list of places in which the person can choose by name.
 bool takes_choice(Command command);
 
-// What somebody typed to choose a thing by its name, without "to", "the" and the like in front; all of it where nothing
-// else is left.
+// The name that somebody typed to choose a thing, without leading "to", "the" and the like. If nothing else would be
+// left, the text stays whole.
 std::string without_fillers(std::string_view typed);
 
 }  // namespace handrail

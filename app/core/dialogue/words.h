@@ -1,4 +1,4 @@
-// Numbers and directions as people say them. Pure functions; every distance and direction that is spoken goes through
+// Numbers and directions in spoken words. Pure functions. Every distance and direction that is announced goes through
 // here.
 #pragma once
 
@@ -16,41 +16,41 @@ struct DistanceWords {
     bool rounded = true;
 };
 
-// "5 steps", "1 step", "close by" (under half a step); in metres to the half metre: "3.5 metres". Over 20 of either
-// rounded to 5. Not rounded: "4.7 steps", "3.4 metres".
+// "5 steps", "1 step", "close by" if under half a step; metres to the half metre: "3.5 metres". Above 20, steps and
+// metres are rounded to 5. Not rounded: "4.7 steps", "3.4 metres".
 std::string distance_words(double distance_m, const DistanceWords& how);
-// Whether that is told as "close by".
+// True if that distance is announced as "close by".
 bool is_close_by(double distance_m, const DistanceWords& how);
 // "6 by 4 metres, 9 by 6 steps".
 std::string size_words(double width_m, double depth_m, const DistanceWords& how);
-// The direction of `bearing_rad` for one who faces `heading_rad`, by the person's own choice: "ahead", "25 degrees
-// left", "left", "behind"; "at 11 o'clock"; "north-west".
+// The direction of `bearing_rad` for a person who faces `heading_rad`, in the person's own choice of words: "ahead",
+// "25 degrees left", "left", "behind"; "at 11 o'clock"; "north-west".
 std::string direction_words(double bearing_rad, double heading_rad, DirectionChoice choice, bool rounded = true);
-// How far to turn, as it is told: degrees, positive to the right, to five or, not rounded, to one; 0 is ahead, 180
-// either way behind.
+// The turn as announced, in degrees, positive to the right; 0 is ahead, 180 is behind. Rounded to 5 degrees, or to one
+// degree if not `rounded`.
 double told_turn_deg(double bearing_rad, double heading_rad, bool rounded = true);
-// The hour of a clock lying before one that a turn of so many radians, positive to the right, points at: 1 to 12, ahead
-// is 12.
+// The hour on a clock face that lies in front of the person, for a turn in radians, positive to the right: 1 to 12;
+// ahead is 12.
 long hour_of(double turn_rad);
-// A heading in degrees clockwise from north, 0 to 360, to the degree.
+// A heading in whole degrees clockwise from north, 0 to 360.
 long whole_degrees(double heading_rad);
 // "9 steps at 1 o'clock", "9 steps ahead", "9 steps, 25 degrees right", "9 steps north-east", "close by, ahead".
 std::string place_words(double distance_m, double bearing_rad, double heading_rad, DirectionChoice choice,
                         const DistanceWords& how);
-// Which side: a quarter of a circle from straight ahead, clockwise, 0 to 3, as a label: "ahead", "3 o'clock", "south".
+// A label for a side. quarter: quarter circles clockwise from straight ahead, 0 to 3. "ahead", "3 o'clock", "south".
 std::string side_words(int quarter, double heading_rad, DirectionChoice choice);
-// The 16 points: "north", "north-north-east", ...
+// The 16 compass points: "north", "north-north-east", ...
 std::string fine_compass_word(double heading_rad);
 // "12 minutes", "1 minute".
 std::string minutes_words(double seconds);
-// "I found a Falcon.", "I found an omega.": of a device by its name.
+// "I found a Falcon.", "I found an omega."; name: of a device.
 std::string found_words(std::string_view name);
-// "north wall, plaster": of two labels, one of which may be empty.
+// "north wall, plaster": joins two labels, one of which may be empty.
 std::string joined(std::string_view one, std::string_view other);
-// First letter in upper case, for the start of a sentence.
+// Makes the first letter upper case, for the start of a sentence.
 std::string sentence_case(std::string text);
 
-// Turned into (-pi, pi].
+// Wraps an angle into (-pi, pi].
 double wrap_angle(double radians);
 
 }  // namespace handrail

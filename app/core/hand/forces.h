@@ -1,5 +1,5 @@
-// Force on and off: the key, the stop, hands that are plugged in or fail, and the break that is due after long
-// touching. App thread only.
+// Switches force on and off. Handles the force key, the stop, devices that are plugged in or fail, and the suggestion
+// of a break after long touching. App thread only.
 #pragma once
 
 #include <cstdint>
@@ -12,23 +12,24 @@ namespace handrail {
 
 class Forces : SessionPart {
 public:
-    // It tells the servos of `hands` when they may act.
+    // Permits or forbids forces of the servos through `hands`.
     Forces(const SessionContext& context, HandsState& hands) : SessionPart(context), hands_(hands) {}
 
-    // The force key. False: it is another's.
+    // Handles the force key. Returns false if the command belongs to another feature.
     bool act(Command command, double now_s);
-    // Everything stops: force, sounds, speech. False: the switch and the window tell of the same press, and the second
-    // telling must not silence what the first one says.
+    // Stops everything: force, sounds, speech. The switch and the window both report the same press. The second report
+    // must not silence what the first one announced, so it returns false.
     bool stop(double now_s);
-    // How often the stop key was pressed by now, as the servo's switches count. True: the session has still to stop.
+    // stops: presses of the stop key up to now, as the servo's switches count them. Returns true if the session has not
+    // yet stopped.
     bool know_stops(std::uint32_t stops);
-    // Another device, or none, in place of the one there was.
+    // Replaces the device by another one, or by none.
     void take(const HandFacts& hand);
-    // A device that could be used was plugged in: says so, and the force key takes it the next time.
+    // A usable device was plugged in. Announces it; the next press of the force key takes it.
     void offer(const std::string& spoken_name, double now_s);
-    // Tells when a confirmation would bring the force back, where that comes by itself.
+    // Announces when a confirmation would bring a force back that returns automatically.
     void tick(double now_s);
-    // Proposes a break where one is due.
+    // Suggests a break when it is due.
     void tell_break(double now_s);
 
 private:
@@ -41,7 +42,7 @@ private:
     double stopped_s_ = -1e9;
     std::uint32_t stops_known_ = 0;
     double breaks_told_ = 0.0;
-    double contact_before_s_ = 0.0;  // with devices used earlier
+    double contact_before_s_ = 0.0;  // seconds of contact with devices used earlier
 };
 
 }  // namespace handrail

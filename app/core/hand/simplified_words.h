@@ -1,4 +1,4 @@
-// What was simplified for the hand at a scale, in words: for a session and for reports. Pure functions; app thread.
+// What was simplified for the hand at a scale, in words for a session and for reports. Pure functions; app thread.
 #pragma once
 
 #include <string>
@@ -9,19 +9,19 @@
 
 namespace handrail {
 
-// The openings of the rooms that have no door, by their numbers in RoomGraph::portals, and where they are.
+// The openings between rooms that have no door: their numbers in RoomGraph::portals, and their places.
 struct OpenPortals {
     std::vector<std::uint32_t> portals;
     std::vector<Vec3> places_m;
 };
 OpenPortals open_portals(const RoomGraph& graph);
-// A body fits through every opening that the rooms know, so a scale at which its own width can be felt need not ask for
-// them.
+// True if the scale needs these openings. A walker fits through every opening that the rooms know, so at a scale where
+// its own width can be felt they are not needed.
 bool asks_for_openings(double world_m_per_hand_m, double body_radius_m);
 
 // "Simplified: 3 doorways widened, 12 small things left out."; empty where nothing is.
 std::string simplified_sentence(const Simplification& plan);
-// "Front door", "Opening between Hall and Kitchen"; graph: null where the rooms are not known.
+// "Front door", "Opening between Hall and Kitchen"; graph: null if the rooms are not known.
 std::string opening_name(const Scene& scene, const NarrowOpening& opening, const RoomGraph* graph,
                          const OpenPortals& portals);
 // "felt 1.6 metres wide, truly 1 metre".

@@ -61,7 +61,7 @@ void TouchView::retune() {
     tuning.touch.default_stiffness_fraction = settings.haptic.stiffness_fraction;
     tuning.touch.damping_ns_per_m = settings.haptic.damping_ns_per_m;
     tuning.button_to_feel = settings.haptic.button_to_feel;
-    tuning.touch.passivity_guard = true;  // acts only on surfaces that are damped too little to need none
+    tuning.touch.passivity_guard = true;  // acts only on surfaces with too little damping
     tuning.touch.default_friction_static = tuning.touch.default_friction_kinetic = settings.haptic.friction_mu;
 
     if (hands_.right.present) tuning.touch.rated_stiffness_n_per_m = hands_.right.spec.rated_stiffness_n_per_m;
@@ -69,7 +69,7 @@ void TouchView::retune() {
     tuning.personal_space = settings.desk.use && hands_.right.present;
     tuning.workspace.rim = settings.workspace.rim;
     tuning.workspace.rim_open_behind = tuning.personal_space;
-    // The first button is taken where the hand feels only while a button is held.
+    // If the hand feels only while the first button is held, that button is not free for grabbing.
     const int button = settings.workspace.grab_button;
     tuning.workspace.grab_buttons =
         button == 0 || (button == 1 && settings.haptic.button_to_feel) ? 0U : 1U << (button - 1);
@@ -84,13 +84,13 @@ ServoTuning TouchView::left_tuning() const {
     tuning.force_ceiling_n = ceiling_n(context_.settings, hands_.left);
     tuning.bodies.hold = hands_.left_bodies.hold;
     tuning.bodies.quarters = hands_.left_bodies.quarters;
-    tuning.workspace.grab_key = false;  // the key is the right hand's, the button each hand's own
+    tuning.workspace.grab_key = false;  // the key moves the right hand's workspace; each hand has its own button
     tuning.workspace.push_hand_m_per_s = Vec3(0.0);
-    tuning.personal_space = tuning.workspace.rim_open_behind = false;  // the desk is the right hand's
+    tuning.personal_space = tuning.workspace.rim_open_behind = false;  // the desk belongs to the right hand
     return tuning;
 }
 
-// What the scale asks for.
+// What the scale requires.
 TouchView::Wish TouchView::wish() {
     openings_awaited_ = false;
     if (!hands_.right.present || !context_.settings.haptic.simplify) return {};
@@ -116,7 +116,7 @@ FeltOrder TouchView::order() {
     order.portals = std::move(asked.portals);
     order.world_m_per_hand_m = scale(context_);
     order.ball_diameter_hand_m = context_.settings.haptic.ball_diameter_mm * 1e-3;
-    // Nobody feels it without a hand.
+    // Without a hand nobody feels the edges.
     order.edge_rounding_hand_mm = hands_.right.present ? context_.settings.haptic.edge_rounding_mm : 0.0;
     order.world = haptic_->world;
     return order;
@@ -154,7 +154,7 @@ double TouchView::farthest_m() const {
 }
 
 Vec3 TouchView::out_of_solids_m(const Vec3& hand_m) const {
-    constexpr double kTouching = 0.999;  // of the radius: a ball that rests against something fits
+    constexpr double kTouching = 0.999;  // share of the radius: a proxy that rests on a surface fits
     const auto poses = world_.things.frame().poses();
     const double radius_m = hands_.tuning.touch.radius_m;
     const double room_m = surrounding_of(*haptic_, poses, hand_m, radius_m).distance_m;
@@ -163,8 +163,8 @@ Vec3 TouchView::out_of_solids_m(const Vec3& hand_m) const {
     return free ? *free - hand_m : Vec3(0.0);
 }
 
-// Both hands are in the one workspace, so what frees one may press the other: they take turns, and where that leads to
-// no place for both, the right hand's counts and the left one goes through what it is in until it is out.
+// Both hands share one workspace, so freeing one hand may push the other into a solid; they are freed alternately. If
+// no place fits both, the right hand decides, and the left one passes through its solid until it is out.
 Vec3 TouchView::out_of_solids_m(const Vec3& right_m, const Vec3& left_m) const {
     constexpr int kTurns = 6;
     const Vec3 alone_m = out_of_solids_m(right_m);

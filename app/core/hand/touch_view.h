@@ -1,5 +1,5 @@
-// What the hand feels of the world at the scale it has: simplified, rounded and compiled anew in the background when
-// scale, settings or world require it; and how its servo is tuned to it. App thread only.
+// What the hand feels of the world at its present scale, and how the servo is tuned for it. The scene is simplified,
+// rounded and compiled again as a background task if scale, settings or world require it. App thread only.
 #pragma once
 
 #include <functional>
@@ -13,51 +13,50 @@
 
 namespace handrail {
 
-// The openings of the rooms that have no door, as far as they are known.
+// The openings between rooms that have no door, as far as they are known.
 struct KnownOpenings {
     OpenPortals portals;
-    bool awaited = false;  // rooms are still looked for, so there may be more
+    bool awaited = false;  // rooms are still being searched for, so there may be more
 };
 
 class TouchView : SessionPart {
 public:
-    // It tunes `hands`, and makes what is walked of `world` anew along with what is felt.
+    // Tunes `hands`. Rebuilds the solids for walking in `world` together with the rendered surfaces.
     TouchView(const SessionContext& context, WorldState& world, BodyState& body, HandsState& hands)
         : SessionPart(context), world_(world), body_(body), hands_(hands) {}
 
-    // Until what is made for a world or a scale is there, the hand feels what there was: at first the world without
-    // simplifications or rounded edges.
+    // True while a scene is being made in the background. Until it is done the hand feels the previous one, at first
+    // the world without simplifications or rounded edges.
     bool busy() const { return felt_.busy(); }
 
-    // The scene is another world's. sharp: see EnteringWorld; null: it is made now.
+    // Another world was entered. sharp: see EnteringWorld; null: it is made now.
     void enter_world(std::shared_ptr<const HapticScene> sharp, double now_s);
-    // The scene is the same world's with something added or taken away.
+    // Something was added to the present world or removed from it.
     void change_world(double now_s);
-    // The tuning by scale and settings; the scene that is felt stays.
+    // Tunes the servo by scale and settings; the rendered scene stays.
     void retune();
-    // After retune(): begins to make another scene if the scale and the settings require one; take_made() has it.
+    // Call it after retune(). Begins to make another scene if scale and settings require one; take_made() fetches it.
     void adapt();
-    // Does the hand feel, or will it when what is made beside is there, something else than the scale and the settings
-    // ask for?
+    // True if what the hand feels, or will feel after the background task, does not match scale and settings.
     bool stale();
-    // What was made in the background is there, and felt from now on.
+    // Returns true if the background task is done; its scene is rendered from now on.
     bool take_made(double now_s);
-    // rooms_known: they have been found by now, so openings that were waited for are widened, too.
+    // rooms_known: the rooms have been found, so openings that depended on them are widened now.
     void widen_openings(bool rooms_known);
 
     const std::shared_ptr<const HapticScene>& felt() const { return haptic_; }
-    const Simplification& plan() const { return plan_; }     // of what is felt
-    const OpenPortals& portals() const { return portals_; }  // that its openings are those of
+    const Simplification& plan() const { return plan_; }     // of the rendered scene
+    const OpenPortals& portals() const { return portals_; }  // openings in plan() are those of these portals
     ServoTuning left_tuning() const;
-    // The sentence on what is simplified, where it is not the one that was said last; empty else.
+    // The sentence on simplifications if it differs from the last one announced; otherwise empty.
     std::string news();
-    // How far each hand has to go so that the ball fits where it is: it may have grown with the scale, and walls may be
-    // back. left_m counts only where there is a left hand.
+    // How far the hands must move so that the proxy fits at its place, since it may have grown with the scale, or walls
+    // may have returned. left_m counts only if there is a left hand.
     Vec3 out_of_solids_m(const Vec3& right_m, const Vec3& left_m) const;
-    // As far as anything can be from a hand in this world.
+    // An upper bound for the distance of anything from a hand in this world.
     double farthest_m() const;
 
-    // Set by the session; asked only where the scale cares.
+    // Set by the session; called only if the scale needs openings.
     std::function<KnownOpenings()> openings;
 
 private:
@@ -73,14 +72,14 @@ private:
     BodyState& body_;
     HandsState& hands_;
     std::shared_ptr<const HapticScene> haptic_;
-    double rounded_m_ = 0.0;            // edges in it
-    Simplification plan_;               // by which it was made
-    OpenPortals portals_;               // that the plan knew
-    bool openings_awaited_ = false;     // the plan would know more if the rooms were found
-    int edits_ = 0;                     // of any world
-    std::optional<FeltOrder> ordered_;  // the last one of this world
+    double rounded_m_ = 0.0;            // rounding of the edges in it
+    Simplification plan_;               // from which it was made
+    OpenPortals portals_;               // the portals that the plan used
+    bool openings_awaited_ = false;     // the plan would use more portals once the rooms are found
+    int edits_ = 0;                     // counts changes of all worlds
+    std::optional<FeltOrder> ordered_;  // the last order for this world
     BackgroundTask<FeltWorld> felt_{context_.executor, "touch"};
-    std::string told_;  // of what is simplified
+    std::string told_;  // last sentence about simplifications
 };
 
 }  // namespace handrail

@@ -23,11 +23,12 @@ constexpr double kPushSpeed_hand_m_per_s = 0.03;  // by keys
 constexpr double kPushTap_s = 0.2;
 constexpr double kLowestLook_m = 0.2;
 
-// A hand out of sight is left behind once the body has walked on by this, and is brought to it if it stays so.
+// A hand out of sight counts as left behind once the walker has moved on by this distance. It is brought to the walker
+// if that lasts.
 constexpr double kWalkedOn_m = 0.05;
 constexpr double kLeftBehind_s = 0.5;
 
-// Which way these keys go, device frame; sign: of two keys against each other.
+// The direction of these keys, device frame. sign: combines two opposite keys.
 template <class Sign>
 Vec3 workspace_keys(Sign sign) {
     return {sign(Command::WorkspaceRight, Command::WorkspaceLeft),
@@ -41,7 +42,7 @@ Vec3 hand_keys(Sign sign) {
             sign(Command::HandUp, Command::HandDown)};
 }
 
-// A tap of that key alone.
+// Acts as if only that key had been tapped.
 auto tap_of(Command tapped) {
     return [tapped](Command plus, Command minus) { return tapped == plus ? 1.0 : tapped == minus ? -1.0 : 0.0; };
 }
@@ -49,7 +50,7 @@ auto tap_of(Command tapped) {
 }  // namespace
 
 bool Workspace::act(Command command, double now_s) {
-    // Without a hand there is nothing to lie otherwise; the frame counts for words too, and the simulated hand has no
+    // Without a hand there is no workspace to change. The frame also affects words, and the simulated hand needs no
     // reach.
     if (!hands_.right.present && lays_workspace(command)) {
         context_.answer(phrase("session.no_hand"), now_s);
@@ -109,7 +110,7 @@ WorkspacePose Workspace::pose_beside(const Vec3& others_shift_m) const {
     return pose;
 }
 
-// Where the middle belongs, before anything has moved it.
+// Where the middle belongs before any shift.
 Vec3 Workspace::origin_m() const {
     const Settings::Workspace& workspace = context_.settings.workspace;
     const Aabb& bounds_m = context_.world.building_m;
@@ -118,7 +119,8 @@ Vec3 Workspace::origin_m() const {
         const Vec3 centre = bounds_m.centre_m();
         origin = Vec3(centre.x, centre.y, origin.z);
     } else if (!hands_.keys_alone) {
-        // A hand for want of a device is where one stands: ahead it would reach through the wall that one walks along.
+        // A hand simulated for lack of a device is at the walker: farther ahead, it would reach through a wall along
+        // which the person walks.
         origin += forward_of_heading(workspace_heading_rad(context_)) * (workspace.offset_ahead_m * scale(context_));
     }
     return origin + Vec3(0.0, 0.0, workspace.hand_height_m + workspace.offset_up_m * scale(context_));
@@ -177,7 +179,7 @@ void Workspace::zoom(NamedScale scale_name, double now_s) {
     change_under_hand(
         [&] {
             hands_.named_scale = scale_name;
-            return scale_name != NamedScale::Building;  // that has its own place, round the whole building
+            return scale_name != NamedScale::Building;  // Building scale has its own place, around the whole building
         },
         now_s);
     scale_asked_s_ = now_s;
@@ -221,7 +223,7 @@ void Workspace::tell_motion(double now_s) {
     context_.say(phrase("session.world_ends"), SpeechClass::Ambient, now_s);
 }
 
-// Where it is, seen from the body.
+// Its place relative to the walker.
 std::string Workspace::words() const {
     const Settings& settings = context_.settings;
     const Vec3 from_body = shift_m_ + shift_by_hand_m() + origin_m() - context_.body.feet_m();
@@ -250,7 +252,7 @@ void Workspace::take_touch(bool rooms_known, bool quietly, double now_s) {
     else context_.say(std::move(news), SpeechClass::Ambient, now_s);
 }
 
-// Out of what has come to be where they are.
+// Moves the hands out of solids that have appeared at their place.
 void Workspace::bring_hands_out(double now_s) {
     if (hands_.tool.ticks == 0) return;
     const Vec3 out = touch_.out_of_solids_m(hands_.tool.proxy_m, hands_.left_tool.proxy_m);
@@ -264,8 +266,8 @@ bool Workspace::goes_with_body() const {
            !hands_.at_desk();
 }
 
-// From the height of the place, and from above most furniture. A ball that is partly in something, as in a doorway that
-// is felt wider than it is, is seen there.
+// Looks from the height of the place, and from above most furniture. A proxy partly inside a solid counts as visible,
+// as in a doorway that is rendered wider than it is.
 bool Workspace::body_sees(const Vec3& place_m) const {
     const Vec3 feet = context_.body.feet_m();
     const BodySize& body = context_.body.walker->size();
@@ -281,7 +283,7 @@ Vec3 Workspace::hand_in_m(const Vec3& origin_m) const {
     return frame_of(origin_m, workspace_heading_rad(context_)).to_world(hands_.tool.hand_m, scale(context_));
 }
 
-// From where the hand would be, with nothing moved, to the body; zero where the body sees it there.
+// From where the hand would be without shifts to the walker; zero if the walker sees it there.
 Vec3 Workspace::way_to_body_m() const {
     if (!goes_with_body()) return Vec3(0.0);
     const Vec3 hand = hand_in_m(origin_m()), feet = context_.body.feet_m();
@@ -301,7 +303,7 @@ void Workspace::stay_with_body(double now_s) {
         hands_.left_behind = false;
         return;
     }
-    if (hands_.tool.workspace_jump != hands_.pose.jump) return;  // on its way
+    if (hands_.tool.workspace_jump != hands_.pose.jump) return;  // the jump has not reached the servo yet
     const Vec3 feet = context_.body.feet_m();
     if (body_sees(hands_.tool.proxy_m)) {
         seen_from_m_ = feet;
@@ -316,7 +318,7 @@ void Workspace::stay_with_body(double now_s) {
     if (now_s - left_behind_s_ >= kLeftBehind_s) context_.say(bring_to_body(now_s), SpeechClass::Contact, now_s);
 }
 
-// How far they have to go in a workspace with this middle.
+// How far the hands must move out of solids if the workspace has this middle.
 Vec3 Workspace::hands_out_of_solids_m(const Vec3& origin_m) const {
     const WorkspaceFrame frame = frame_of(origin_m, workspace_heading_rad(context_));
     return touch_.out_of_solids_m(frame.to_world(hands_.tool.hand_m, scale(context_)),

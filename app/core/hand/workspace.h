@@ -1,5 +1,5 @@
-// Where the hand's workspace lies in the world, how large it is and which way it looks; and the simulated hand that
-// keys move in it. App thread only; world metres, unless a name says device or hand.
+// Where the hand's workspace is in the world, how large it is and which direction it faces. Also the simulated hand,
+// which keys move in it. App thread only; world metres, unless a name says device or hand.
 #pragma once
 
 #include <functional>
@@ -12,56 +12,60 @@
 
 namespace handrail {
 
-// Walked: the body may have gone a little way. Moved: the workspace jumps, from where the hand had moved it to. Placed:
-// it is where it belongs again.
+// Why the pose changed.
+// - Walked: the walker may have moved a little.
+// - Moved: the workspace jumps from where the hand had moved it.
+// - Placed: the workspace returns to where it belongs.
 enum class PoseChange { Walked, Moved, Placed };
 
 class Workspace : SessionPart {
 public:
-    // It lays the pose of `hands`, and changes the person's settings by which it lies.
+    // Sets the pose of `hands`, and changes the settings that determine it.
     Workspace(const SessionContext& context, HandsState& hands, const HeldKeys& keys, TouchView& touch)
         : SessionPart(context), hands_(hands), keys_(keys), touch_(touch) {}
 
-    // Of the only or right hand, and of the left one: each servo lays its own hand's shift on its pose; the other
-    // hand's comes with it.
+    // Poses for the only or right hand, and for the left one. Each servo adds its own hand's shift to its pose; the
+    // other hand's shift is already included.
     WorkspacePose pose() const { return pose_beside(shift_of(hands_.left_tool)); }
     WorkspacePose left_pose() const { return pose_beside(shift_of(hands_.tool)); }
-    // Its middle now, with what the hands have moved it by.
+    // The present middle, with the shifts of both hands.
     Vec3 middle_m() const { return hands_.pose.origin_m + shift_by_hand_m(); }
 
-    // Its frame, named scales, pushing, turning, grabbing, and the keys of the simulated hand. False: it is another's.
+    // Handles the frame, named scales, pushing, turning, grabbing, and the keys of the simulated hand. Returns false if
+    // the command belongs to another feature.
     bool act(Command command, double now_s);
     void publish(double now_s, PoseChange change);
-    // The grab key is not down any more.
+    // The grab key is no longer down.
     void let_go() { hands_.tuning.workspace.grab_key = false; }
-    // Another device: what moved the old one counts for nothing.
+    // Another device is used: shifts by the old one are dropped.
     void take_hand();
-    // The person's settings are others.
+    // The person's settings have changed.
     void take_settings(double now_s);
-    // Changes scale, heading or what is felt so that the place under the hand stays there, where `change` says that it
-    // shall; out of whatever the hand would be inside.
+    // Changes scale, heading or the rendered scene through `change`. If that returns true, the place under the hand
+    // stays there. A hand that would then be inside a solid is moved out.
     void change_under_hand(const std::function<bool()>& change, double now_s);
 
-    // Keys push it now.
+    // True while keys push it.
     bool pushed(double now_s) const { return push_way(now_s) != Vec3(0.0); }
     // As the keys say; else by carried_hand_m_per_s (device frame), where the hand is led out of its reach.
     void push(const Vec3& carried_hand_m_per_s, double now_s);
-    // No tap of a key that pushes it is still at work.
+    // True if no tap of a pushing key is still acting.
     bool idle() const { return context_.tick_s >= push_until_s_; }
-    // Once a tick, after the body has walked: a hand that something solid keeps from going with the body is brought to
-    // it, with a word and force that ramps in from zero. Until then HandsState::left_behind says so. Not where the
-    // workspace is meant to be elsewhere: round the whole building, or staying where it is.
+    // Call it once a tick, after walking. If a solid keeps the hand from following the walker, the hand is brought to
+    // the walker with an announcement, and force ramps up from zero. Until then HandsState::left_behind is set. It does
+    // nothing if the workspace is meant to be elsewhere: around the whole building, or at a fixed place.
     void stay_with_body(double now_s);
-    // Tells when it has come to rest, and when it can go no farther.
+    // Announces when it has come to rest, and when it cannot move farther.
     void tell_motion(double now_s);
-    // The hand feels what was made or found out since, and is brought out of what has come to be where it is.
-    // quietly: without a word about what is simplified.
+    // The hand feels what was made or found since, and is moved out of any solid that has appeared at its place.
+    // quietly: simplifications are not announced.
     void take_touch(bool rooms_known, bool quietly, double now_s);
-    // Another command: the answer to the one before does not go on any more.
+    // Another command was given, so the answer to the previous one is not continued.
     void note_command() { scale_asked_s_.reset(); }
-    // The hand cannot be moved, so the workspace is: to where the ball fits, as near as there is room. Says how far;
-    // empty: it fits already. middle_was_m: of the workspace when the hand told where it is. with_body: the body has
-    // just been brought out of something too, which brings out a hand that goes through what it is in.
+    // Moves the workspace, because the device's hand itself cannot be moved, to the nearest place where the proxy fits.
+    // Returns the distance in words; empty: the proxy fits already. middle_was_m: the workspace's middle when the
+    // hand's position was measured. with_body: the walker has just been brought out of a solid too, which also frees a
+    // hand that passes through its solid.
     std::string bring_out(const Vec3& middle_was_m, bool with_body, double now_s);
 
     // Moves the simulated hand's target, device frame; clamped to its reach.
@@ -69,17 +73,17 @@ public:
     void move_hand_by_keys(double dt_s);
     const Vec3& hand_target_m() const { return hand_target_m_; }  // device frame
 
-    // Set by the session: it has come to rest where the hand was led, so nothing is told of it; asked once for each
-    // rest.
+    // Set by the session; called once for each rest. Returns true if the workspace came to rest where the hand was
+    // guided, so that nothing is announced.
     std::function<bool()> rests_untold;
-    // Set by the session: that place is in the room that the body is in, as far as rooms are known.
+    // Set by the session. True if that place is in the walker's room, as far as rooms are known.
     std::function<bool(const Vec3& place_m)> in_room_of_body;
 
 private:
     Vec3 shift_of(const ToolState& tool) const {
         return tool.workspace_jump == hands_.pose.jump ? tool.workspace_shift_m : Vec3(0.0);
     }
-    // How the hands themselves have moved the workspace since the pose's last jump.
+    // How far the hands themselves have moved the workspace since the last jump of the pose.
     Vec3 shift_by_hand_m() const { return shift_of(hands_.tool) + shift_of(hands_.left_tool); }
     WorkspacePose pose_beside(const Vec3& others_shift_m) const;
     Vec3 origin_m() const;
@@ -99,16 +103,16 @@ private:
     HandsState& hands_;
     const HeldKeys& keys_;
     TouchView& touch_;
-    Vec3 anchor_feet_m_{0.0};  // where it stays while it does not follow the body
-    // On top of which the servo lays its own since the last jump: brought out of something, scrolled, zoomed under the
-    // hand; until it is put elsewhere.
+    Vec3 anchor_feet_m_{0.0};  // its place while it does not follow the walker
+    // Shift since the workspace was last placed: by moving out of a solid, scrolling, or zooming under the hand. The
+    // servo adds its own shift since the last jump.
     Vec3 shift_m_{0.0};
-    Vec3 push_tap_{0.0};  // by a tap of a key: which way and until when
+    Vec3 push_tap_{0.0};  // by a tap of a key: direction and end
     double push_until_s_ = -1.0;
     WorkspaceMotion motion_told_ = WorkspaceMotion::Still;
-    std::optional<double> scale_asked_s_;  // its answer goes on once the hand feels the scale
+    std::optional<double> scale_asked_s_;  // the answer continues once the hand feels the new scale
     bool limit_told_ = false;
-    Vec3 seen_from_m_{0.0};  // the feet, when the body was in sight of the hand last
+    Vec3 seen_from_m_{0.0};  // the feet when the walker last saw the hand
     double left_behind_s_ = 0.0;
     Vec3 hand_target_m_{0.0};
 };
