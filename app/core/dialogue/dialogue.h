@@ -36,7 +36,7 @@ struct ListSpec {
     std::size_t at = 0;                       // selected at first
     std::function<void(std::size_t)> chosen;  // Enter
     std::function<std::string(std::size_t, int)>
-        adjusted{};  // Left -1, Right +1 on an adjustable item; returns its value from now on, in words
+        adjusted{};  // Called by Left (-1) and Right (+1) on an adjustable item; returns the new value in words.
     // Sets an item's quantity to a number; returns the new value in words.
     std::function<std::string(std::size_t, double)> put{};
     std::function<void()> left{};  // Escape

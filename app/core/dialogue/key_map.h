@@ -25,13 +25,13 @@ public:
     explicit KeyMap(const std::map<std::string, std::string>& changes, KeyboardHand hand = KeyboardHand::Both);
 
     std::optional<Command> find(std::string_view key_name) const;  // ASCII case is ignored
-    std::string keys_of(Command command) const;  // "F2 or 1" for help; without keys, how to type the command's word
+    std::string keys_of(Command command) const;  // "F2 or 1" for help; a person who types gets the word instead
     // The names of those keys, separated by blanks; `without` leaves one of them out.
     std::string words_of_keys(Command command, std::string_view without = {}) const;
     // The keys of a command if the person has changed nothing.
     std::string_view default_keys(Command command) const;
-    // One sentence for each unknown command and for each key that two commands claim. Such a key keeps its built-in
-    // meaning.
+    // One sentence for each unknown command and for each key that two commands claim. The command that claimed such a
+    // key first has it, and the person's own keys come before default keys.
     const std::vector<std::string>& problems() const { return problems_; }
 
 private:

@@ -27,7 +27,7 @@ public:
     void take(const HandFacts& hand);
     // A usable device was plugged in. Announces it; the next press of the force key takes it.
     void offer(const std::string& spoken_name, double now_s);
-    // Announces when a confirmation would bring a force back that returns automatically.
+    // After a fault has ended without help, announces that the force key brings the force back.
     void tick(double now_s);
     // Suggests a break when it is due.
     void tell_break(double now_s);

@@ -19,7 +19,7 @@ OpenPortals open_portals(const RoomGraph& graph);
 // its own width can be felt they are not needed.
 bool asks_for_openings(double world_m_per_hand_m, double body_radius_m);
 
-// "Simplified: 3 doorways widened, 12 small things left out."; empty where nothing is.
+// "Simplified: 3 doorways widened, 12 small things left out."; empty if nothing is simplified.
 std::string simplified_sentence(const Simplification& plan);
 // "Front door", "Opening between Hall and Kitchen"; graph: null if the rooms are not known.
 std::string opening_name(const Scene& scene, const NarrowOpening& opening, const RoomGraph* graph,

@@ -47,7 +47,8 @@ public:
 
     // True while keys push it.
     bool pushed(double now_s) const { return push_way(now_s) != Vec3(0.0); }
-    // As the keys say; else by carried_hand_m_per_s (device frame), where the hand is led out of its reach.
+    // Moves the workspace as the keys say; otherwise by carried_hand_m_per_s (device frame), if the hand is being
+    // guided beyond its reach.
     void push(const Vec3& carried_hand_m_per_s, double now_s);
     // True if no tap of a pushing key is still acting.
     bool idle() const { return context_.tick_s >= push_until_s_; }
@@ -55,7 +56,7 @@ public:
     // the walker with an announcement, and force ramps up from zero. Until then HandsState::left_behind is set. It does
     // nothing if the workspace is meant to be elsewhere: around the whole building, or at a fixed place.
     void stay_with_body(double now_s);
-    // Announces when it has come to rest, and when it cannot move farther.
+    // Announces when it has come to rest; plays a sound when it cannot move farther.
     void tell_motion(double now_s);
     // The hand feels what was made or found since, and is moved out of any solid that has appeared at its place.
     // quietly: simplifications are not announced.

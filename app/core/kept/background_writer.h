@@ -1,4 +1,4 @@
-// Replaces files in the background, since a disk may take long. One write at a time; one owner.
+// Replaces files on another thread, because a disk may be slow. One write at a time; one owner.
 #pragma once
 
 #include <atomic>
@@ -14,7 +14,7 @@ namespace handrail {
 
 class BackgroundWriter {
 public:
-    // One of the functions of worlds/base/files.h.
+    // A function of worlds/base/files.h.
     using Write = Result<void> (*)(const std::filesystem::path&, std::string_view);
 
     explicit BackgroundWriter(const Executor& executor, Write how = write_file_atomically)
@@ -23,20 +23,20 @@ public:
     BackgroundWriter(const BackgroundWriter&) = delete;
     BackgroundWriter& operator=(const BackgroundWriter&) = delete;
 
-    // A write has not ended yet.
+    // True until the present write has ended.
     bool busy() const { return worker_.joinable() && !done_; }
-    // Begins one; not while another is busy.
+    // Begins a write; call it only if busy() is false.
     void write(std::filesystem::path file, std::string content);
-    // How the last one that ended went; once.
+    // The result of the last write, once it has ended; returned once.
     std::optional<Result<void>> take_result();
-    // Until nothing is on its way.
+    // Waits until no write is under way.
     void wait();
 
 private:
     const Executor& executor_;
     Write how_;
     std::atomic<bool> done_{false};
-    std::optional<Result<void>> result_;  // the worker's until done_
+    std::optional<Result<void>> result_;  // belongs to the worker until done_
     std::thread worker_;
 };
 

@@ -1,6 +1,6 @@
-// What would be told of a session that broke off: the program, settings that are not the usual ones, and the last acts.
-// Gathered while the session runs, since nobody is there to ask afterwards. No text that was typed and no name of a
-// world, file, device or person gets in. App thread only.
+// What a report says about a session that crashed: the program, settings other than the defaults, and the last
+// commands. It is collected while the session runs, because nobody can be asked afterwards. It never contains typed
+// text or names of worlds, files, devices or persons. App thread only.
 #pragma once
 
 #include <cstdint>
@@ -13,34 +13,35 @@ namespace handrail {
 
 class CrashNotes {
 public:
-    static constexpr std::size_t kMost = 40;  // acts that are kept
+    static constexpr std::size_t kMost = 40;  // commands that are kept
 
-    // lines: of the program and its settings, each a sentence.
+    // lines: about the program and its settings, one sentence each.
     explicit CrashNotes(std::vector<std::string> lines) : lines_(std::move(lines)) {}
 
-    // An act by the word that stands for it in every language ("forward"), when it came.
+    // Notes a command and its time. `act` is its word, the same in every language ("forward").
     void note(std::string_view act, double now_s);
-    // As often as the text is another one.
+    // Counts changes of text().
     std::uint64_t changes() const { return changes_; }
-    // One sentence a line: what was given, then the last acts with the seconds that they came before the latest one.
+    // One sentence a line: the given lines, then the last commands, each with how many seconds it came before the
+    // latest one.
     std::string text() const;
 
 private:
     struct Act {
         std::string word;
         double at_s = 0.0;
-        int times = 1;  // one after the other
+        int times = 1;  // consecutive repetitions
     };
     std::vector<std::string> lines_;
     std::deque<Act> acts_;
     std::uint64_t changes_ = 1;
 };
 
-// Of a row of settings: whether its value says nothing of who set it. Numbers, true and false, and words out of a few
-// that the range lists; not names of devices, voices, files or keys.
+// True if a setting's value reveals nothing about the person. Numbers, true, false, and words that `range` lists may be
+// reported; names of devices, voices, files or keys may not.
 bool may_be_reported(std::string_view value, std::string_view range);
 
-// What a signal that ends a program means, as a sentence; of 0, that none was seen.
+// One sentence about the signal that ended a program; 0: no signal was seen.
 std::string spoken_end(int signal);
 
 }  // namespace handrail

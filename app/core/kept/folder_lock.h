@@ -1,5 +1,5 @@
-// Keeps other sessions of ours out of a folder for as long as it lives. The folder itself is locked, so nothing is left
-// behind by whoever dies. Where the folder is not there or its file system knows no locks, nobody is kept out.
+// Locks a folder against our other sessions while this object lives. The folder itself is locked, so a session that
+// dies leaves nothing behind. If the folder is missing or its file system has no locks, nobody is kept out.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@ namespace handrail {
 
 class FolderLock {
 public:
-    // Waits so long at most for another who holds it.
+    // Waits at most this long, in seconds, for another session to release the folder.
     FolderLock(const std::filesystem::path& folder, double most_s);
     bool held() const { return held_; }
     bool held_elsewhere() const { return held_elsewhere_; }

@@ -1,4 +1,4 @@
-// What a person has said that one unit of a world is: kept in the table [unit] of its side file.
+// The length of a world's unit as the person has set it, from the table [unit] of the world's side file.
 #pragma once
 
 #include <filesystem>
@@ -8,11 +8,11 @@
 
 namespace handrail {
 
-// Metres; nothing where none was said, or nonsense stands there. Reads the file and changes nothing; any thread. See
+// Metres; no value if none was set or the value is unusable. Reads the file and changes nothing; any thread. See
 // SideFile::of_world.
 std::optional<double> kept_unit(const std::filesystem::path& world, const std::filesystem::path& data_folder,
                                 bool shipped, const TomlReader& toml = toml_of);
-// In memory until it is saved. Whatever else stands in the table stays.
+// Stays in memory until the file is saved. Other keys of the table stay as they are.
 void keep_unit(SideFile& file, double metres);
 
 }  // namespace handrail

@@ -1,5 +1,5 @@
-// Things that a person has marked as landmarks in a world whose file does not: how they are kept in the side file and
-// laid upon the world. Pure functions over plain values; app thread.
+// Landmarks that a person has marked in addition to those of the world's file: how the side file stores them, and how
+// the scene gets them. Pure functions over plain values; app thread.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace handrail {
 
-// The thing is known by its stored name and its middle, which may have moved by so much since.
+// A thing is recognised by its stored name and its middle, which may have moved by up to this distance.
 inline constexpr double kLandmarkMoved_m = 0.5;
 struct LandmarkGiven {
     std::string name;
@@ -18,14 +18,14 @@ struct LandmarkGiven {
     SideEntry kept = {};  // keys of the file that this version does not know
 };
 
-// In the order of the file. Entries without a good name or a place are left out and stay in the file; `faults` tells of
-// each.
+// In the order of the file. Entries without a valid name or a place are left out but stay in the file; `faults`
+// receives an error for each.
 std::vector<LandmarkGiven> read_landmarks(const SideFile& file, std::vector<Error>& faults);
-// One more, in memory until the file is saved.
+// Adds a landmark, in memory until the file is saved.
 void keep_landmark(SideFile& file, const Feature& feature);
 
-// The world with these things marked; the same one where there is none to mark. Those that are not there any more are
-// left out.
+// The scene with these things marked; the same pointer if there are none to mark. Things that no longer exist are left
+// out.
 std::shared_ptr<const Scene> with_landmarks(std::shared_ptr<const Scene> scene,
                                             const std::vector<LandmarkGiven>& landmarks);
 

@@ -85,7 +85,7 @@ Result<LastPlace> read_last_place(const std::string& text) {
 }
 
 struct SessionTrace::State {
-    fs::path own;  // without its ending; empty: nothing is kept
+    fs::path own;  // path without extension; empty: nothing is kept
     std::optional<Descriptor> held;
     BackgroundWriter writer{on_threads()}, report_writer{on_threads()};
     fs::path report;
@@ -94,7 +94,7 @@ struct SessionTrace::State {
     std::optional<LastPlace> left_at, kept;
     double next_s = -std::numeric_limits<double>::infinity();
 
-    // All files of one session, also one that it was just writing.
+    // Removes all files of one session, including one that was just being written.
     static void clear(const fs::path& lock_file) {
         const std::string stem = lock_file.stem().string() + ".";
         std::error_code ec;
@@ -104,8 +104,8 @@ struct SessionTrace::State {
         for (const fs::path& file : files) fs::remove(file, ec);
     }
 
-    // What a session left that tells of its crash, as one file that stays. Named by the time of its last word, so that
-    // the names' order is theirs; only the newest few stay.
+    // Turns what a crashed session left into one permanent report. Its name is the time of the session's last note, so
+    // that names sort by time; only the newest few are kept.
     static fs::path keep_report(const fs::path& lock_file) {
         const auto beside = [&](std::string_view ending) {
             return with(fs::path(lock_file).replace_extension(), ending);
@@ -138,7 +138,7 @@ struct SessionTrace::State {
         return folder / name.data();
     }
 
-    // Takes away what sessions left that nobody holds any more.
+    // Examines and removes the files of sessions that no longer run.
     void look(const fs::path& folder) {
         std::error_code ec;
         std::vector<fs::path> locks;
@@ -174,7 +174,7 @@ struct SessionTrace::State {
             return;
         }
         own = fs::path(name).replace_extension();
-        // Until this session has come to a place of its own, a crash of it loses nothing.
+        // Keeps the old place until this session has its own, so that a crash before that loses nothing.
         if (left_at && write_file_atomically(with(own, kPlace), text_of(*left_at))) kept = left_at;
     }
 };
@@ -183,7 +183,7 @@ SessionTrace::SessionTrace(const fs::path& folder) : state_(std::make_unique<Sta
     if (folder.empty()) return;
     std::error_code ec;
     fs::create_directories(folder, ec);
-    // While one session looks and begins no other does, so that none finds another's file before it is held.
+    // While one session looks and begins, no other can, so none finds another's file before it is locked.
     const FolderLock all(folder, kLockWait_s);
     if (!all.held()) return;
     state_->look(folder);

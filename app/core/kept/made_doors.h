@@ -1,6 +1,6 @@
-// Doors that a person has said to be where a world's file has a wall (worlds/scene/made_door.h): kept in the table
-// [mended] of its side file, and cut when the world is read. Pure functions over plain values but where it is said;
-// app thread, but kept_doors, which any thread may ask.
+// Doors that a person has added to a world whose file has a wall there (worlds/scene/made_door.h). They are stored in
+// the table [mended] of its side file, and cut when the world is read. Unless a function says otherwise, these are pure
+// functions over plain values. App thread; kept_doors may run on any thread.
 #pragma once
 
 #include <filesystem>
@@ -12,15 +12,14 @@
 
 namespace handrail {
 
-// In the order of the file. Entries that lack a place or whose measures are no door's are left out and stay in the
-// file.
+// In the order of the file. Entries without a place or with impossible measures are left out but stay in the file.
 std::vector<MadeDoor> read_made_doors(const SideFile& file);
-// Reads the file and changes nothing. See SideFile::peek.
+// Reads the file and changes nothing; any thread. See SideFile::peek.
 std::vector<MadeDoor> kept_doors(const std::filesystem::path& world, const std::filesystem::path& data_folder,
                                  bool shipped, const TomlReader& toml = toml_of);
-// Of the text of a side file.
+// From the text of a side file.
 std::vector<MadeDoor> made_doors_in(const std::string& side_file);
-// One more, and one that is taken away again, by its place; in memory until the file is saved.
+// Adds a door, or removes the one at a place; in memory until the file is saved.
 void keep_made_door(SideFile& file, const MadeDoor& door);
 void drop_made_door(SideFile& file, const Vec3& place_m);
 

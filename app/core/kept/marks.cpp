@@ -34,14 +34,14 @@ SideEntry mark_entry(const Mark& mark) {
     return entry;
 }
 
-// As it is said.
+// The spoken name of a thing.
 std::string spoken_thing(const Scene& scene, const std::string& stored) {
     const auto feature =
         std::find_if(scene.features.begin(), scene.features.end(), [&](const Feature& f) { return f.name == stored; });
     return feature == scene.features.end() ? std::string() : spoken_name(*feature);
 }
 
-// "Mark 3" and "Mark 3, near radiator", but not "Mark 30".
+// True for "Mark 3" and "Mark 3, near radiator", but not for "Mark 30".
 bool is_called(std::string_view name, std::string_view mark) {
     return name.starts_with(mark) &&
            (name.size() == mark.size() || !std::isalnum(static_cast<unsigned char>(name[mark.size()])));
@@ -96,10 +96,12 @@ Mark new_mark(const Scene& scene, const SideFile& file, const std::vector<Mark>&
     std::size_t number = 1;
     do name = phrase("marks.name", {{"number", number}});
     while (taken(name) &&
-           ++number <= marks.size() + 1);  // so many marks cannot take more; a text without a number would for ever
+           // The bound is enough, because n marks take at most n numbers. Without it, a text that ignores the number
+           // would loop for ever.
+           ++number <= marks.size() + 1);
     const std::string thing = spoken_thing(scene, near.name),
                       whole = phrase("marks.name_near", {{"mark", name}, {"thing", thing}});
-    // A long name of a thing is left out rather than cut in the middle of a letter.
+    // If the name would become too long, the thing is left out; cutting could split a character.
     if (whole.size() <= kLongestName_bytes && good_name(thing)) name = whole;
     return {.name = std::move(name),
             .place_m = place_m,

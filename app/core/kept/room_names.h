@@ -1,5 +1,5 @@
-// Names that a person has given to rooms: how they are kept in the side file, and whether they still fit a world that
-// was edited since. Pure functions over plain values; app thread.
+// Names that a person has given to rooms: how the side file stores them, and whether they still fit after the world was
+// edited. Pure functions over plain values; app thread.
 #pragma once
 
 #include <string>
@@ -12,29 +12,29 @@ namespace handrail {
 
 struct RoomNameGiven {
     std::string name;
-    Vec3 at_m{0.0};        // a place in the room, where soles stand
-    double area_m2 = 0.0;  // of the room then; 0: unknown
-    std::string world;     // checksum of the world's file then; empty: unknown
-    bool fits = true;      // found out when the rooms are known, not kept
+    Vec3 at_m{0.0};        // a place on the floor of the room
+    double area_m2 = 0.0;  // area of the room at that time; 0: unknown
+    std::string world;     // checksum of the world's file at that time; empty: unknown
+    bool fits = true;      // determined when the rooms are known, not stored
     SideEntry kept;        // keys of the file that this version does not know
 };
 
-// In a world that was edited, a room of that place counts as the same one up to so many times the area, or that part of
-// it.
+// In an edited world, the room at that place counts as the same one if its area has changed by at most this factor, up
+// or down.
 inline constexpr double kSameRoomArea = 1.5;
 
-// In the order of the file. Entries without a good name or a place are left out and stay in the file; `faults` tells of
-// each.
+// In the order of the file. Entries without a valid name or a place are left out but stay in the file; `faults`
+// receives an error for each.
 std::vector<RoomNameGiven> read_room_names(const SideFile& file, std::vector<Error>& faults);
 void write_room_names(SideFile& file, const std::vector<RoomNameGiven>& names);
 
-// Gives each name that still fits to the room around its place. Those of this very world always fit; of an edited one
-// those whose room is there, is about as large as it was and has no earlier name of the list.
+// Gives each name that still fits to the room at its place. In the same version of the world, a name fits if there is a
+// room. In an edited one, the room must also be about as large as before. A room takes only the first of several names.
 void lay_room_names(RoomGraph& graph, const WalkSpace& space, const SideFile& file, std::vector<RoomNameGiven>& names);
-// "This world has changed since you named rooms. 2 of 5 names no longer fit: Larder; Shop." Empty when all fit.
+// "This world has changed since you named rooms. 2 of 5 names no longer fit: Larder; Shop." Empty if all fit.
 std::string unfit_sentence(const std::vector<RoomNameGiven>& names);
 
-// The place in `names` of the one that room has; kNothing: none.
+// Index in `names` of the name that this room has; kNothing: none.
 std::uint32_t name_of_room(const RoomGraph& graph, const WalkSpace& space, const std::vector<RoomNameGiven>& names,
                            std::uint32_t room);
 

@@ -1,6 +1,6 @@
-// When what a person changed is saved: two seconds after the first change that is not saved yet, so that a crash costs
-// no more than that and a key that is held writes no file each time. What cannot be saved is told once and tried again
-// every kRetry_s. Plain state over the caller's clock; app thread.
+// Decides when to save the person's changes: two seconds after the first unsaved change. So a crash loses at most two
+// seconds, and a held key does not write a file for each repetition. A failure is announced once, and saving is tried
+// again every kRetry_s. Plain state over the caller's clock; app thread.
 #pragma once
 
 #include <optional>
@@ -15,11 +15,11 @@ public:
     static constexpr double kAfter_s = 2.0, kRetry_s = 30.0;
 
     void changed(double now_s);
-    // True when it is to be saved now; the caller does so and tells how it went.
+    // True when it is time to save. The caller then saves and reports the result to ended().
     bool take_due(double now_s);
-    // The sentence to be said, if any: not the same one again until a save has worked.
+    // The sentence to announce, if any. The same sentence is not repeated until a save has succeeded.
     std::optional<std::string> ended(const Result<void>& saved, double now_s);
-    // Something changed that no save has been begun for.
+    // True if something has changed and no save has begun since.
     bool unsaved() const { return due_s_.has_value(); }
 
 private:

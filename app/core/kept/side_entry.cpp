@@ -1,4 +1,4 @@
-// The values of an entry in a side file, declared in side_file.h.
+// Access to the values of an entry in a side file, declared in side_file.h.
 #include <cmath>
 
 #include "app/core/kept/side_file.h"

@@ -23,14 +23,14 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kLongestFile_bytes = std::size_t{16} << 20;
-constexpr std::size_t kLongestFileName_bytes = 220;  // of 255, less our ending and that of a file being written
+constexpr std::size_t kLongestFileName_bytes = 220;  // of 255, minus our ending and the ending of a temporary file
 constexpr std::string_view kEnding = ".handrail.toml";
 constexpr std::size_t kMostTold = 5;
-constexpr std::string_view kMarks = "mark";  // the list of which each entry is a thing of its own
+constexpr std::string_view kMarks = "mark";  // the list in which two equal entries are still two things
 
 std::string checksum_of(std::string_view bytes) {
     auto crc = ::crc32(0, Z_NULL, 0);
-    // In pieces, as zlib counts bytes in 32 bits.
+    // In pieces, because zlib counts bytes in 32 bits.
     for (std::size_t at = 0; at < bytes.size(); at += 1U << 30)
         crc = ::crc32(crc, reinterpret_cast<const Bytef*>(bytes.data() + at),
                       static_cast<uInt>(std::min<std::size_t>(bytes.size() - at, 1U << 30)));
@@ -43,7 +43,7 @@ fs::path beside(const fs::path& world) {
     return path;
 }
 
-// Worlds of one name in different folders stay apart.
+// The checksum of the path distinguishes worlds of the same name in different folders.
 fs::path in_data_folder(const fs::path& world, const fs::path& folder) {
     std::error_code ec;
     fs::path whole = fs::weakly_canonical(world, ec);
@@ -61,7 +61,7 @@ bool is_link(const fs::path& path) {
     return fs::is_symlink(path, ec);
 }
 
-// True where the folder of `near` can be written, or there is nowhere else.
+// True if the folder of `near` can be written, or there is no other place.
 bool lies_beside(const fs::path& near, const fs::path& far, bool shipped) {
     const fs::path folder = near.has_parent_path() ? near.parent_path() : fs::path(".");
     return far.empty() || (!shipped && near.filename().string().size() <= kLongestFileName_bytes &&
@@ -146,7 +146,7 @@ void put_list(TomlValue& root, const std::string& name, const std::vector<SideEn
     root.set(name, std::move(list));
 }
 
-// Up to five of them, in one sentence.
+// Up to five of the names, in one sentence.
 std::string told(const std::vector<std::string>& names) {
     const std::size_t count = std::min(names.size(), kMostTold);
     std::string text =
@@ -154,7 +154,7 @@ std::string told(const std::vector<std::string>& names) {
     return names.size() > count ? phrase("side_file.more", {{"names", text}, {"count", names.size() - count}}) : text;
 }
 
-// A name beside the file that nothing has yet; empty where there is none to be had.
+// An unused name next to the file; empty if none is available.
 fs::path kept_name(const fs::path& path) {
     for (int i = 1; i < 1000; ++i) {
         fs::path kept = path;
@@ -167,18 +167,18 @@ fs::path kept_name(const fs::path& path) {
 }  // namespace
 
 struct SideFile::Content {
-    fs::path path, other_path;  // where it is saved, and where when that folder refuses
+    fs::path path, other_path;  // where it is saved, and where if that folder cannot be written
     fs::path read_from;         // the file that was read
     std::string checksum;
     TomlReader toml = toml_of;
     TomlValue root = TomlValue::empty_table();
     TomlValue base = TomlValue::empty_table();  // as it was read or last saved
-    std::string saved;                          // the text of that
+    std::string saved;                          // its text
     std::vector<std::string> news;
     TakenOver taken_over;
-    bool changed = false, overwrites = false;  // overwrites: what no entry stands for
+    bool changed = false, overwrites = false;  // overwrites: something that is not a list or table of entries
 
-    // The whole file, under another name.
+    // Copies the whole file to another name.
     static Result<fs::path> keep_aside(const fs::path& file) {
         const fs::path kept = kept_name(file);
         std::error_code ec;
@@ -187,7 +187,7 @@ struct SideFile::Content {
         return kept;
     }
 
-    // What another session has written since into what is here.
+    // Merges what another session has written into the content of this one.
     TomlValue merged_with(const TomlValue& other, TakenOver& taken) const {
         TomlValue merged = other;
         std::set<std::string> names;
@@ -196,7 +196,7 @@ struct SideFile::Content {
         std::vector<std::string> conflicts, twice;
         for (const std::string& name : names) {
             const TomlValue *before = base.find(name), *here = root.find(name), *there = other.find(name);
-            // Marks that both sessions have set alike are two.
+            // Equal marks set by both sessions stay two marks.
             const bool new_marks = name == kMarks && !alike(before, here);
             if (alike(here, there) && !new_marks) continue;
             if (alike(before, here)) {
@@ -225,7 +225,8 @@ struct SideFile::Content {
         return merged;
     }
 
-    // Files that may be this world's, the preferred one first. A link in place of one was not put there by Handrail.
+    // The two possible files of this world, the preferred one first. Handrail never creates links, so a link is
+    // avoided.
     void lies_in(const fs::path& first, const fs::path& second) {
         const bool first_is_link = is_link(first);
         const bool swaps = first_is_link && !second.empty() && !is_link(second);
@@ -243,12 +244,12 @@ struct SideFile::Content {
         lies_in(near_works ? near : far, near_works ? far : near);
     }
 
-    // Under the lock of its folder, merged with what stands there.
+    // Writes under the lock of the folder, merged with the present content of the file.
     Result<void> write(const fs::path& to) {
         if (is_link(to)) return fail(phrase("files.link"), to.filename().string());
         const fs::path folder = to.has_parent_path() ? to.parent_path() : fs::path(".");
         std::error_code ec;
-        fs::create_directories(folder, ec);  // a lock needs it; what is wrong with it writing tells
+        fs::create_directories(folder, ec);  // the lock needs the folder; writing reports any error
         const FolderLock lock(folder, kLockWait_s);
         if (lock.held_elsewhere()) return fail(phrase("side_file.locked", {{"file", to.filename().string()}}));
         TomlValue all = root;
@@ -262,7 +263,8 @@ struct SideFile::Content {
             if (*now != saved) {
                 if (const Result<TomlValue> other = toml(*now)) {
                     all = merged_with(*other, taken);
-                } else if (other.error().line == 0) {  // it may be whole, so it is not written over
+                    // The file may be intact, so it is not overwritten.
+                } else if (other.error().line == 0) {
                     return fail(other.error().message, to.filename().string());
                 } else {
                     const auto kept = keep_aside(to);
@@ -274,9 +276,9 @@ struct SideFile::Content {
         }
         std::string text =
             "# What was added to this world in Handrail. Lengths are world metres.\n" + written_toml(all) + "\n";
-        // Read back before it is written, so that what is kept here afterwards is what stands in the file, with its
-        // lines. In this process, because it is this process's own text. Where memory is short toml++ 3.3 writes fewer
-        // digits of a number.
+        // The text is parsed again before it is written, so that memory and file agree, including line numbers. This
+        // process parses it, because it is our own text. If memory is short, toml++ 3.3 writes fewer digits of a
+        // number; the comparison detects that.
         Result<TomlValue> again = toml_of(text);
         if (!again || !same(entry_from(all), entry_from(*again)))
             return fail(phrase("side_file.unwritable"), to.filename().string());
@@ -291,10 +293,11 @@ struct SideFile::Content {
         return {};
     }
 
-    // False if nobody can say what the file holds: it stays as it is, and the other one takes what is added.
+    // Returns false if the parser cannot tell what the file contains. The file then stays as it is, and additions go to
+    // the other file.
     bool read(const fs::path& from) {
         const std::string name = from.filename().string();
-        std::optional<int> damaged_line;  // else it cannot be read
+        std::optional<int> damaged_line;  // no value: the file cannot be read
         if (const auto text = read_whole_file(from, kLongestFile_bytes); text) {
             if (Result<TomlValue> read = toml(*text)) {
                 root = std::move(*read);
@@ -319,7 +322,7 @@ struct SideFile::Content {
                                         : phrase("side_file.unreadable_kept", {{"file", kept_as}}));
             return true;
         }
-        // It stays where it is and must not be written over.
+        // The damaged file could not be renamed and must not be overwritten.
         news.push_back(damaged_line ? phrase("side_file.damaged_stays", {{"line", *damaged_line}, {"file", name}})
                                     : phrase("side_file.unreadable_stays", {{"file", name}}));
         if (path == from) std::swap(path, other_path);
@@ -339,7 +342,7 @@ SideFile SideFile::of_world(const fs::path& world, const fs::path& data_folder, 
     content.toml = std::move(toml);
     content.checksum = checksum_of_world(world);
     content.belongs_to(world, data_folder, shipped);
-    // A folder that could not be written when something was added may be writable now, and the other way round.
+    // The folder may have become writable, or read-only, since the additions were made, so both files are tried.
     for (const fs::path& from : {fs::path(content.path), fs::path(content.other_path)})
         if (!from.empty() && is_there(from) && !is_link(from) && content.read(from)) break;
     return file;
@@ -363,14 +366,15 @@ SideEntry SideFile::peek(const fs::path& world, const fs::path& data_folder, boo
         if (from.empty() || !is_there(from) || is_link(from)) continue;
         const Result<TomlValue> read = toml(read_whole_file(from, kLongestFile_bytes).value_or(""));
         if (read) return table_in(read->find(name));
-        if (read.error().line > 0) return {};  // of_world says so, and takes the other one where nobody can say
+        // Of_world reports the damage; if the content is unknown, it also tries the other file.
+        if (read.error().line > 0) return {};
     }
     return {};
 }
 
 SideEntry SideFile::table_of_text(const std::string& text, const std::string& name) {
     const Result<TomlValue> read = toml_of(text);
-    return read ? table_in(read->find(name)) : SideEntry{};  // of_world says what is wrong
+    return read ? table_in(read->find(name)) : SideEntry{};  // of_world reports what is wrong
 }
 
 const std::vector<std::string>& SideFile::news() const { return content_->news; }
@@ -445,7 +449,7 @@ std::string unfit_words(std::string_view key, const std::vector<std::string>& un
 }
 
 fs::path user_data_folder() {
-    // The base directory specification says: only an absolute XDG_DATA_HOME counts.
+    // By the base directory specification, only an absolute XDG_DATA_HOME counts.
     const char* data = std::getenv("XDG_DATA_HOME");
     if (data && data[0] == '/') return fs::path(data) / "handrail";
     const char* home = std::getenv("HOME");

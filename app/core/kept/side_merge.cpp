@@ -15,13 +15,14 @@ using At = std::optional<std::size_t>;
 
 bool same_number(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
-// What an entry is known again by when something else about it was changed, the surest first.
+// Compares a key by which a changed entry can be recognised; the caller tries the most reliable key first.
 bool same_thing(const SideEntry& a, const SideEntry& b, const char* key) {
     const auto in_a = a.find(key), in_b = b.find(key);
     return in_a != a.end() && in_b != b.end() && same(in_a->second, in_b->second);
 }
 
-// For each entry of `base` its place in `now`; none: deleted. `added` gets those of `now` that are new.
+// For each entry of `base`, its index in `now`; no value: deleted. `added` receives the indices of new entries in
+// `now`.
 std::vector<At> places_of(const std::vector<SideEntry>& base, const std::vector<SideEntry>& now,
                           std::vector<std::size_t>& added) {
     std::vector<At> places(base.size());

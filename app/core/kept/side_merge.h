@@ -1,6 +1,6 @@
-// What two sessions have added to one world, put together: a merge by entry of what both began with, what is here and
-// what the other has written since. Nothing that somebody added or changed is lost; where both changed the same, both
-// stay, and the caller is told the name. Pure functions over plain values.
+// Merges what two sessions have added to one world, entry by entry: their common base, the content here, and what the
+// other session has written since. No addition or change is lost. If both changed the same entry, both versions stay
+// and the caller gets its name. Pure functions over plain values.
 #pragma once
 
 #include <cstdint>
@@ -12,25 +12,27 @@
 namespace handrail {
 
 struct MergedEntries {
-    std::vector<SideEntry> entries;      // those here in their order, then what only the other has
-    std::vector<std::string> conflicts;  // names of what both changed, or one changed and the other deleted
-    std::vector<std::string> twice;      // names that both gave to something new
-    bool differs = false;                // from what is here
+    std::vector<SideEntry> entries;  // those here in their order, then those that only the other session has
+    // Names of entries that both changed, or that one changed and the other deleted.
+    std::vector<std::string> conflicts;
+    std::vector<std::string> twice;  // names that both sessions gave to new entries
+    bool differs = false;            // from the content here
 };
 
-// What two entries mean that both sessions have added and that are alike.
+// What two equal entries mean that both sessions have added.
 enum class Alike : std::uint8_t {
     OneThing,  // a door or the name of a room
-    TwoThings  // marks: two people may stand at one spot, and their marks have one name until they give them others
+    // Marks: two people may stand at one spot, and their marks have the same name until they change it.
+    TwoThings
 };
 
-// Entries have no number of their own: one that is no longer as it was counts as the same one, changed, if it has kept
-// its place, its stops or its name. Of alike entries each session has changed its own. Cost: the product of the counts
-// of entries that differ from `base`.
+// Entries have no identifier. A changed entry counts as the same one if it has kept its place, its stops or its name.
+// If `base` has equal entries and each session changed one, they count as different ones. Cost: the product of the
+// numbers of entries that differ from `base`.
 MergedEntries merge_entries(const std::vector<SideEntry>& base, const std::vector<SideEntry>& here,
                             const std::vector<SideEntry>& other, Alike alike);
 
-// The same for a table, key by key; where both changed one, what is here stays.
+// Merges a table key by key. If both sessions changed a key, the value here stays.
 struct MergedTable {
     SideEntry table;
     std::vector<std::string> conflicts;  // keys
@@ -38,7 +40,7 @@ struct MergedTable {
 };
 MergedTable merge_table(const SideEntry& base, const SideEntry& here, const SideEntry& other);
 
-// As files have them: numbers that are not a number are alike.
+// Equality as in files: two NaN values are equal.
 bool same(const SideValue& a, const SideValue& b);
 bool same(const SideEntry& a, const SideEntry& b);
 

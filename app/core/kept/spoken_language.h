@@ -1,4 +1,4 @@
-// The language of the settings, spoken. App thread only.
+// Speaks the language that the settings name. App thread only.
 #pragma once
 
 #include <filesystem>
@@ -9,13 +9,13 @@
 
 namespace handrail {
 
-// The code of the language that the settings name, resolved as below; no file is opened.
+// The code of the language that the settings name, resolved as below, without opening a file.
 std::string language_as_set(const Settings::Speech& settings, const std::filesystem::path& folder);
-// Speaks the language that the settings name ("auto": the environment's, else English), with the files of `folder`.
-// Returns what is wrong, to be said; where there is no such language, the one spoken before stays.
+// Switches to the language that the settings name ("auto": that of the environment, else English), with the files in
+// `folder`. Returns errors to announce. If there is no such language, the previous one stays.
 std::vector<Diagnostic> speak_as_set(const Settings::Speech& settings, const std::filesystem::path& folder);
 
-// Where a person's own language files lie: "languages" in the data folder; empty without one.
+// The folder of a person's own language files: "languages" in the data folder; empty if there is none.
 std::filesystem::path user_languages_folder();
 
 }  // namespace handrail

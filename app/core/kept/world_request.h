@@ -1,5 +1,5 @@
-// Which world is to be entered and how its file is read: the one way to ask for a world. The command line, the menu,
-// the last place, lessons, recordings and tests make it. Plain data; any thread.
+// Which world to enter and how to read its file. All requests for a world use this: the command line, the menu, the
+// last place, lessons, recordings and tests. Plain data; any thread.
 #pragma once
 
 #include <filesystem>
@@ -11,11 +11,11 @@
 namespace handrail {
 
 struct WorldRequest {
-    std::filesystem::path file = {};                  // absolute once it is entered; empty: it comes from no file
-    std::optional<double> map_scale_m_per_unit = {};  // of a .map; none: the reader's own
-    std::optional<double> unit_m = {};                // of a file that states none; none: the reader's own
-    std::string building = {};                        // of a file with several; empty: the one with most rooms
-    // What a lesson sets while one is in this world, on top of the settings that come with its file: key and value.
+    std::filesystem::path file = {};                  // absolute once the world is entered; empty: no file
+    std::optional<double> map_scale_m_per_unit = {};  // for a .map; none: the reader's default
+    std::optional<double> unit_m = {};                // for a file that states no unit; none: the reader's default
+    std::string building = {};  // for a file with several buildings; empty: the one with most rooms
+    // Settings of a lesson while the session is in this world, which override the world's own settings: key and value.
     std::vector<std::pair<std::string, std::string>> settings = {};
 
     bool operator==(const WorldRequest&) const = default;

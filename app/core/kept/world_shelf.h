@@ -1,5 +1,5 @@
-// The worlds one can go to: those that come with the program, those of any folder, and the last ones visited, kept in a
-// small text file of paths. App thread; reads folders and that file, nothing else.
+// The worlds to choose from: those that come with the program, those in any folder, and those visited last, which a
+// small text file of paths stores. App thread; reads only folders and that file.
 #pragma once
 
 #include <filesystem>
@@ -13,9 +13,9 @@ struct ShelvedWorld {
     std::filesystem::path file;
 };
 
-// Files of the kinds we read, by name. None: the folder is missing, unreadable or empty of worlds.
+// World files of the supported kinds, by name. Empty: the folder is missing, unreadable or contains no worlds.
 std::vector<ShelvedWorld> worlds_in(const std::filesystem::path& folder);
-// "first room" of "first_room.map"; bytes that are no UTF-8 are left out.
+// "first room" for "first_room.map"; bytes that are not UTF-8 are left out.
 std::string name_of_file(const std::filesystem::path& file);
 
 class RecentWorlds {
@@ -23,14 +23,14 @@ public:
     static constexpr std::size_t kMost = 10;
 
     RecentWorlds() = default;  // in memory only
-    // A file that is not UTF-8 text of paths, one a line, is kept aside under another name, said, and the list starts
-    // empty.
+    // If the file is not UTF-8 text with one path a line, it is kept under another name, that is announced, and the
+    // list starts empty.
     explicit RecentWorlds(std::filesystem::path file);
 
-    const std::vector<std::filesystem::path>& worlds() const { return worlds_; }  // last one first
-    // Visited now. Saves at once; what cannot be saved is kept in memory.
+    const std::vector<std::filesystem::path>& worlds() const { return worlds_; }  // latest first
+    // Notes a visit and saves at once. If saving fails, the list stays in memory.
     void add(const std::filesystem::path& world);
-    // What there was to say about the file; once.
+    // Sentences about the file; returned once.
     std::string take_news();
 
 private:
@@ -39,10 +39,10 @@ private:
     std::string news_;
 };
 
-// $XDG_STATE_HOME/handrail/recent-worlds.txt, else ~/.local/state/...; empty when neither is known.
+// $XDG_STATE_HOME/handrail/recent-worlds.txt, else ~/.local/state/...; empty if neither is known.
 std::filesystem::path recent_worlds_path();
 
-// What the chooser has to offer.
+// What the list of worlds offers.
 struct WorldShelf {
     std::filesystem::path bundled;  // a folder
     std::vector<std::filesystem::path> recent;

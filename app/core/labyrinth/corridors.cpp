@@ -13,14 +13,15 @@
 namespace handrail {
 namespace {
 
-constexpr double kHoleBelow_m = 0.5;  // the floor over a hole is at most so far above it
+constexpr double kHoleBelow_m = 0.5;  // largest depth of a hole below the floor around it
 
 struct Cells {
     int x0 = 0, y0 = 0, width = 0, depth = 0;
     std::vector<bool> free;
 };
 
-// The same world, walked from the ball and from all round its holes: a walk goes over none.
+// A copy of the world whose walkable floor is found from the ball and from all sides of its holes, because no walk
+// crosses a hole.
 Scene begun_on_the_board(const Scene& scene, const Vec3& feet_m, double beside_m) {
     Scene begun = scene;
     begun.starts.clear();
@@ -39,7 +40,7 @@ Scene begun_on_the_board(const Scene& scene, const Vec3& feet_m, double beside_m
     return begun;
 }
 
-// No part of the building is within a ball's radius to the four sides.
+// True if no part of the building is within a ball's radius on the four sides.
 bool has_room(const Scene& scene, const Vec3& middle_m, double radius_m) {
     return std::none_of(scene.solids.begin(), scene.solids.end(), [&](const Solid& solid) {
         if (solid.role != SolidRole::Solid) return false;
@@ -49,7 +50,7 @@ bool has_room(const Scene& scene, const Vec3& middle_m, double radius_m) {
     });
 }
 
-// The columns that the ball's middle can be over.
+// The cells over which the ball's centre can be.
 Cells rolled_on(const Scene& scene, const WalkSpace& space, const Vec3& feet_m) {
     const double cell_m = space.cell_m;
     const auto column = [&](double place_m, double origin_m) {
@@ -107,7 +108,8 @@ Cells rolled_on(const Scene& scene, const WalkSpace& space, const Vec3& feet_m) 
     return cells;
 }
 
-// Where b lies from a, if they share a border: its side, and the middle of the shared part in cells from the origin.
+// The side of `a` on which `b` borders it, and the middle of the shared border in cells from the origin. No value if
+// they do not touch.
 struct SharedBorder {
     CorridorSide towards = CorridorSide::East;
     double x = 0.0, y = 0.0;
@@ -123,8 +125,8 @@ std::optional<SharedBorder> meeting(const CellStrip& a, const CellStrip& b) {
     return std::nullopt;
 }
 
-// The largest rectangle of free cells that ends in a row, by the stack of rising columns (a standard method of the
-// largest rectangle under a histogram); of equal ones the western.
+// The largest rectangle of free cells that ends in a row, by a stack of rising columns: the standard method for the
+// largest rectangle under a histogram. Of equal ones, the westernmost.
 CellStrip largest_in_row(const std::vector<int>& high, int row) {
     CellStrip best{0, 0, -1, -1};
     int best_area = 0;
@@ -194,7 +196,7 @@ Result<std::vector<Corridor>> corridors_of(const Scene& scene, const Vec3& ball_
     std::erase_if(strips, [&](const CellStrip& strip) {
         return std::max(strip.wide(), strip.deep()) * cell_m < least_m && !holds_ball(strip);
     });
-    // By corridors passed; what is joined by nothing but a strip that was left out comes last.
+    // Order by corridors passed. Those connected only through a strip that was left out come last.
     std::vector<std::size_t> order;
     const auto come_to = [&](std::size_t strip) {
         if (std::find(order.begin(), order.end(), strip) == order.end()) order.push_back(strip);

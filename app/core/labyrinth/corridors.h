@@ -1,5 +1,5 @@
-// A labyrinth as seen from above, for the ears: the straight strips of floor that the ball can roll along, and how they
-// join. Pure functions; any thread.
+// A labyrinth in words: the straight strips of floor along which the ball can roll, and how they join. Pure functions;
+// any thread.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace handrail {
 
-// Cells x from and to, y from and to, both ends belong to it.
+// A range of cells in x and in y; both ends are included.
 struct CellStrip {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 
@@ -20,31 +20,32 @@ struct CellStrip {
     bool operator==(const CellStrip&) const = default;
 };
 
-// Takes the largest rectangle of free cells, then the largest of those left, and so on until none is left; of equal
-// ones the southern, then the western one first. free: width times depth, rows from the south, each from the west.
+// Takes the largest rectangle of free cells, then the largest of the rest, until none is left. Of equal ones, the
+// southernmost comes first, then the westernmost. free: width times depth, rows from the south, each from the west.
 std::vector<CellStrip> largest_strips(std::vector<bool> free, int width, int depth);
 
 enum class CorridorSide : std::uint8_t { East, North, West, South };
 
 struct Corridor {
     struct Branch {
-        std::size_t to = 0;    // place in the list
-        double at_m = 0.0;     // along this one from its beginning, where the strips meet
-        CorridorSide towards;  // it lies there
+        std::size_t to = 0;    // index in the list
+        double at_m = 0.0;     // distance from the beginning of this corridor to where the strips meet
+        CorridorSide towards;  // direction of the other corridor
     };
-    bool east = true;       // it runs from west to east, else from south to north
-    Aabb box_m;             // where the ball's middle can be; level
-    double length_m = 0.0;  // that it can roll
-    double across_m = 0.0;  // likewise
+    bool east = true;       // true: from west to east; false: from south to north
+    Aabb box_m;             // where the ball's centre can be; level
+    double length_m = 0.0;  // how far the ball can roll along it
+    double across_m = 0.0;  // how far the ball can roll across it
     std::vector<Branch> branches;
 
-    // Along it from its beginning; below 0 or above the length: before or behind it.
+    // Distance along the corridor from its beginning; negative or above the length if outside it.
     double along_m(const Vec3& place_m) const { return east ? place_m.x - box_m.min_m.x : place_m.y - box_m.min_m.y; }
 };
 
-// Those that the ball can come to from where it lies, holes passed over, things that are free to move left out; the one
-// it lies in first, then the nearest by corridors passed. Strips shorter than half a roll of the ball (its diameter)
-// are left out. Of two floors above each other the one that is reached first. Fails where nothing can be rolled on.
+// The corridors that the ball can reach from its place. Holes count as floor, and movable things are ignored. The
+// ball's own corridor comes first, then the others by the number of corridors between. Strips shorter than half a roll
+// of the ball (its diameter) are left out. Of two floors above each other, the first one reached counts. Fails if there
+// is no floor to roll on.
 Result<std::vector<Corridor>> corridors_of(const Scene& scene, const Vec3& ball_m, double radius_m);
 
 }  // namespace handrail

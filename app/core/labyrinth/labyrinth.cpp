@@ -15,14 +15,14 @@
 namespace handrail {
 namespace {
 
-constexpr double kMoved_m = 0.01;  // the clock runs from then on
-constexpr double kBack_s = 1.0;    // so long after it fell the ball is back
+constexpr double kMoved_m = 0.01;  // a movement of this size starts the clock
+constexpr double kBack_s = 1.0;    // time from the fall until the ball is back
 constexpr double kNearer_m = 0.05, kStuck_s = 60.0;
-constexpr double kLookDown_m = 0.3;  // over a hole, for what lies on it
+constexpr double kLookDown_m = 0.3;  // height above a hole from which to look for a cover
 constexpr double kFarWall_m = 20.0;
 constexpr double kThudAgain_s = 0.5;
 constexpr double kLoudness = 0.6;
-constexpr double kHoleHeard = 10.0, kGoalHeard = 20.0;  // diameters of the ball
+constexpr double kHoleHeard = 10.0, kGoalHeard = 20.0;  // in diameters of the ball
 constexpr double kSlowestBeat_hz = 2.0, kFastestBeat_hz = 10.0;
 
 bool holds(const Aabb& box_m, const Vec3& at_m) {
@@ -39,7 +39,7 @@ Labyrinth::Labyrinth(const SessionContext& context, Bodies& bodies, Soundscape& 
     bodies_.on_hit = [this](FeatureId thing, FeatureId met, double now_s) { meet_border(thing, met, now_s); };
 }
 
-// Once, however often it bounces there.
+// Plays one sound, however often the ball bounces there.
 void Labyrinth::meet_border(FeatureId thing, FeatureId met, double now_s) {
     if (!there() || thing != plan().ball || std::count(plan().borders.begin(), plan().borders.end(), met) == 0) return;
     if (now_s - std::exchange(thud_s_, now_s) > kThudAgain_s) context_.play_at(SoundKind::Border, ball_m(), now_s);
@@ -69,7 +69,7 @@ std::string Labyrinth::opening_words() const {
                                       {"again", context_.keys.keys_of(Command::PutBack)}});
 }
 
-// Among the placed things of the world; their number: there is none.
+// Index among the placed things of the world; their number if there is none.
 std::size_t Labyrinth::thing_of(FeatureId feature) const {
     const std::vector<PlacedModel>& placed = context_.world.scene->placed;
     return static_cast<std::size_t>(
@@ -91,7 +91,7 @@ double Labyrinth::to_goal_m() const {
     return least_m;
 }
 
-// From the ball, in rolls of it: "2 rolls north, 1.5 rolls east".
+// Offset from the ball, in rolls: "2 rolls north, 1.5 rolls east".
 std::string Labyrinth::off_words(const Vec3& to_m) const {
     const Vec3 off = to_m - ball_m();
     std::string text;
@@ -104,13 +104,13 @@ std::string Labyrinth::off_words(const Vec3& to_m) const {
     return text.empty() ? phrase("labyrinth.here") : text;
 }
 
-// How far the ball can roll to the four sides.
+// How far the ball can roll in the four directions.
 std::string Labyrinth::free_words() const {
     constexpr std::array kWays{Vec3(0.0, 1.0, 0.0), Vec3(1.0, 0.0, 0.0), Vec3(0.0, -1.0, 0.0), Vec3(-1.0, 0.0, 0.0)};
     constexpr std::array kSides{"labyrinth.north", "labyrinth.east", "labyrinth.south", "labyrinth.west"};
     std::string text;
     for (std::size_t i = 0; i < kWays.size(); ++i) {
-        // From inside the ball, which is then not met itself.
+        // The line starts inside the ball, so it does not hit the ball itself.
         const TraceHit hit = context_.world.solids->trace(ball_m(), ball_m() + kWays[i] * kFarWall_m, {}, true);
         const double free_m = (hit.hit ? hit.fraction * kFarWall_m : kFarWall_m) - radius_m_;
         const double rolls = std::floor(2.0 * free_m / roll_m()) / 2.0;
@@ -135,7 +135,7 @@ std::string Labyrinth::state_words() const {
     return text;
 }
 
-// What lies in it and where others begin, from its beginning on, in rolls of the ball.
+// What is in the corridor and where others begin, from its beginning, in rolls of the ball.
 std::string Labyrinth::corridor_words(const Corridor& corridor) const {
     std::vector<std::pair<double, std::string>> told;
     const double near_m = 0.5 * corridor.across_m + 2.0 * radius_m_;
@@ -171,7 +171,8 @@ std::string Labyrinth::corridor_words(const Corridor& corridor) const {
 
 void Labyrinth::list_corridors(double now_s) {
     auto corridors = corridors_of(*context_.world.scene, ball_m(), radius_m_);
-    // Where it was rolled against a wall the ball may lie a hair's breadth off the board it is looked for on.
+    // A ball that was rolled against a wall may be slightly off the floor, so the search starts again from where the
+    // game began.
     if (corridors && corridors->empty()) corridors = corridors_of(*context_.world.scene, start_m_, radius_m_);
     if (!corridors) return context_.answer(corridors.error().sentence(), now_s);
     if (corridors->empty()) return context_.answer(phrase("labyrinth.no_corridors"), now_s);
@@ -183,7 +184,7 @@ void Labyrinth::list_corridors(double now_s) {
                                      {{"number", i + 1}, {"rolls", halves(corridor.length_m / roll_m())}}),
                               corridor_words(corridor)});
     }
-    list.stays_open = true;  // it is read, and nothing in it is done
+    list.stays_open = true;  // the list is only for reading
     list.chosen = [](std::size_t) {};
     context_.open_list(std::move(list), now_s);
 }
@@ -214,7 +215,7 @@ void Labyrinth::begin(double now_s) {
     nearer_s_ = now_s;
 }
 
-// Something else than the ball lies over its middle; while the ball is there, as it was.
+// True if anything except the ball covers the middle of the hole. While the ball is there, the previous answer stays.
 bool Labyrinth::covered(std::size_t which) const {
     const LabyrinthPlan::Place& hole = plan().holes[which];
     Vec3 from = hole.box_m.centre_m();
@@ -238,7 +239,7 @@ void Labyrinth::look_at_holes(double now_s, bool tell) {
     }
 }
 
-// Open holes near the ball hum, beating the faster the nearer it is to their edge, and goals that are not far ring.
+// Open holes near the ball hum, and beat faster the nearer the ball is to their edge. Goals that are not far ring.
 void Labyrinth::sound() {
     std::vector<AddedSound> sounds;
     const Vec3 ball = ball_m();
@@ -248,7 +249,7 @@ void Labyrinth::sound() {
         const Vec3 nearest = glm::clamp(ball, box.min_m, box.max_m);
         const double edge_m = std::hypot(nearest.x - ball.x, nearest.y - ball.y);
         if (covered_[i] || edge_m > hums_m) continue;
-        // In quarters of a beat, so that it is told anew only where that is heard.
+        // Rounded to quarters of a beat, so that the sound changes only if that can be heard.
         const double beats = kFastestBeat_hz - (kFastestBeat_hz - kSlowestBeat_hz) * edge_m / hums_m;
         sounds.push_back({SoundKind::Hum, box.centre_m(), kLoudness, std::round(4.0 * beats) / 4.0});
     }
@@ -271,7 +272,7 @@ void Labyrinth::tick(double now_s) {
         return context_.answer(phrase("labyrinth.back"), now_s);
     }
     if (!bodies_.any_moving()) {
-        // Only who has begun and holds on to nothing new is stuck.
+        // Only a person who has begun and makes no progress is stuck.
         if (began_s_ >= 0.0 && !over_ && !hint_told_ && now_s - nearer_s_ > kStuck_s) {
             hint_told_ = true;
             context_.answer(

@@ -1,6 +1,6 @@
-// The game of a labyrinth: a ball is to be rolled past holes to a goal. It keeps the clock and the best time, lets
-// holes hum and the goal ring, tells how things stand, begins anew, and notices who gets no nearer. It is there where
-// the world says so (worlds/scene/labyrinth.h), and nothing of it anywhere else. App thread only.
+// The labyrinth game: roll a ball past holes to a goal. It keeps the clock and the best time, makes holes hum and the
+// goal ring, announces the state, restarts, and gives a hint if the ball gets no nearer. It is active only in worlds
+// that declare it (worlds/scene/labyrinth.h). App thread only.
 #pragma once
 
 #include <filesystem>
@@ -19,13 +19,14 @@ class Labyrinth : SessionPart {
 public:
     Labyrinth(const SessionContext& context, Bodies& bodies, Soundscape& soundscape);
 
-    // Where best times are kept; until told, they last as long as the session.
+    // Folder for best times; without it, they last as long as the session.
     void keep_records_in(const std::filesystem::path& folder) { best_.keep_in(folder); }
-    // After the world and its bodies.
+    // Call it after the world and its bodies have been entered.
     void enter_world(double now_s);
-    // What is to be done here; empty: no labyrinth.
+    // Announcement of the aim of the game; empty: no labyrinth.
     std::string opening_words() const;
-    // How things stand, and starting anew. False: it is another's, or this is no labyrinth.
+    // Announces the state, or restarts. Returns false if the command belongs to another feature or this is no
+    // labyrinth.
     bool act(Command command, double now_s);
     void tick(double now_s);
 
@@ -35,7 +36,7 @@ private:
     std::size_t thing_of(FeatureId feature) const;
     Vec3 at(FeatureId feature) const;
     Vec3 ball_m() const;
-    double roll_m() const { return 4.0 * radius_m_; }  // as far as a key rolls it
+    double roll_m() const { return 4.0 * radius_m_; }  // distance for one press of a key
     double to_goal_m() const;
     std::string off_words(const Vec3& to_m) const;
     std::string free_words() const;
@@ -51,16 +52,16 @@ private:
     Bodies& bodies_;
     Soundscape& soundscape_;
     BestTimes best_{"labyrinth"};
-    std::size_t ball_ = 0;  // among the placed things of the world
+    std::size_t ball_ = 0;  // index among the placed things
     double radius_m_ = 0.05;
     Vec3 start_m_{0.0};
     std::vector<bool> covered_;
-    std::vector<AddedSound> sounds_;  // as the soundscape has them
-    double began_s_ = -1.0;           // when the ball first moved; below 0: it has not
-    double fallen_s_ = -1.0;          // when it fell into a hole; below 0: it has not
+    std::vector<AddedSound> sounds_;  // as last sent to the soundscape
+    double began_s_ = -1.0;           // when the ball first moved; negative: not yet
+    double fallen_s_ = -1.0;          // when it fell into a hole; negative: it has not
     bool over_ = false;
     double thud_s_ = -1e9;
-    double nearest_m_ = 0.0, nearer_s_ = 0.0;  // to the goal so far, and when
+    double nearest_m_ = 0.0, nearer_s_ = 0.0;  // nearest distance to the goal, and when
     bool hint_told_ = false;
 };
 

@@ -1,5 +1,5 @@
-// The best time of a game in each world, kept in the person's own data folder, and what is said of a new one. App
-// thread only.
+// The best time of a game in each world, stored in the person's own data folder, and the announcement of a new time.
+// App thread only.
 #pragma once
 
 #include <filesystem>
@@ -11,17 +11,17 @@ namespace handrail {
 
 class BestTimes {
 public:
-    // The file's name without an ending.
+    // The file's name without extension.
     explicit BestTimes(std::string game) : game_(std::move(game)) {}
-    // Until told, they last as long as the session.
+    // Folder for the file; without it, times last as long as the session.
     void keep_in(const std::filesystem::path& folder) { folder_ = folder; }
-    // A game of that world has taken so long. What is said of it: the first, a better or the best one before; and what
-    // went wrong with keeping it.
+    // A game in that world took this long. Returns the announcement: the first time, a new best, or the old best. It
+    // also reports errors of storing.
     std::string finish(const std::string& world, double took_s);
 
 private:
     const std::string game_;
-    std::filesystem::path folder_;  // empty: nothing is kept
+    std::filesystem::path folder_;  // empty: nothing is stored
     std::map<std::string, double> session_s_;
 };
 

@@ -14,9 +14,9 @@
 namespace handrail {
 namespace {
 
-constexpr double kHide_m = 6.0;       // on foot from where one is
-constexpr double kHandFinds_m = 0.4;  // of world
-const Vec3 kAbove_m(0.0, 0.0, 1.0);   // the clock, over where one stands at it
+constexpr double kHide_m = 6.0;       // least distance on foot from the walker
+constexpr double kHandFinds_m = 0.4;  // world metres
+const Vec3 kAbove_m(0.0, 0.0, 1.0);   // height of the clock above the floor
 
 }  // namespace
 
@@ -44,7 +44,7 @@ bool ClockHunt::act(Command command, double now_s) {
 }
 
 void ClockHunt::hide(double now_s) {
-    // Doors count as open: whoever hunts opens them.
+    // Doors count as open, because the person can open them.
     Scene open = *context_.world.scene;
     std::erase_if(open.placed, [&](const PlacedModel& thing) {
         const Feature* feature = context_.world.scene->find(thing.feature);
@@ -63,7 +63,8 @@ void ClockHunt::hide(double now_s) {
 
 std::string ClockHunt::hint_words() const {
     const Vec3& feet_m = context_.body.feet_m();
-    // By the ways of this world where they are known; they begin anywhere. The ground's own squares else.
+    // Uses the routes of this world if they are known, because they begin anywhere; otherwise the squares of the hunt's
+    // ground.
     std::optional<double> way;
     std::optional<Vec3> next;
     if (rooms_.found())

@@ -1,5 +1,5 @@
-// The hunt as it is played: hides a clock that ticks, says where to go next, notices that hand or body has found it,
-// and keeps the best time for each world. App thread only; hunt.h knows the ground.
+// The hunt as a game: hides a ticking clock, gives directions to it, notices when the hand or the walker has found it,
+// and keeps the best time for each world. App thread only. hunt.h computes the ground.
 #pragma once
 
 #include <filesystem>
@@ -19,22 +19,22 @@ class ClockHunt : SessionPart {
 public:
     ClockHunt(const SessionContext& context, Rooms& rooms, Soundscape& soundscape);
 
-    // Where best times are kept; until told, they last as long as the session.
+    // Folder for best times; without it, they last as long as the session.
     void keep_records_in(const std::filesystem::path& folder) { best_.keep_in(folder); }
-    // A hunt begins in the world that is entered next.
+    // The next world that is entered begins with a hunt.
     void await_world() { awaits_ = true; }
     void enter_world();
-    // Once that world has been told of.
+    // Begins the awaited hunt, after the world has been announced.
     void begin_awaited(double now_s);
-    // Hunt. False: it is another's.
+    // Handles the Hunt command. Returns false for any other command.
     bool act(Command command, double now_s);
     void tick(double now_s);
 
 private:
     struct Hidden {
         HuntGround ground;
-        std::unique_ptr<BodyWorld> open_world;  // without doors
-        Vec3 clock_m{0.0};                      // where one stands at it
+        std::unique_ptr<BodyWorld> open_world;  // the world without its doors
+        Vec3 clock_m{0.0};                      // where a person at the clock would stand
         double began_s = 0.0;
         int hints = 0;
     };

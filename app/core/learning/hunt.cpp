@@ -17,7 +17,7 @@ constexpr std::size_t kMostNodes = 40000;
 constexpr double kFound_m = 1.0;
 constexpr double kClockHeight_m = 1.0;
 
-// The body goes straight from one place to the other, on the ground all the way.
+// Walks straight from one place to the other; no value if anything blocks it or there is no ground.
 std::optional<Vec3> walks(const BodyWorld& world, const Vec3& from_m, const Vec3& to_m, const BodySize& body) {
     const Vec3 way(to_m.x - from_m.x, to_m.y - from_m.y, 0.0);
     const double length = glm::length(way);
@@ -54,7 +54,7 @@ HuntGround::HuntGround(const BodyWorld& doors_open, const Vec3& feet_m, const Bo
             const auto to = walks(doors_open, from, from + Vec3(dx * kCell_m, dy * kCell_m, 0.0), body);
             if (!to) continue;
             const int x = cells[i].x + dx, y = cells[i].y + dy;
-            // The same place may be counted on either side of a border between two heights.
+            // The same place may be rounded to either of two heights.
             auto there = known.find(key(x, y, to->z));
             for (const double off : {-0.5, 0.5})
                 if (there == known.end()) {
@@ -72,9 +72,9 @@ HuntGround::HuntGround(const BodyWorld& doors_open, const Vec3& feet_m, const Bo
     measure(0);
 }
 
-// Shortest ways along the grid; ways are told in whole steps, so its corners do not matter.
+// Shortest routes along the grid. They are announced in whole steps, so the detours of a grid do not matter.
 void HuntGround::measure(std::uint32_t from) {
-    // A place may be left where it cannot be come back to: ways to the aim follow the steps backwards.
+    // Some steps go only one way, such as down a drop. The search therefore follows them backwards from the aim.
     std::vector<std::vector<std::uint32_t>> into(nodes_.size());
     for (std::uint32_t i = 0; i < nodes_.size(); ++i)
         for (const std::uint32_t next : nodes_[i].beside) into[next].push_back(i);
@@ -101,7 +101,7 @@ Vec3 HuntGround::hiding_place(std::uint64_t number, double least_m) const {
         if (nodes_[i].way_m > nodes_[farthest].way_m) farthest = i;
     }
     if (far.empty()) return nodes_[farthest].feet_m;
-    // Splitmix64, so that numbers beside each other give places far apart.
+    // Splitmix64, so that consecutive numbers give places far apart.
     std::uint64_t z = number + 0x9e3779b97f4a7c15ULL;
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;

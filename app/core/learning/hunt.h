@@ -1,5 +1,5 @@
-// The hunt: a clock is hidden somewhere one can walk to, ticks, and is found by going or reaching there. Pure logic;
-// app thread; world metres.
+// The hunt: a ticking clock is hidden somewhere that can be reached on foot. Walking or reaching there finds it. Pure
+// logic; app thread; world metres.
 #pragma once
 
 #include <cstdint>
@@ -10,20 +10,21 @@
 
 namespace handrail {
 
-// Places a quarter of a metre apart that a body gets to from where it stands, steps and stairs included, and how far
-// each is from one of them.
+// The places, a quarter of a metre apart, that a walker can reach from where it stands, including over steps and
+// stairs, and how far each is from a given one.
 class HuntGround {
 public:
-    // doors_open: a world whose doors are not there, so that what lies behind them counts.
+    // doors_open: the world without doors, so that places behind them count.
     HuntGround(const BodyWorld& doors_open, const Vec3& feet_m, const BodySize& body);
-    // One of the places, at least `least_m` from the start on foot where there is one; the farthest else. The same
-    // number gives the same place.
+    // One of the places, at least `least_m` on foot from the start if possible; otherwise the farthest. The same number
+    // gives the same place.
     Vec3 hiding_place(std::uint64_t number, double least_m) const;
-    // From now on, distances are to this place.
+    // From now on, distances are measured to this place.
     void aim(const Vec3& feet_m);
-    // On foot from there to the aim; none: no way is known from there.
+    // Distance on foot from there to the aim; no value: no route is known.
     std::optional<double> way_m(const Vec3& feet_m) const;
-    // The farthest place on the way to the aim that can be walked to straight from there; none: no way is known.
+    // The farthest place on the route to the aim to which a straight walk is possible from there; no value: no route is
+    // known.
     std::optional<Vec3> next_m(const BodyWorld& doors_open, const Vec3& feet_m, const BodySize& body) const;
     std::size_t size() const { return nodes_.size(); }
 
@@ -39,7 +40,7 @@ private:
     std::vector<Node> nodes_;
 };
 
-// True where a body there, or a hand, has found it: within a step, with nothing in between.
+// True if a walker or a hand at that place has found the clock: within a step, with nothing in between.
 bool finds(const BodyWorld& world, const Vec3& feet_m, const Vec3& clock_feet_m);
 
 }  // namespace handrail
