@@ -12,15 +12,17 @@
 namespace handrail {
 namespace {
 
-constexpr std::size_t kMostNotes = 1000000;  // 40 km of new ground; later ones are not kept
+constexpr std::size_t kMostNotes = 1000000;  // 40 km of new ground; later notes are dropped
 constexpr double kSpot_m = 0.04;
 constexpr double kLane_m = 1.0, kLaneOff_m = 0.4;
 constexpr double kNormalOff_m = 0.3;  // a hand above a radiator touches the wall behind it
-constexpr double kLeastWall_m = 0.2;  // the jamb of a door is part of the perimeter, but no wall to be told of
-constexpr double kUnknown_m = 0.45;   // of wall, around one sample
-constexpr double kThrough_m = 0.3;    // of a door's middle: gone through; walking along its wall passes farther off
+constexpr double kLeastWall_m = 0.2;  // a door jamb is part of the perimeter, but too short to announce
+constexpr double kUnknown_m = 0.45;   // length of unknown wall around one sample
+// Distance from a door's middle that counts as passing; walking along its wall stays farther away.
+constexpr double kThrough_m = 0.3;
 
-// Of places a few centimetres apart and, for touches, which of eight ways the wall faces; 0 for steps.
+// Key of a spot: cells a few centimetres wide and, for touches, which of eight directions the wall faces, plus one; 0
+// for steps.
 std::uint64_t spot_of(const Vec3& point_m, std::size_t facing) {
     const auto part = [](double metres) {
         return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(metres / kSpot_m))) & 0xfffffU;
@@ -37,14 +39,14 @@ bool knows(const WallSample& wall, const TouchNote& note) {
     return std::abs(off) <= kNormalOff_m && std::abs(along) <= note.reach_m;
 }
 
-// The samples of a boundary that nobody knows yet, by squares as wide as what lies around one sample.
+// The boundary samples that are still unknown, in squares as wide as the neighbourhood of a sample.
 class UnknownWalls {
 public:
     explicit UnknownWalls(const Learnt& learnt) : walls_(learnt.place().walls) {
         for (std::uint32_t i = 0; i < walls_.size(); ++i)
             if (!learnt.knows_wall(i)) squares_[square_of(walls_[i].point_m, 0, 0)].push_back(i);
     }
-    // How much of the same stretch is unknown around that sample.
+    // Unknown length of the same wall in the neighbourhood of that sample.
     double beside_m(const WallSample& wall) const {
         double sum_m = 0.0;
         for (int dy = -1; dy <= 1; ++dy)
@@ -76,7 +78,7 @@ void LearningNotes::touched(const Vec3& point_m, const Vec3& normal, double reac
     const double length = std::sqrt(normal.x * normal.x + normal.y * normal.y);
     if (length < 0.7 || count() >= kMostNotes) return;  // floor or ceiling
     const Vec3 level(normal.x / length, normal.y / length, 0.0);
-    const double reach = std::max(reach_m, kSpot_m);  // neighbouring spots leave no gap
+    const double reach = std::max(reach_m, kSpot_m);  // at least one spot, so that neighbouring spots leave no gap
     double& reached =
         spots_.try_emplace(spot_of(point_m, 1 + nearest_eighth(std::atan2(level.y, level.x))), 0.0).first->second;
     if (reach <= reached) return;
@@ -187,7 +189,7 @@ std::optional<Unexplored> nearest_unexplored(const Learnt& learnt, const Vec3& f
     for (std::size_t i = 0; i < place.walls.size(); ++i) {
         if (learnt.knows_wall(i)) continue;
         const WallSample& wall = place.walls[i];
-        // Only what would be nearer is looked at.
+        // Skip samples that are farther than the best one.
         if (std::hypot(wall.point_m.x - feet_m.x, wall.point_m.y - feet_m.y) >= nearest_m) continue;
         if (unknown_walls.beside_m(wall) >= kUnknown_m) offer(wall.point_m, true, wall.feature);
     }
@@ -215,7 +217,7 @@ std::optional<Unexplored> nearest_unexplored(const Learnt& learnt, const Vec3& f
 
 std::vector<Lane> lanes_of(const Learnt& learnt) {
     const Place& place = learnt.place();
-    // Of what is the room's: the grid has a rim around it.
+    // Bounds of the room itself, without the rim of the grid.
     int x0 = place.wide, y0 = place.deep, x1 = -1, y1 = -1;
     for (int y = 0; y < place.deep; ++y)
         for (int x = 0; x < place.wide; ++x)

@@ -1,5 +1,5 @@
-// What is remembered of learning the places of one world: PlaceLearning's state. Plain data; app thread; metres of the
-// world, seconds of the session's clock.
+// The state of PlaceLearning: what is remembered of learning the places of one world. Plain data; app thread; world
+// metres, seconds of the session's clock.
 #pragma once
 
 #include <map>
@@ -11,37 +11,37 @@
 
 namespace handrail {
 
-// Of one room, for as long as its world is not left.
+// Progress in one room, until its world is left.
 struct RoomLearning {
-    std::optional<Learnt> learnt;  // looked at when first asked about
+    std::optional<Learnt> learnt;  // made on the first query
     double spent_s = 0.0;
-    // In the mode that leads.
+    // In the guided mode:
     std::optional<Vec3> base_m;
     bool walls_done = false;
-    std::vector<FeatureId> done;  // walls told of
+    std::vector<FeatureId> done;  // announced walls
     std::size_t lanes_told = 0;
-    bool to_base = false;  // a wall was told of since one was at the base
+    bool to_base = false;  // a wall was announced since the person was last at the base
     bool lanes_done = false;
-    bool remembered = false;  // from a session before; which walls were told of then is looked up once
+    bool remembered = false;  // from an earlier session; the walls already announced then are looked up once
 };
 
 struct LearningState {
     LearningNotes notes;
     std::map<std::uint32_t, RoomLearning> rooms;  // by their number in the room graph
-    double last_s = 0.0, unplaced_s = 0.0;        // spent before it is known in which room
-    // The hand's last contact.
+    double last_s = 0.0, unplaced_s = 0.0;        // unplaced_s: time spent while the room was not yet known
+    // The last contact of the hand.
     Vec3 hand_m{0.0};
     FeatureId hand_feature = kNoFeature;
     double corner_s = -1e9;
-    // The mode that leads: walls, then lanes.
+    // The guided mode: walls first, then lanes.
     bool on = false;
-    std::uint32_t room = kNothing;  // the one led in
+    std::uint32_t room = kNothing;  // the room in which the person is guided
     std::size_t seen_notes = 0;
     double looked_s = -1e9;
-    // Kept from session to session.
+    // Stored between sessions:
     KeptLearning kept;  // as it was read
     bool keeps = false;
-    std::optional<Error> fault;  // why it could not be read: then nothing is written over it
+    std::optional<Error> fault;  // why it could not be read; then it is not overwritten
     std::size_t kept_notes = 0;
     double kept_s = 0.0, began_s = 0.0;
 };

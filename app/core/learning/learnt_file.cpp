@@ -15,14 +15,15 @@ namespace {
 
 constexpr double kStepCell_m = 0.1, kOneFloor_m = 0.4;
 constexpr double kPlane_m = 0.02, kHeight_m = 0.25, kFacing_deg = 2.0, kLongest_m = 1.0;
-constexpr std::size_t kTouchNumbers = 5;  // which way the wall faces in degrees, how far from the origin its plane
-                                          // lies, along it, height, reach
-constexpr double kFarthest_m = 1e5;       // a place of no world
+// The direction that the wall faces in degrees, the distance of its plane from the origin, position along it, height,
+// reach.
+constexpr std::size_t kTouchNumbers = 5;
+constexpr double kFarthest_m = 1e5;  // beyond any world
 
 double rounded(double value, double steps_per_unit) { return std::round(value * steps_per_unit) / steps_per_unit; }
 double millimetres(double metres) { return rounded(metres, 1e3); }
 
-// What stands under the key where that is a list of so many numbers each; nothing where it is missing; else no value.
+// The value of the key if it is a list with `each` numbers a row; an empty list if it is missing; otherwise no value.
 std::optional<std::vector<double>> rows_of(const SideEntry& entry, const char* key, std::size_t each) {
     const auto found = entry.find(key);
     if (found == entry.end()) return std::vector<double>();
@@ -108,9 +109,9 @@ void write_learnt(SideFile& file, const KeptLearning& kept) {
     entry["sessions"] = static_cast<std::int64_t>(kept.sessions);
     entry["spent_s"] = rounded(kept.spent_s, 10.0);
     for (auto& [key, numbers] : {std::pair{"steps_m", &steps}, std::pair{"touches", &touches}})
-        if (numbers->empty()) entry.erase(key);  // an empty list has no numbers to be known by
+        if (numbers->empty()) entry.erase(key);  // an empty list in TOML does not show that it is one of numbers
         else entry[key] = std::move(*numbers);
-    all.resize(1);  // two sessions at once have made two of one: all of both is in this one by now
+    all.resize(1);  // two simultaneous sessions made two entries; this one now contains both
     file.set_entries("learnt", all);
     std::vector<SideEntry> rooms = file.entries("learnt_room");
     for (const KeptRoom& room : kept.rooms) {
@@ -136,7 +137,7 @@ void thin_out(const LearningNotes& notes, KeptLearning& kept) {
         kept.steps_m.emplace_back((static_cast<double>(x) + 0.5) * kStepCell_m,
                                   (static_cast<double>(y) + 0.5) * kStepCell_m, millimetres(step.z));
     }
-    // By plane and height: stretches along it.
+    // Stretches along the wall, grouped by plane and height.
     std::map<std::array<long, 3>, std::vector<std::pair<double, double>>> stretches;
     for (const TouchNote& note : notes.touches()) {
         const long facing = std::lround(std::atan2(note.normal.y, note.normal.x) * 180.0 / kPi / kFacing_deg);

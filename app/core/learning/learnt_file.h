@@ -1,6 +1,6 @@
-// What is kept of learning the places of a world from session to session: lists of the world's side file. `learnt` has
-// one entry, which is there where the person wants to be remembered: touched stretches of wall and walked floor,
-// thinned out; `learnt_room` has one for each room. Pure functions; app thread; world metres, seconds.
+// How the progress of learning a world's places is stored between sessions, as lists in the world's side file. `learnt`
+// has one entry, which exists if the person wants progress to be remembered: a reduced set of touched stretches of wall
+// and walked floor. `learnt_room` has one entry for each room. Pure functions; app thread; world metres, seconds.
 #pragma once
 
 #include <optional>
@@ -13,32 +13,32 @@
 namespace handrail {
 
 struct KeptRoom {
-    std::string name;  // as the room graph has it
+    std::string name;  // as in the room graph
     double spent_s = 0.0;
     std::optional<Vec3> base_m;
     bool walls_done = false;
     int lanes_told = 0;
 };
 struct KeptLearning {
-    int sessions = 0;  // in which something was learnt here
+    int sessions = 0;  // number of sessions in which something was learnt here
     double spent_s = 0.0;
     std::vector<TouchNote> touches;
     std::vector<Vec3> steps_m;
     std::vector<KeptRoom> rooms;
 };
 
-// Whether what is learnt in this world is to be kept.
+// True if progress in this world is to be stored.
 bool remembers(const SideFile& file);
-// From now on it is, or no longer: what was kept is taken away then. In memory until it is saved.
+// Starts or stops storing; stopping deletes what was stored. In memory until the file is saved.
 void set_remembers(SideFile& file, bool on);
-// Fails with file and line where something stands there that was never written so.
+// Fails with file and line if an entry has a form that is never written.
 Result<KeptLearning> read_learnt(const SideFile& file);
-// Keys of the entries that nobody here knows stay.
+// Unknown keys of the entries are kept.
 void write_learnt(SideFile& file, const KeptLearning& kept);
 
-// The same stretches of wall and places of floor, as few as say it: overlapping touches of one plane become stretches
-// of at most a metre, steps one for each 10 cm. Walls are as known by it as before within 1 cm, floor within 7 cm;
-// doing it again changes nothing more.
+// Reduces the notes to few stretches and places. Overlapping touches of one plane become stretches of at most a metre,
+// and steps become one for each 10 cm. What counts as known changes by at most 1 cm along walls and 7 cm on floors. A
+// second application changes nothing.
 void thin_out(const LearningNotes& notes, KeptLearning& kept);
 
 }  // namespace handrail

@@ -88,7 +88,7 @@ void PlaceLearning::keep(double now_s) {
     context_.asks.save_additions(now_s);
 }
 
-// Of a room, with what a session before has left of it.
+// The progress in a room, including what an earlier session stored.
 RoomLearning& PlaceLearning::room(std::uint32_t number) {
     const auto [found, fresh] = state_.rooms.try_emplace(number);
     RoomLearning& learning = found->second;
@@ -117,7 +117,7 @@ void PlaceLearning::note(const std::optional<Vec3>& bumped, const std::optional<
         for (std::size_t i = 0; i < tool->contacts.count; ++i) {
             const Contact& contact = tool->contacts.contacts[i];
             const Vec3 point = tool->proxy_m - contact.normal * tool->ball_radius_m;
-            // A hand is quick: what lies between two frames was touched too, where it stayed on the same wall.
+            // A hand moves fast. If it stayed on the same wall, everything between two frames was touched too.
             double reach = tool->ball_radius_m;
             if (contact.feature == state_.hand_feature) reach += std::min(0.5, glm::length(point - state_.hand_m));
             state_.notes.touched(point, contact.normal, reach);
@@ -129,7 +129,7 @@ void PlaceLearning::note(const std::optional<Vec3>& bumped, const std::optional<
     corner_of_hand(now_s);
 }
 
-// Looks where something was noted since the last time, once a second.
+// Once a second, if there are new notes, checks what is complete.
 void PlaceLearning::tick(double now_s) {
     if (now_s - state_.kept_s >= kKeepEvery_s) {
         keep(now_s);
@@ -164,7 +164,7 @@ void PlaceLearning::spend_time() {
     if (rooms_.here() != kNothing) room(rooms_.here()).spent_s += std::exchange(state_.unplaced_s, 0.0);
 }
 
-// Of a room, as much as is known of it by now.
+// A room with everything noted up to now.
 const Learnt& PlaceLearning::learnt_of(std::uint32_t number) {
     std::optional<Learnt>& learnt = room(number).learnt;
     if (!learnt)
@@ -173,7 +173,7 @@ const Learnt& PlaceLearning::learnt_of(std::uint32_t number) {
     return *learnt;
 }
 
-// The room one stands in is known, and known to be one; notices which it is.
+// Determines the present room; returns false if rooms are unknown or the person is in none.
 bool PlaceLearning::in_known_room(double now_s) {
     if (!rooms_.known()) return false;
     rooms_.notice(now_s, true);
@@ -181,7 +181,7 @@ bool PlaceLearning::in_known_room(double now_s) {
     return rooms_.here() != kNothing;
 }
 
-// Why there is nothing to be told of the room one stands in.
+// Why nothing can be said about the present room.
 std::string PlaceLearning::no_room_words() const {
     if (!rooms_.looked_for()) return phrase("rooms.not_known");
     return rooms_.found() ? phrase("rooms.nowhere") : rooms_.problem();
@@ -222,7 +222,7 @@ std::string PlaceLearning::share_words(const Progress& progress) const {
                   {{"walls", percent(progress.perimeter_share())}, {"floor", percent(progress.floor_share())}});
 }
 
-// Every room with what is learnt of it, the one that one is in first, then those known best; the way to the chosen one.
+// Lists every room with its progress: the present room first, then the best known. Choosing one gives the route to it.
 void PlaceLearning::list_rooms(double now_s) {
     if (!rooms_.have(now_s)) return;
     const RoomGraph& graph = rooms_.graph();
@@ -234,7 +234,7 @@ void PlaceLearning::list_rooms(double now_s) {
     std::vector<Row> rows(graph.rooms.size());
     std::size_t done = 0;
     for (std::uint32_t r = 0; r < rows.size(); ++r) {
-        // A room nobody was in and nobody touched from elsewhere is not even looked at.
+        // Skip the expensive examination of rooms without any notes nearby.
         Aabb box = graph.rooms[r].bounds_m;
         box.min_m -= Vec3(0.5, 0.5, 0.5);
         box.max_m += Vec3(0.5, 0.5, 2.5);
@@ -262,7 +262,7 @@ void PlaceLearning::list_rooms(double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
-// The mode begins in the room one is in, or ends. What is known already stays known.
+// Starts the guided mode in the present room, or ends it. What is known stays known.
 void PlaceLearning::toggle(double now_s) {
     if (state_.on && ask_relations(now_s)) return;
     state_.on = !state_.on;
@@ -273,7 +273,7 @@ void PlaceLearning::toggle(double now_s) {
     if (known) {
         state_.room = rooms_.here();
         RoomLearning& here = room(rooms_.here());
-        if (here.remembered && here.base_m) {  // goes on where it ended, from the same base
+        if (here.remembered && here.base_m) {  // continues from the same base
             context_.answer(
                 phrase("learning.goes_on_here", {{"room", sentence_case(rooms_.graph().rooms[rooms_.here()].name)},
                                                  {"share", share_words(progress_of(learnt_of(rooms_.here())))},
@@ -303,7 +303,7 @@ std::string PlaceLearning::to_base_words(const RoomLearning& room) const {
     return phrase("learning.to_base", {{"where", where_words(context_, distance_m, std::atan2(base.x, base.y))}});
 }
 
-// In the mode, after a wall: at the base again it says which stretch of wall comes next.
+// In the guided mode, after a wall: once the person is back at the base, announces the next stretch of wall.
 void PlaceLearning::back_at_base(double now_s) {
     if (!state_.on || state_.room == kNothing || rooms_.here() != state_.room) return;
     RoomLearning& here = room(state_.room);
@@ -329,8 +329,8 @@ void PlaceLearning::back_at_base(double now_s) {
     context_.answer(std::move(text), now_s);
 }
 
-// Once all lanes are walked: how things lie to each other. False: there is nothing to be asked of this room, or not
-// yet.
+// Once all lanes are walked, asks how things lie relative to each other. Returns false if there is nothing to ask about
+// this room, or not yet.
 bool PlaceLearning::ask_relations(double now_s) {
     if (state_.room == kNothing || rooms_.here() != state_.room) return false;
     RoomLearning& here = room(state_.room);
@@ -367,19 +367,19 @@ void PlaceLearning::ask_relation(std::vector<RelationQuestion> questions, std::s
     context_.open_list(std::move(list), now_s);
 }
 
-// In the mode: each wall that is done, then each lane. Nothing is forced, and whoever goes another way is told what
-// that has done.
+// In the guided mode: announces each finished wall, then each finished lane. No order is enforced; a person who goes
+// elsewhere hears what that has completed.
 void PlaceLearning::guide(double now_s) {
     if (!in_known_room(now_s)) return;
     const Learnt& learnt = learnt_of(rooms_.here());
     const Progress progress = progress_of(learnt);
     RoomLearning& room = this->room(rooms_.here());
-    if (std::exchange(room.remembered, false))  // told of in a session before
+    if (std::exchange(room.remembered, false))  // announced in an earlier session
         for (const WallProgress& wall : progress.walls)
             if (wall.done()) room.done.push_back(wall.feature);
     if (rooms_.here() != std::exchange(state_.room, rooms_.here())) {
         const std::string name = sentence_case(rooms_.graph().rooms[rooms_.here()].name);
-        // The base is where one came in first.
+        // The base is where the person first entered the room.
         context_.answer(room.base_m ? phrase("learning.goes_on", {{"room", name}, {"share", share_words(progress)}})
                                     : phrase("learning.next_room", {{"room", name}}),
                         now_s);
@@ -397,7 +397,7 @@ void PlaceLearning::guide(double now_s) {
                                                          {"done", done},
                                                          {"walls", progress.walls.size()}});
         if (room.base_m && static_cast<std::size_t>(done) < progress.walls.size() && !at_base(room)) {
-            room.to_base = true;  // after each wall one goes back to it
+            room.to_base = true;  // the person returns to the base after each wall
             text += " " + to_base_words(room);
         }
         context_.answer(std::move(text), now_s);

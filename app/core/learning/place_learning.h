@@ -1,5 +1,6 @@
-// Learning a place: notes what hand and body touch and walk, tells how much of a room is known by that and what is
-// left, and in its mode leads from wall to wall and from lane to lane. App thread only; learning.h does the measuring.
+// Learning a place: notes what hand and walker touch and walk on, announces how much of a room is known and what is
+// left, and in the guided mode leads from wall to wall and from lane to lane. App thread only; learning.h does the
+// measuring.
 #pragma once
 
 #include <functional>
@@ -18,26 +19,26 @@ public:
     PlaceLearning(const SessionContext& context, Rooms& rooms) : SessionPart(context), rooms_(rooms) {}
 
     void enter_world(double now_s);
-    // What is remembered of this world, or why that cannot be read; once it has been told of.
+    // Announces what is remembered of this world, or why it cannot be read. Call it after the world has been announced.
     void tell_kept(double now_s);
-    // Another session has kept something more of the same world.
+    // Another session has saved more about the same world.
     void take_again();
-    // Writes what was learnt to the additions where the person wants to be remembered and something has changed.
+    // Writes new progress to the additions if the person wants it to be remembered.
     void keep(double now_s);
     // Unexplored, ProgressReport, LearnPlace and LearntRooms. False: it is another's.
     bool act(Command command, double now_s);
-    // Once a tick: where hand and body are by now, and of the body the normals of what it has bumped into and of the
-    // wall that it is led along.
+    // Call it once a tick. Notes the places of hand and walker. bumped and trailed: normals of the wall that the walker
+    // bumped into and of the wall that it follows.
     void note(const std::optional<Vec3>& bumped, const std::optional<Vec3>& trailed, double now_s);
-    // In the mode: tells what is done by now.
+    // In the guided mode, announces what is complete.
     void tick(double now_s);
-    // How much of the room that one is in is known by now, or why that cannot be told.
+    // How much of the present room is known, or why that is unavailable.
     std::string progress_words(double now_s);
 
-    // What is known by now of a room of the graph; the rooms are found.
+    // Progress in a room of the graph; only valid once the rooms are found.
     Progress progress_in(std::uint32_t room) { return progress_of(learnt_of(room)); }
 
-    // Set by the session: the person has chosen a room to go to, by its number in the room graph.
+    // Set by the session; called if the person has chosen a room to go to, with its number in the room graph.
     std::function<void(std::uint32_t room, double now_s)> on_go_to_room;
 
 private:

@@ -1,4 +1,4 @@
-// The floor of one room as a grid, with its walls: made for learning.h, whose Place it is. App thread.
+// Builds the floor of one room as a grid with its walls: the Place of learning.h. App thread.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,10 +15,10 @@
 namespace handrail {
 namespace {
 
-constexpr double kFinest_m = 0.05;           // cells: a wall of 4 m is then as long as it is within 1.3 %
-constexpr std::size_t kMostCells = 400'000;  // of one place; a hall of 40 by 25 m has as many of the finest
+constexpr double kFinest_m = 0.05;           // cell width; the length of a 4 m wall is then exact within 1.3 %
+constexpr std::size_t kMostCells = 400'000;  // cells of one place; a hall of 40 by 25 m has this many of the finest
 
-// Where the leaves of doors hang.
+// The doors near a room.
 class Doors {
 public:
     Doors(const Scene& scene, const Aabb& near) {
@@ -27,7 +27,8 @@ public:
                 feature.kind == FeatureKind::Door && !feature.bounds_m.empty() && overlap(feature.bounds_m, near))
                 doors_.emplace_back(feature.bounds_m, FeatureId{i});
     }
-    // The door on the short way from one place to another. A leaf may be thinner than a cell, so the way is looked at.
+    // The door on the short line between two places. A leaf may be thinner than a cell, so several points of the line
+    // are tested.
     FeatureId between(const Vec3& a, const Vec3& b) const {
         for (int i = 0; i <= 4; ++i) {
             const Vec3 p = a + (b - a) * (0.25 * i);
@@ -70,24 +71,24 @@ std::vector<PlaceExit> exits_of_place(const Scene& scene, const RoomGraph& graph
     return exits;
 }
 
-// Makes the place of a room, in the order of place_of_room().
+// Makes the place of a room; place_of_room() calls the steps in this order.
 class PlaceMaker {
 public:
     PlaceMaker(const BodyWorld& world, const WalkSpace& space, const RoomGraph& graph, std::uint32_t room)
         : world_(world), space_(space), graph_(graph), room_(room) {}
 
-    // The cells: those of the walk space, cut finer where they are coarse, with a rim that nothing of the room reaches.
-    // False: the room has none.
+    // Makes the cells: those of the walk space, divided if they are coarse, with a rim that the room does not reach.
+    // Returns false if the room has no cells.
     bool lay_cells();
-    // Whose each cell is: first where a body stands in this room, else in another one.
+    // Gives each cell to this room if a walker can stand there in this room; otherwise to another room.
     void share_out();
-    // From there to the walls, both at the same pace, so that a strip of floor along a wall goes to the nearer one.
+    // Grows all rooms to the walls at the same pace, so that a strip of floor along a wall goes to the nearer one.
     void grow_to_walls(const Doors& doors);
     // What is outside: cells that are not the room's and hang together with the rim.
     void find_outside();
-    // The boundary between the two, by what bounds it.
+    // Finds the boundary between room and outside, with the feature at each part.
     void find_walls(const Doors& doors);
-    // Those near the cells.
+    // The doors near the cells.
     Doors doors_around() const;
     Place take() { return std::move(place_); }
 
@@ -99,7 +100,7 @@ private:
                 static_cast<int>(space_.spans[span].cell / space_.width)};
     }
     bool of_room(std::uint32_t span) const { return graph_.room_of_span[span] == room_; }
-    // A door's own places belong to it; a room that is nothing but a doorway has no others.
+    // The area of a door belongs to the door, except in a room that consists only of a doorway.
     bool counts(std::uint32_t span) const { return space_.spans[span].door == kNothing || (doorway_ && of_room(span)); }
     bool is_in(int x, int y) const { return x >= 0 && y >= 0 && x < place_.wide && y < place_.deep; }
     int merged_from(int at, int first) const {
@@ -119,15 +120,15 @@ private:
     const WalkBody& body_ = space_.body;
     const BodyShape column_{0.0, body_.height_m - body_.step_up_m - 0.1};
     const Vec3 up_{0.0, 0.0, body_.step_up_m + 0.02};
-    const double reach_m_ = 1.5 * body_.radius_m;  // from where the middle of the body can be into a corner
+    const double reach_m_ = 1.5 * body_.radius_m;  // from the nearest place for the walker's centre into a corner
     bool doorway_ = true;
     int x0_ = static_cast<int>(space_.width), y0_ = static_cast<int>(space_.depth), x1_ = -1, y1_ = -1;
     double lowest_m_ = 1e9, highest_m_ = -1e9;
-    // Finer than the cells of the walk space by `cut_`, or as wide as `merged_` of them.
+    // The cells of the walk space are divided by `cut_`, or `merged_` of them are combined.
     int cut_ = 1, merged_ = 1, margin_ = 0;
     Place place_;
     std::vector<std::uint8_t> owner_;
-    std::vector<std::uint32_t> seed_;  // the cell it was reached from
+    std::vector<std::uint32_t> seed_;  // the cell from which it was reached
     std::vector<bool> solid_, outside_;
 };
 
@@ -152,7 +153,7 @@ bool PlaceMaker::fits() {
 
 bool PlaceMaker::lay_cells() {
     if (!measure_room()) return false;
-    // A huge place has coarser cells, so that looking at it takes no longer than a large one.
+    // A huge place has coarser cells, so that examining it takes no longer than for a large one.
     cut_ = std::max(1, static_cast<int>(std::ceil(space_.cell_m / kFinest_m - 1e-6)));
     while (!fits()) cut_ > 1 ? --cut_ : ++merged_;
     place_.cell_m = space_.cell_m * merged_ / cut_;
@@ -212,7 +213,7 @@ void PlaceMaker::grow_to_walls(const Doors& doors) {
     for (std::size_t i = 0; i < place_.free.size(); ++i) place_.free[i] = owner_[i] == Own;
 }
 
-// From a cell to the next one that way, which then has the same owner.
+// Extends the floor from a cell to its neighbour, which then gets the same owner. Returns false if there is no floor.
 bool PlaceMaker::floor_goes_on(const Doors& doors, std::size_t here, int cx, int cy, int dx, int dy) {
     const int x = cx + dx, y = cy + dy;
     const std::size_t there = place_.at(x, y);
@@ -263,7 +264,7 @@ void PlaceMaker::find_walls(const Doors& doors) {
     place_.exits = exits_of_place(world_.scene(), graph_, room_, place_.walls);
 }
 
-// None: a fall, or another room.
+// No value: a drop, or another room.
 std::optional<WallSample> PlaceMaker::wall_beside(int x, int y, int dx, int dy, const Doors& doors) const {
     const Vec3 from = place_.middle_m(x, y), way(dx, dy, 0.0);
     WallSample sample{from + way * (0.5 * place_.cell_m), -way, doors.between(from, from + way * place_.cell_m),

@@ -1,5 +1,6 @@
-// Questions about how things of a room lie to each other, the last part of learning a place: as one stands at its base
-// and faces north. Pure functions over a graph that has been found; app thread; world metres.
+// Questions about how things in a room lie relative to its base, for a person who stands there and faces north. They
+// are the last part of learning a place. Pure functions over a room graph that has been found; app thread; world
+// metres.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +11,7 @@
 
 namespace handrail {
 
-// Clockwise, as a list offers them.
+// Clockwise, in the order of the list.
 enum class Quarter : std::uint8_t { Ahead, Right, Behind, Left };
 std::string side_words(Quarter side);
 
@@ -19,8 +20,8 @@ struct RelationQuestion {
     Quarter right = Quarter::Ahead;
     double distance_m = 0.0;  // from the base
 };
-// At most three, of things and doors with names of their own that lie clearly to one side: 1.5 m from the base or more,
-// within 30 degrees of its direction. The same room gives the same questions.
+// At most three questions, about things and doors with unique names that lie clearly to one side: at least 1.5 m from
+// the base, within 30 degrees of that direction. The same room gives the same questions.
 std::vector<RelationQuestion> relation_questions(const SessionContext& context, const Rooms& rooms, std::uint32_t room,
                                                  const Vec3& base_m);
 

@@ -1,4 +1,4 @@
-// How long learning and the hunt took, in words. Pure; any thread.
+// Durations of learning and hunting in words. Pure; any thread.
 #pragma once
 
 #include <string>

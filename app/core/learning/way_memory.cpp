@@ -30,7 +30,7 @@ std::vector<SideTable> turns_of(const SideEntry& way) {
 
 void WayMemory::see(const SessionEvent& event) {
     std::visit(Overloaded{[&](const Led& led) {
-                              if (led.goal == going_.goal && !going_.arrived) return;  // the same, told anew
+                              if (led.goal == going_.goal && !going_.arrived) return;  // the same goal, announced again
                               going_ = {led.goal, {}, true, false};
                           },
                           [&](const Arrived& arrived) { going_.arrived |= arrived.goal == going_.goal; },

@@ -1,6 +1,6 @@
-// How ways to goals went before: where a person who was led turned too early or went past a turn, kept in the world's
-// side file (list `learnt_way`) where the person wants to be remembered, and told when one is led to that goal again. A
-// way without such an error is learnt, and what was amiss before is forgotten. App thread only.
+// Remembers how earlier guidance to goals went: where the person turned too early or passed a turn. The world's side
+// file stores it (list `learnt_way`) if the person wants that. It is announced when guidance to the same goal begins
+// again. A route walked without such an error counts as learnt, and its earlier errors are forgotten. App thread only.
 #pragma once
 
 #include <string>
@@ -19,9 +19,10 @@ public:
     WayMemory& operator=(const WayMemory&) = delete;
 
     void enter_world() { going_ = {}; }
-    // Everything that happens in the session, as it happens.
+    // Call it with every event of the session.
     void see(const SessionEvent& event);
-    // Once a tick: where the body is by now; tells what is remembered, and looks back on a way that has ended.
+    // Call it once a tick. Notes the walker's place, announces what is remembered, and evaluates a route that has
+    // ended.
     void tick(double now_s);
 
 private:
@@ -31,7 +32,7 @@ private:
     const SessionContext& context_;
     Rooms& rooms_;
     struct Going {
-        std::string goal;  // empty: nowhere
+        std::string goal;  // empty: no guidance
         std::vector<WayPoint> walk;
         bool to_tell = false, arrived = false;
     } going_;

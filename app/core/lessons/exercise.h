@@ -1,6 +1,6 @@
-// The lesson of an instructor as the one who learns meets it: the task told and told again, questions answered by
-// typing, by choosing, by facing or with the hand, and what can be asked of whoever teaches. Knows no lesson file; what
-// follows is another's, who listens for Answered and LessonWished. App thread only.
+// An instructor's lesson as the learner meets it: tasks that are announced and repeated, questions answered by typing,
+// choosing, facing or with the hand, and requests to the teacher. It knows no lesson file. Whoever listens for Answered
+// and LessonWished decides what follows. App thread only.
 #pragma once
 
 #include <cstddef>
@@ -16,22 +16,22 @@ namespace handrail {
 
 class Exercise {
 public:
-    static constexpr double kPointed_m = 0.01;  // of the hand itself: a shorter movement is no pointing
+    static constexpr double kPointed_m = 0.01;  // of the hand itself; a shorter movement does not count as pointing
 
     explicit Exercise(const SessionContext& context) : context_(context) {}
-    Exercise(const Exercise&) = delete;  // open lists know it by its place
+    Exercise(const Exercise&) = delete;  // open lists keep its address
     Exercise& operator=(const Exercise&) = delete;
 
     void enter_world();
     // Once a tick.
     void tick();
-    // All but Lead, Leave, Block and Open, which concern others.
+    // Handles every kind of act except Lead, Leave, Block and Open, which belong to other features.
     void take(const TeacherActed& act, double now_s);
-    // Task, TaskDone and Learners. False: it is another's.
+    // Handles Task, TaskDone and Learners. Returns false for other commands.
     bool act(Command command, double now_s);
     bool under_way() const { return under_way_; }
 
-    // Set by the session: the list that prepares a lesson.
+    // Set by the session; opens the list that prepares a lesson.
     std::function<void(double now_s)> on_prepare;
 
 private:
@@ -47,14 +47,14 @@ private:
     bool under_way_ = false;
     std::string title_, task_;
     std::vector<std::string> offers_;
-    // The question that waits for its answer: by typing, by choosing or by pointing.
+    // The question that waits for an answer by typing, choosing or pointing.
     struct Question {
         TeacherActed::Kind kind = TeacherActed::Kind::Ask;
         std::string text;
         std::vector<std::string> items;
         std::vector<std::size_t> chosen;
-        // Where the hand was when it was asked to point, or was first known after that. Device frame, because the body
-        // and the workspace may be moved meanwhile.
+        // Position of the hand when the question was asked, or when it was first known afterwards. Device frame,
+        // because walker and workspace may move meanwhile.
         std::optional<Vec3> hand_m;
     };
     std::optional<Question> question_;

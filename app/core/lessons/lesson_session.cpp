@@ -12,7 +12,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kAfterName_s = 1.5;  // a name that is being said is heard first
+constexpr double kAfterName_s = 1.5;  // delay, so that a name that is being spoken is heard first
 
 }  // namespace
 
@@ -76,7 +76,7 @@ void LessonSession::tell(const LessonReply& reply, double now_s) {
     say_due(now_s);
 }
 
-// What waited for a name to be said; then, where a lesson is over, what comes after it.
+// Announces what waited for a name to be spoken. After the end of a lesson, begins what follows it.
 void LessonSession::say_due(double now_s) {
     const auto due = std::stable_partition(said_later_.begin(), said_later_.end(),
                                            [&](const SaidLater& later) { return later.due_s <= now_s; });
@@ -89,7 +89,7 @@ void LessonSession::say_due(double now_s) {
         context_.answer(phrase("lesson.over", {{"key", context_.keys.keys_of(Command::Lessons)}}), now_s);
 }
 
-// What happened since this was asked last.
+// What has happened since the last call.
 LessonSense LessonSession::sense() {
     const HandsState& hands = context_.hands;
     const Vec3 feet_m = context_.body.feet_m();
@@ -142,7 +142,7 @@ bool LessonSession::takes(Command command, double now_s) {
         context_.answer(run_->instruction(), now_s);
         return true;
     }
-    // Who does something else knows the way about already.
+    // A person who does something else already knows how to proceed.
     if (command != Command::StopSpeech && command != Command::StopEverything && command != Command::VerbosityCycle)
         leave(now_s);
     return false;

@@ -1,5 +1,5 @@
-// Lessons and the first minutes in a session: what they are told of what happens, when they speak, where they lead. App
-// thread only.
+// Connects lessons and the first minutes to a session: what they learn of events, when they speak, and what follows
+// them. App thread only.
 #pragma once
 
 #include <functional>
@@ -17,40 +17,40 @@ namespace handrail {
 
 class LessonSession : SessionPart {
 public:
-    // asked_to_leave: whoever was asked before the lesson began is not asked again.
+    // asked_to_leave: shared with the session, so that a confirmation given before the lesson began counts.
     LessonSession(const SessionContext& context, AskedToLeave& asked_to_leave);
 
-    // The first minutes, before a world is entered or in one, from where they were left. who_speaks:
-    // "speech-dispatcher"; owner_sets_up: the owner runs the set-up by voice when it is asked for, else that part is
-    // left out.
+    // Begins the first minutes, before a world is entered or in one, at the step where they were left. who_speaks:
+    // "speech-dispatcher". owner_sets_up: the owner runs the set-up by voice when requested; otherwise that part is
+    // skipped.
     void begin_first_minutes(const std::string& who_speaks, bool owner_sets_up, double now_s);
-    // Nobody will answer them any more, or they are not wanted: the world greets as it does otherwise.
+    // The first minutes are not wanted or can no longer be answered. The world then greets as usual.
     void leave(double now_s);
-    // The first minutes have not come to the world yet.
+    // True if the first minutes have not yet reached the greeting of the world.
     bool greeting_waits() const;
     // The owner's set-up, which the first minutes asked for, is over, or left.
     void know_set_up_over() { set_up_over_ = true; }
 
-    // Before anything is done. True: the command was the lesson's, or is not to be done.
+    // Call it before a command is handled. Returns true if the lesson used the command or forbids it.
     bool takes(Command command, double now_s);
-    // A line of a terminal, without blanks around it, while the first step waits for a key.
+    // A terminal line without surrounding blanks, while the first step waits for a key.
     bool take_line(std::string_view line, double now_s);
-    // What happens, until the next tick.
+    // Notes what happens until the next tick.
     void note(Command command) { did_.push_back(command); }
     void note_bump(FeatureId feature) { bumped_.push_back(feature); }
-    // The list of lessons, and the first minutes from the beginning. False: it is another's.
+    // Handles the list of lessons, and the first minutes from the beginning. Returns false for other commands.
     bool act(Command command, double now_s);
     void tick(double now_s);
-    // What happened has been looked at, and nothing waits to be said.
+    // True if all events have been handled and nothing waits to be announced.
     bool idle() const;
 
     // Set by the session.
-    std::function<bool()> beacon_calls, at_beacon;    // the body is at what the beacon is on, or was
-    std::function<std::string()> world_greeting;      // of the world one is in
-    std::function<void(double now_s)> on_begin_here;  // the workspace belongs to where the hand is now
-    std::function<void(double now_s)> on_hunt;        // in a larger building
-    std::function<void(double now_s)> on_worlds;      // to be chosen from
-    std::function<void(double now_s)> on_settings;    // likewise
+    std::function<bool()> beacon_calls, at_beacon;    // the walker is, or was, where the beacon is
+    std::function<std::string()> world_greeting;      // for the present world
+    std::function<void(double now_s)> on_begin_here;  // the workspace is to be placed where the hand is now
+    std::function<void(double now_s)> on_hunt;        // begins a hunt in a larger building
+    std::function<void(double now_s)> on_worlds;      // opens the list of worlds
+    std::function<void(double now_s)> on_settings;    // opens the settings
 
 private:
     bool hand() const;
@@ -66,7 +66,7 @@ private:
     AskedToLeave& asked_to_leave_;
     std::optional<LessonRun> run_;
     std::vector<Command> did_;       // since the last tick
-    std::vector<FeatureId> bumped_;  // likewise
+    std::vector<FeatureId> bumped_;  // also since the last tick
     struct SaidLater {
         double due_s = 0.0;
         std::string text;

@@ -13,7 +13,7 @@
 namespace handrail {
 namespace {
 
-// Where in the table each topic begins.
+// The first command of each topic in the command table.
 struct Topic {
     Command first;
     std::string_view key;
@@ -41,7 +41,7 @@ std::string setting_of_keys(Command command) { return "keys." + std::string(info
 
 std::string counted(std::size_t commands) { return phrase("menu.commands", {{"count", commands}}); }
 
-// A key's name as a person may type it; where the program has a window, the key itself is pressed.
+// True if it may be the name of a key, typed. With a window, the person presses the key itself.
 bool may_be_key(std::string_view name) {
     const auto fits = [](char c) {
         return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '+';
@@ -51,7 +51,6 @@ bool may_be_key(std::string_view name) {
 
 }  // namespace
 
-// Commands by topic; to be done, or to be given another key.
 void CommandLists::open(bool to_rebind, double now_s) {
     ListSpec list;
     list.title = phrase(to_rebind ? "menu.keys_of_what" : "menu.what_to_do");
@@ -80,7 +79,7 @@ void CommandLists::open(bool to_rebind, double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
-// By any part of what a command is called or does.
+// Searches in everything that a command is called or does.
 void CommandLists::ask_for_search(double now_s) {
     TextSpec question;
     question.question = phrase("menu.search_for");
@@ -162,7 +161,7 @@ void CommandLists::take_new_key(const std::string& key, double now_s) {
         return context_.answer(phrase("menu.always_does", {{"key", spoken_key(key)}, {"help", info(*owner).help()}}),
                                now_s);
     }
-    // A conflict: told, and the person decides.
+    // Conflict: the key belongs to another command, and the person decides.
     const std::string rest = context_.keys.words_of_keys(*owner, key);
     ListSpec list;
     list.title = phrase("menu.does_already", {{"key", spoken_key(key)}, {"help", info(*owner).help()}});
@@ -184,7 +183,6 @@ void CommandLists::toggle_input_help(double now_s) {
     context_.answer(input_help_ ? phrase("menu.input_help_on", {{"key", key}}) : phrase("menu.input_help_off"), now_s);
 }
 
-// True: the key was explained, or is the new key of a command, and does nothing else.
 bool CommandLists::take_key(const std::string& key, double now_s) {
     if (rebinding_) {
         context_.cues.quiet(now_s);
@@ -201,7 +199,6 @@ bool CommandLists::take_key(const std::string& key, double now_s) {
     return true;
 }
 
-// A line of a terminal: a key's name while one is asked for, a command's word in input help.
 bool CommandLists::take_line(std::string_view line, double now_s) {
     if (rebinding_) {
         take_new_key(std::string(line), now_s);

@@ -1,5 +1,5 @@
-// All that can be done and by which keys, as lists: to do it, to give it another key; and input help, which tells what
-// a key does instead of doing it. App thread only.
+// Lists of all commands with their keys, to carry out a command or to give it another key. Also input help, which
+// explains a key instead of acting on it. App thread only.
 #pragma once
 
 #include <optional>
@@ -15,12 +15,12 @@ class CommandLists : SessionPart {
 public:
     explicit CommandLists(const SessionContext& context) : SessionPart(context) {}
 
-    // Commands by topic; to be done, or to be given another key.
+    // Opens the commands by topic, to carry one out or to give it another key.
     void open(bool to_rebind, double now_s);
     void toggle_input_help(double now_s);
-    // True: the key was explained, or is the new key of a command, and does nothing else.
+    // Returns true if the key was explained or became the new key of a command; it then has no other effect.
     bool take_key(const std::string& key, double now_s);
-    // A line of a terminal, without blanks around it: a key's name while one is asked for, a command's word in input
+    // A terminal line without surrounding blanks: the name of a key if one is requested, or a command's word in input
     // help.
     bool take_line(std::string_view line, double now_s);
 
@@ -35,7 +35,7 @@ private:
         Command command;
         bool one_more = false;
     };
-    std::optional<Rebinding> rebinding_;  // the next key is for that command
+    std::optional<Rebinding> rebinding_;  // the command that gets the next key
 };
 
 }  // namespace handrail

@@ -1,4 +1,4 @@
-// The languages that can be spoken, as a list, each by its own name. App thread only.
+// The list of languages that can be spoken, each by its own name. App thread only.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@ class LanguageList : SessionPart {
 public:
     explicit LanguageList(const SessionContext& context) : SessionPart(context) {}
 
-    // Files of languages of the person's own; until this is called there are the bundled ones.
+    // Folder of the person's own language files; without it there are only the bundled ones.
     void find_in(const std::filesystem::path& folder) { folder_ = folder; }
     const std::filesystem::path& folder() const { return folder_; }
     void open(double now_s);

@@ -1,4 +1,4 @@
-// The menu: everything by lists. It owns the lists of commands, worlds and languages. App thread only.
+// The menu: reaches everything by lists. It owns the lists of commands, worlds, languages and reports. App thread only.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ public:
     explicit Menu(const SessionContext& context)
         : SessionPart(context), commands_(context), worlds_(context), languages_(context), reports_(context) {}
 
-    // The menu, all keys, input help, languages and devices. False: it is another's.
+    // Handles the menu, the list of keys, input help, languages and devices. Returns false for other commands.
     bool act(Command command, double now_s);
 
     CommandLists& commands() { return commands_; }

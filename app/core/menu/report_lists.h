@@ -1,5 +1,5 @@
-// Reports on the program itself, as lists that are read line by line: what is plugged in, what is known of a session
-// that broke off, and what is wrong in the person's settings. App thread only.
+// Reports about the program itself as lists to read line by line: connected devices, what is known of a session that
+// crashed, and errors in the person's settings. App thread only.
 #pragma once
 
 #include <string>
@@ -14,11 +14,12 @@ class ReportLists : SessionPart {
 public:
     explicit ReportLists(const SessionContext& context) : SessionPart(context) {}
 
-    // Looking takes a moment, so the owner of the session does it and tells open_devices().
+    // Requests the connected devices. Looking takes a moment, so the owner of the session does it and passes the result
+    // to open_devices().
     void ask_for_devices(double now_s);
-    // sentences: of what is plugged in. Before them stands which hand is in use.
+    // sentences: about connected devices. The list begins with the hand in use.
     void open_devices(const std::vector<std::string>& sentences, double now_s);
-    // Nobody waits for what is plugged in: it has been told, or its owner tells nothing.
+    // True if nobody waits for the devices: they have been announced, or the owner has not answered in time.
     bool idle(double now_s) const { return now_s - asked_s_ > kAnswered_s; }
 
     void know_crash(std::vector<std::string> lines) { crash_ = std::move(lines); }
@@ -29,13 +30,13 @@ public:
     void open_settings_faults(double now_s);
 
 private:
-    // Enter says a line again. A list ends no item with a stop of its own.
+    // Enter repeats a line. The list removes the full stop at the end of an item.
     void open(std::string title, const std::vector<std::string>& lines, double now_s);
 
     static constexpr double kAnswered_s = 3.0;
 
     std::vector<std::string> crash_, faults_;
-    double asked_s_ = -1e9;  // for devices that have not been told yet
+    double asked_s_ = -1e9;  // when devices were requested and not yet announced
 };
 
 }  // namespace handrail

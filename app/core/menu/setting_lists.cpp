@@ -8,7 +8,7 @@ namespace handrail {
 
 namespace {
 
-// What it is then, or why it cannot be.
+// Returns the new value in words, or why it was refused.
 std::string change_setting(const SessionContext& context, std::string_view key, const std::string& value) {
     const auto set = context.asks.set(key, value, context.tick_s);
     return set ? setting_line(key, context.settings).value : set.error().message;

@@ -1,5 +1,4 @@
-// The list of what was simplified for the hand at a scale. What is simplified is the touch view's affair. App thread
-// only.
+// The list of what was simplified for the hand at a scale. The touch view decides what is simplified. App thread only.
 #pragma once
 
 #include <functional>
@@ -15,10 +14,10 @@ class SimplifiedList : SessionPart {
 public:
     SimplifiedList(const SessionContext& context, Rooms& rooms) : SessionPart(context), rooms_(rooms) {}
 
-    // portals: the openings that `plan` was told of.
+    // portals: the openings that were used for `plan`.
     void open(const Simplification& plan, const OpenPortals& portals, double now_s);
 
-    // Set by the session: one of them was chosen, to be found or gone to.
+    // Set by the session; called if an item was chosen, to find it or go to it.
     std::function<void(const Goal& goal, double now_s)> on_choose;
 
 private:

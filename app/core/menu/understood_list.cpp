@@ -15,7 +15,7 @@
 namespace handrail {
 namespace {
 
-// A list ends no item with a stop of its own.
+// Items of a list have no full stop at the end.
 std::string without_stop(std::string sentence) {
     if (sentence.ends_with('.')) sentence.pop_back();
     return sentence;
@@ -37,7 +37,7 @@ void open_understood(const SessionContext& context, std::function<void(const Goa
     if (scene.stated) {
         const HonestReport report = honest_report(scene);
         HonestReport counts = report;
-        counts.check.clear();  // each is an item of its own
+        counts.check.clear();  // each of these becomes an item
         add(honest_sentence(scene, counts));
         for (const CheckPoint& point : report.check) {
             const std::string what = sentence_case(check_words(scene, point));
@@ -48,7 +48,7 @@ void open_understood(const SessionContext& context, std::function<void(const Goa
         add(phrase("honest.nothing_stated"));
     }
     add(honest_counts(scene.report));
-    list.stays_open = true;  // one goes from one place that is to be checked to the next
+    list.stays_open = true;  // so that the person can go from one place to check to the next
     list.chosen = [goals, on_choose = std::move(on_choose), &context, items = list.items](std::size_t i) {
         if (goals[i]) on_choose(*goals[i], context.tick_s);
         else context.answer(items[i].name, context.tick_s);

@@ -1,4 +1,4 @@
-// The list of what was understood of a world's file, and of what is to be checked there. App thread only.
+// The list of what was understood of a world's file, and of what to check there. App thread only.
 #pragma once
 
 #include <functional>
@@ -8,8 +8,8 @@
 
 namespace handrail {
 
-// on_choose: a place that is to be checked was chosen, to be found or gone to; kept as long as the list is open. A
-// world whose file states no rooms gets one sentence in place of counts.
+// on_choose: called if a place to check was chosen, to find it or go to it; kept while the list is open. For a world
+// whose file states no rooms, one sentence replaces the counts.
 void open_understood(const SessionContext& context, std::function<void(const Goal& goal, double now_s)> on_choose,
                      double now_s);
 

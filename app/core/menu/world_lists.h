@@ -1,5 +1,5 @@
-// The worlds one can go to, as lists: those visited before, those that come with the program, those of any folder. App
-// thread only.
+// The worlds to choose from, as lists: those visited before, those that come with the program, and those in any folder.
+// App thread only.
 #pragma once
 
 #include <filesystem>
@@ -18,9 +18,9 @@ public:
 
     void offer(WorldShelf shelf) { shelf_ = std::move(shelf); }
     void open(double now_s);
-    // Says so, and asks the owner to read and enter it.
+    // Announces it, and requests that the owner read and enter the world.
     void go_to(const std::filesystem::path& file);
-    // The file of that name, without what follows the dot, among those that come with the program.
+    // The bundled world file with this name, without extension.
     std::optional<std::filesystem::path> bundled(std::string_view stem) const;
 
 private:

@@ -17,15 +17,15 @@
 namespace handrail {
 namespace {
 
-constexpr double kBounced_hand_m = 0.015;  // off a door that it has just met, while one hears which it is
-constexpr double kNearThing_m = 0.1;       // farther from a thing nobody stands on it
-constexpr double kBesideOne_m = 3.0;       // a door that shuts as near may be the one that one is about to go through
-constexpr double kInwards_m = 0.05, kMostInwards_m = 0.6;  // steps of who stands on the threshold of a lift
-constexpr double kCeiling = -0.7;                          // normals that look down as much belong to what is overhead
+constexpr double kBounced_hand_m = 0.015;  // how far the hand bounces off a door while the person hears which one it is
+constexpr double kNearThing_m = 0.1;       // a walker farther from a thing cannot stand on it
+constexpr double kBesideOne_m = 3.0;  // a door that shuts this near may be the one that the person is about to pass
+constexpr double kInwards_m = 0.05, kMostInwards_m = 0.6;  // steps of a walker on the threshold of a lift
+constexpr double kCeiling = -0.7;  // normals that point down at least this steeply belong to something overhead
 
 Aabb box_of(const Scene& scene, FeatureId feature) { return scene.features[feature.value].bounds_m; }
 
-// Borders do not count, as they do in clip.h: who stands beside a lift and on its level is not in its way.
+// Touching borders do not count, as in clip.h: a walker next to a lift and level with it does not block it.
 bool overlap(const Aabb& a, const Aabb& b) {
     return a.min_m.x < b.max_m.x && b.min_m.x < a.max_m.x && a.min_m.y < b.max_m.y && b.min_m.y < a.max_m.y &&
            a.min_m.z < b.max_m.z && b.min_m.z < a.max_m.z;
@@ -44,15 +44,15 @@ Aabb grown(Aabb box, double by_m) {
     return box;
 }
 
-// How a body stands on a thing of the scene, where that is.
+// How a walker stands on a thing of the scene, if it does.
 Riding rides(const PlacedModel& thing, const Placement& at, const Vec3& feet_m, const BodyShape& body) {
     if (!overlap(grown(placed_bounds(thing.model->bounds_m, at), kNearThing_m), body_box(feet_m, body)))
         return Riding::Not;
     return riding(thing.model, at, feet_m, body);
 }
 
-// Nobody is held by a leaf that opens. Of one that shuts whoever is in its swing steps round it; it meets only those
-// who stand where it comes to rest.
+// A leaf that opens never blocks a walker. A leaf that shuts meets only a walker who stands where it comes to rest;
+// anyone else in its swing steps round it.
 bool passes_body(const Feature& feature, const PlacedModel& leaf, const std::optional<Placement>& comes_to_rest,
                  const Vec3& feet_m, const BodyShape& body) {
     if (feature.kind != FeatureKind::Door) return false;
@@ -60,14 +60,14 @@ bool passes_body(const Feature& feature, const PlacedModel& leaf, const std::opt
            !meets_body(leaf.model, *comes_to_rest, feet_m, body);
 }
 
-// A leaf that hangs on a hinge and is opened by hand.
+// True for a leaf on a hinge that is opened by hand.
 bool swings_by_hand(const Scene& scene, const Mover& mover) {
     return mover.by_hand && mover.swing_rad != 0.0 && scene.features[mover.feature.value].kind == FeatureKind::Door;
 }
 
-// The ways of two things may cross: leaves of one door, what its maker means to pass, a lift with its own doors, and
-// two doors on hinges. In narrow corridors the leaf of one reaches where that of another stands open. Whoever opens it
-// moves both.
+// True if the paths of two things may cross: leaves of one door, things that the world's author lets pass each other, a
+// lift and its own doors, and two hinged doors. In narrow corridors, the leaf of one door reaches the open leaf of
+// another; whoever opens it moves both.
 bool let_through(const Scene& scene, std::uint32_t a, std::uint32_t b) {
     const Mover &one = scene.movers[a], &other = scene.movers[b];
     if (swings_by_hand(scene, one) && swings_by_hand(scene, other)) return true;
@@ -75,8 +75,8 @@ bool let_through(const Scene& scene, std::uint32_t a, std::uint32_t b) {
            other.lift == a;
 }
 
-// The storey that a lift's floor is level with when the lift, a thing of the scene, is at that height; empty: the file
-// names none.
+// The storey that is level with a lift's floor when the lift is at that height. `thing` is the lift's index among the
+// placed things; empty: the file names no storey there.
 std::string storey_words(const Scene& scene, int thing, double z_m) {
     constexpr double kLevel_m = 0.1;
     if (!scene.stated || thing < 0) return {};
@@ -86,8 +86,8 @@ std::string storey_words(const Scene& scene, int thing, double z_m) {
     return {};
 }
 
-// At a storey, where the file names it; at its upper end, where one is a storey or so above the other: "at the top";
-// empty for what goes level.
+// The announcement of a stop: with the storey if the file names it, otherwise "at the top" or the bottom if the ends
+// differ by a metre or more in height. A level movement only stops.
 std::string stops_words(const Mover& mover, const std::string& storey, double z_m, const std::string& name) {
     if (!storey.empty()) return phrase("movers.stops_at", {{"name", name}, {"storey", storey}});
     const double low_m = mover.pivot_m.z + std::min(0.0, mover.slide_m.z), way_m = std::abs(mover.slide_m.z);
@@ -106,7 +106,6 @@ bool Doors::act(Command command, double now_s) {
     return true;
 }
 
-// By hand or by walking against it.
 void Doors::press(std::uint32_t mover, bool back_again, double now_s) {
     contract_pre(mover < world_.movers.size());
     context_.events.tell(DoorUsed{world_.scene->movers[mover].feature}, now_s);
@@ -128,7 +127,7 @@ void Doors::press(std::uint32_t mover, bool back_again, double now_s) {
             return context_.say(
                 phrase("movers.rides_to", {{"name", sentence_case(spoken_name(feature))}, {"storey", storey}}),
                 SpeechClass::Contact, now_s);
-    if (world_.thing_of_mover[mover] >= 0) return;  // its way is told as it goes
+    if (world_.thing_of_mover[mover] >= 0) return;  // its movement is announced as it moves
     CueRequest sound;
     sound.kind = CueRequestKind::Play;
     sound.sound = SoundKind::DoorMoves;
@@ -139,7 +138,7 @@ void Doors::press(std::uint32_t mover, bool back_again, double now_s) {
                  now_s);
 }
 
-// A lift that the body stands on; -1: none.
+// The lift on which the walker stands; -1: none.
 int Doors::lift_under_body() const {
     for (std::uint32_t i = 0; i < world_.movers.size(); ++i) {
         const Mover& mover = world_.scene->movers[i];
@@ -181,7 +180,7 @@ bool Doors::ride_to(double floor_m, const std::string& storey, double now_s) {
     return true;
 }
 
-// The nearest open leaf that the body touches, of a door that is shut by hand; -1: none.
+// The nearest open leaf, of a door that shuts by hand, that the walker touches; -1: none.
 int Doors::leaf_at_body() const {
     constexpr double kTouches_m = 0.06;
     int nearest = -1;
@@ -201,9 +200,13 @@ int Doors::leaf_at_body() const {
     return nearest;
 }
 
-// What the hand touches counts first, then a lift that one stands on, then a shut door that was told on a way that is
-// gone and from which the hand has hardly come away, then what stands straight ahead, then an open leaf that the body
-// touches, since that is in its way, then the nearest.
+// Chooses in this order:
+// 1. what the hand touches;
+// 2. the lift under the walker;
+// 3. a shut door announced on an earlier route, if the walker or hand is still close;
+// 4. what is straight ahead;
+// 5. an open leaf that the walker touches, because it is in the way;
+// 6. the nearest.
 void Doors::use(double now_s) {
     int chosen = -1;
     if (context_.hands.answers() && context_.hands.tool.touches())
@@ -250,7 +253,7 @@ bool Doors::block(FeatureId feature, bool blocked) {
     return true;
 }
 
-// What opens it: the key, or the button that is nearest to the body, with where that is.
+// What opens it: the key, or the button nearest to the walker, with its place.
 std::string Doors::shut_words(std::uint32_t mover) const {
     const Mover& door = world_.scene->movers[mover];
     const std::string name = sentence_case(name_of(context_, door.feature));
@@ -266,7 +269,7 @@ std::string Doors::shut_words(std::uint32_t mover) const {
                                               {"where", where_words(context_, box_of(*world_.scene, *button))}});
 }
 
-// What a step of a thing would meet. Nothing: the step is made, and who stands on the thing goes along.
+// What a step of a thing would meet. If nothing, the step is made, and a walker who stands on the thing moves along.
 Meeting Doors::meet(std::uint32_t mover, const Placement& from, const Placement& to) {
     if (world_.thing_of_mover[mover] < 0) return Meeting::None;
     const auto thing = [&](std::uint32_t i) { return static_cast<std::size_t>(world_.thing_of_mover[i]); };
@@ -283,13 +286,13 @@ Meeting Doors::meet(std::uint32_t mover, const Placement& from, const Placement&
     if (goes_along) {
         const auto index = static_cast<std::int32_t>(thing(mover));
         if (way.z < 0.0) {
-            // Who has a foot on the floor beside it would stay behind, so is taken wholly onto it.
+            // A walker with one foot on the floor next to it would stay behind, so it is moved wholly onto the thing.
             const Vec3 onto = onto_thing(placed_bounds(own.model->bounds_m, from), feet, body.radius_m);
             feet = world_.solids->trace(feet, feet + onto, body, false, index).end_m;
         }
         TraceHit hit = world_.solids->trace(feet, feet + way, body, false, index);
         const auto meets = [&] { return hit.hit && hit.normal.z < kCeiling; };
-        // Who stands on the threshold of a lift would meet the lintel, so steps towards the middle of the cabin.
+        // A walker on the threshold of a lift would meet the lintel, so it steps towards the middle of the cabin.
         const Vec3 middle = placed_bounds(own.model->bounds_m, from).centre_m();
         const Vec3 inwards{middle.x - feet.x, middle.y - feet.y, 0.0};
         if (const double far_m = glm::length(inwards); meets() && !door && far_m > 0.0)
@@ -302,7 +305,7 @@ Meeting Doors::meet(std::uint32_t mover, const Placement& from, const Placement&
     } else if (!passes_body(world_.scene->features[own.feature.value], own,
                             goes_shut ? std::optional(world_.movers.at_goal(mover)) : std::nullopt, feet, body) &&
                overlap(there, body_box(feet, body)) && meets_body(own.model, to, feet, body)) {
-        // Whom it has come over otherwise it goes away from; but nothing shuts on anybody.
+        // A thing that already overlaps the walker may move away from them, but nothing shuts on anybody.
         if (goes_shut || !meets_body(own.model, from, feet, body)) return Meeting::Body;
     }
 
@@ -369,13 +372,13 @@ void Doors::tell(std::span<const MoverEvent> events, double now_s) {
         if (event.kind == MoverEvent::Kind::Arrives) arrived_ = true;
         const Vec3 middle = feature.bounds_m.centre_m();
         const double distance_m = glm::length(middle - body_.feet_m());
-        // One leaf speaks for a group, and only what is near is told in words; a locked door, which waited for its
-        // button, from anywhere.
+        // One leaf announces for its group, and only if it is near. A locked door that waited for its button is
+        // announced from anywhere.
         const bool first = std::none_of(world_.scene->movers.begin(), world_.scene->movers.begin() + event.mover,
                                         [&](const Mover& other) { return other.group == mover.group; });
         if (!first) continue;
         const bool opens = feature.kind == FeatureKind::Door, button = feature.kind == FeatureKind::Button;
-        // A door is shut where the file has it, also one that rests open.
+        // A door is shut where the file has it, even if it rests open.
         const bool at_shut = opens ? event.at_rest != mover.rests_far : event.at_rest;
         CueRequest sound;
         sound.kind = CueRequestKind::Play;
@@ -385,12 +388,13 @@ void Doors::tell(std::span<const MoverEvent> events, double now_s) {
         sound.material = world_.scene->material(feature.material).sound;
         if (event.kind == MoverEvent::Kind::Leaves || (event.kind == MoverEvent::Kind::Arrives && at_shut)) {
             const bool speaks = distance_m < 10.0 || locked(world_, event.mover);
-            if (event.kind == MoverEvent::Kind::Leaves && at_shut) continue;  // it shuts: heard when it is shut
+            // It begins to shut; the sound comes when it is shut.
+            if (event.kind == MoverEvent::Kind::Leaves && at_shut) continue;
             context_.cues.cue(std::move(sound));
             if (!speaks) continue;
             const std::string name = sentence_case(spoken_name(feature));
-            // What a button has brought about is an answer: as the name of what is met it would replace "button
-            // pressed", or be replaced by it.
+            // The effect of a button is an answer. As a contact it would replace the announcement "button pressed", or
+            // be replaced by it.
             const SpeechClass as = locked(world_, event.mover) ? SpeechClass::Answer : SpeechClass::Contact;
             if (event.kind == MoverEvent::Kind::Leaves)
                 context_.say(phrase(opens    ? "movers.opens"
@@ -418,7 +422,8 @@ void Doors::tell(std::span<const MoverEvent> events, double now_s) {
     }
 }
 
-// A train or turning part comes by again and again: heard, and told only to who stands on it or in its way.
+// A train or turning part passes repeatedly. It is heard, but announced only to a walker who stands on it or in its
+// path.
 void Doors::tell_endless(const MoverEvent& event, const Aabb& box_m, double now_s) {
     const Feature& feature = world_.scene->features[world_.scene->movers[event.mover].feature.value];
     const std::string name = sentence_case(spoken_name(feature));
@@ -433,9 +438,6 @@ void Doors::tell_endless(const MoverEvent& event, const Aabb& box_m, double now_
                      SpeechClass::Contact, now_s);
 }
 
-// ---- the shut ones ----
-
-// A shut door across the way is told_ once, with the key that opens it; again once it has been open.
 void Doors::tell_shut(FeatureId feature, double now_s) {
     const int mover = mover_of(world_, feature);
     if (mover < 0 || world_.scene->features[feature.value].kind != FeatureKind::Door) return;
@@ -454,7 +456,6 @@ void Doors::tell_touched(double now_s) {
         tell_shut(context_.hands.tool.contacts.contacts[i].feature, now_s);
 }
 
-// Those that the body comes to.
 void Doors::tell_ahead(const Vec3& ahead_m, double now_s) {
     const Vec3 up(0.0, 0.0, kWaist_m);
     for (const Crossing& crossing : world_.solids->crossings(body_.feet_m() + up, ahead_m + up))

@@ -1,5 +1,5 @@
-// Doors, lifts, buttons and trains: using them, moving them on with whoever stands on them, telling of them and of the
-// shut ones across a way. How they stand belongs to the world. App thread only.
+// Doors, lifts, buttons and trains: uses them, moves them together with a walker who stands on them, and announces them
+// and shut doors on the route. Their positions belong to the world. App thread only.
 #pragma once
 
 #include <span>
@@ -14,32 +14,32 @@ namespace handrail {
 
 class Doors : SessionPart {
 public:
-    // It moves the things of `world`, and of `body` what stands on one.
+    // Moves the things of `world`, and in `body` the walker if it stands on one.
     Doors(const SessionContext& context, WorldState& world, BodyState& body);
 
-    // Use. False: it is another's.
+    // Handles Use. Returns false for other commands.
     bool act(Command command, double now_s);
     void tick(double now_s, double dt_s);
-    // Something that moves by itself has come to its end since this was asked last.
+    // True if anything that moves automatically has arrived since the last call.
     bool take_arrived() { return std::exchange(arrived_, false); }
-    // By hand or by walking against it. back_again: one that is open goes back.
+    // Pressed by hand or by walking against it. back_again: an open door closes again.
     void press(std::uint32_t mover, bool back_again, double now_s);
 
-    // Whoever stands on a lift rides to where its floor is at that height, told as `storey`. False: on no lift, or on
-    // one that stands there or does not stop there.
+    // Sends the lift under the walker to this floor height, announced as `storey`. Returns false if the walker is on no
+    // lift, or the lift is there already or does not stop there.
     bool ride_to(double floor_m, const std::string& storey, double now_s);
 
-    // Shut, and not to be opened, whatever else would open it; or as before. False: that feature is none.
+    // Keeps a door shut, whatever would otherwise open it, or ends that. Returns false if the feature cannot move.
     bool block(FeatureId feature, bool blocked);
     bool blocked(std::uint32_t mover) const { return world_.movers.held_shut(mover); }
 
-    // A shut door across the way is told once, with what opens it; again once it has been open.
+    // Announces a shut door on the route once, with what opens it; again after it has been open.
     void tell_shut(FeatureId feature, double now_s);
-    // Those that the hand touches.
+    // Announces the shut doors that the hand touches.
     void tell_touched(double now_s);
-    // Those that a body meets on a straight way there, soles.
+    // Announces the shut doors on the straight path of the walker to this place, at floor level.
     void tell_ahead(const Vec3& ahead_m, double now_s);
-    // On another way they are told again.
+    // Call it on another route: shut doors are announced again.
     void forget_told() { told_.clear(); }
 
 private:
@@ -53,7 +53,7 @@ private:
 
     WorldState& world_;
     BodyState& body_;
-    std::vector<FeatureId> told_;  // shut ones across the way
+    std::vector<FeatureId> told_;  // announced shut doors on the route
     bool arrived_ = false;
 };
 

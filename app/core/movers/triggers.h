@@ -1,5 +1,5 @@
-// Places that one walks into: liquids, those that say something, and those that set something going or lead elsewhere.
-// App thread only.
+// Volumes that act on a walker who enters them: liquids, and those that announce something, start a mover or lead
+// elsewhere. App thread only.
 #pragma once
 
 #include <functional>
@@ -11,22 +11,22 @@ namespace handrail {
 
 class Triggers : SessionPart {
 public:
-    // It sets the movers of `world` going.
+    // Starts the movers of `world`.
     Triggers(const SessionContext& context, WorldState& world) : SessionPart(context), world_(world) {}
 
     void enter_world();
     void tick(double now_s);
 
-    // Set by the session: a teleporter puts the body there.
+    // Set by the session; called if a teleporter moves the walker.
     std::function<void(const Vec3& feet_m, double heading_rad, double now_s)> on_leads_elsewhere;
 
 private:
     void meet_switch(FeatureId volume, double now_s);
 
     WorldState& world_;
-    std::vector<FeatureId> inside_;  // volumes the body is in
-    std::vector<FeatureId> told_;    // each speaks once
-    std::vector<FeatureId> used_;    // that act only once
+    std::vector<FeatureId> inside_;  // volumes that contain the walker
+    std::vector<FeatureId> told_;    // volumes that have spoken; each speaks once
+    std::vector<FeatureId> used_;    // volumes that act once and have acted
 };
 
 }  // namespace handrail

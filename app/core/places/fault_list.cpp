@@ -22,18 +22,18 @@ struct UnitOffered {
 };
 constexpr UnitOffered kUnitsOffered[] = {{"mm", 0.001}, {"cm", 0.01}, {"m", 1.0}, {"inch", 0.0254}, {"foot", 0.3048}};
 
-// What a reader says of a file that states no unit and would be a very large or small world.
+// True for the reader's report on a file that states no unit and would be a very large or very small world.
 bool is_of_the_unit(const WorldFault& fault) {
     return fault.kind == FaultKind::DamagedInFile && fault.source.line == 0 && fault.other == phrase("reader.say_unit");
 }
 
-// A list ends no item with a stop of its own.
+// Items of a list have no full stop at the end.
 std::string unstopped(std::string sentence) {
     if (sentence.ends_with('.')) sentence.pop_back();
     return sentence;
 }
 
-// Landmarks of now upon the world as its file has it: both have the same features.
+// Copies the present landmarks to the world as in its file; both have the same features.
 std::shared_ptr<const Scene> with_landmarks_of(const std::shared_ptr<const Scene>& file,
                                                const std::vector<bool>& landmarks) {
     std::shared_ptr<Scene> copy;
@@ -66,7 +66,7 @@ void FaultList::tell_unreadable(double now_s) const {
 }
 
 void FaultList::open(double now_s) {
-    // Where there are no rooms and ways, what keeps them from being there is what should be mended.
+    // Without rooms and routes, the cause of that is what should be corrected.
     const bool known = rooms_.known();
     if (known || rooms_.awaited())
         if (!rooms_.have(now_s)) return;
@@ -109,7 +109,7 @@ void FaultList::show(const std::shared_ptr<const Found>& found, double now_s) {
     for (const MadeDoor& door : made)
         list.items.push_back({phrase("faults.made_door", {{"between", one_line(door.name)}}),
                               where_words(context_, point_box(door.place_m))});
-    list.stays_open = true;  // one goes from one to the next
+    list.stays_open = true;  // so that the person can go from one to the next
     list.chosen = [this, found, made](std::size_t i) {
         if (i < found->faults.size()) show_one(found, i, context_.tick_s);
         else show_made_door(made[i - found->faults.size()], context_.tick_s);
@@ -175,15 +175,15 @@ void FaultList::show_made_door(const MadeDoor& door, double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
-// Walls are cut where the world is read: whoever owns the session does that again, and the person stays in place.
+// Walls are cut while the world is read. The owner of the session reads it again, and the person stays in place.
 void FaultList::make_door(const MadeDoor& door, double now_s) {
     keep_made_door(context_.additions, door);
-    if (!context_.asks.save_additions(now_s)) return;  // the world is read as its file says
+    if (!context_.asks.save_additions(now_s)) return;  // otherwise the world would be read without the door
     context_.requests.read_again = true;
     context_.answer(phrase("faults.door_made", {{"between", one_line(door.name)}}), now_s);
 }
 
-// Nothing is where it was: one begins anew.
+// With another unit every position changes, so the world begins anew.
 void FaultList::take_unit(double metres, double now_s) {
     keep_unit(context_.additions, metres);
     if (!context_.asks.save_additions(now_s)) return;

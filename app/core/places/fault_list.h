@@ -1,6 +1,6 @@
-// What should be mended in the world one is in (worlds/check), as a list: from one fault to the next, to its place, and
-// mended there where a name, a landmark, a door or a unit is all that is missing. Found in the background; what is
-// mended is kept in the side file, and doors that were made can be taken away again in the list. App thread only.
+// What should be corrected in the present world (worlds/check), as a list with the place of each fault. A missing name,
+// landmark, door or unit can be added there. Faults are found in a background task. Corrections are stored in the side
+// file, and the list can remove added doors again. App thread only.
 #pragma once
 
 #include <functional>
@@ -21,26 +21,26 @@ class FaultList : SessionPart {
 public:
     FaultList(const SessionContext& context, WorldState& world, Rooms& rooms);
 
-    // Lays the landmarks that the person has marked upon it.
+    // Adds the landmarks that the person has marked to the world.
     void enter_world();
-    // Says which of these could not be read.
+    // Announces which of these could not be read.
     void tell_unreadable(double now_s) const;
-    // The landmarks have been changed in their file.
+    // The landmarks have changed in their file.
     void take_again();
-    // Opens the list, now or once the faults are found; says why not.
+    // Opens the list, now or once the faults are found; announces why it cannot.
     void open(double now_s);
     void tick(double now_s);
-    // The list is not on its way.
+    // True if no list is being prepared.
     bool idle() const { return !looking_.busy(); }
 
     std::function<void(const Goal& goal, double now_s)> on_find;  // set by the session
 
 private:
     struct Found {
-        std::shared_ptr<const Scene> scene;  // as its file has it, with the landmarks of now
+        std::shared_ptr<const Scene> scene;  // as in its file, with the present landmarks
         std::vector<WorldFault> faults;
-        std::vector<std::vector<MissingDoor>> doors;    // of each fault: where a door would mend it
-        std::vector<std::optional<MadeDoor>> doorways;  // and which door, cut free, one could pass
+        std::vector<std::vector<MissingDoor>> doors;    // for each fault: where a door would correct it
+        std::vector<std::optional<MadeDoor>> doorways;  // for each fault: the door that, once cut, a walker could pass
     };
     void show(const std::shared_ptr<const Found>& found, double now_s);
     void show_one(const std::shared_ptr<const Found>& found, std::size_t which, double now_s);

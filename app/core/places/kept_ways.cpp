@@ -36,8 +36,6 @@ bool KeptWays::act(Command command, double now_s) {
     return true;
 }
 
-// ---- what is kept ----
-
 void KeptWays::enter_world(double now_s) {
     begins_m_.reset();
     std::vector<Error> faults;
@@ -46,7 +44,7 @@ void KeptWays::enter_world(double now_s) {
 }
 
 void KeptWays::take_again() {
-    std::vector<Error> faults;  // told on entering
+    std::vector<Error> faults;  // announced on entering
     ways_ = read_ways(context_.additions, faults);
 }
 
@@ -95,9 +93,7 @@ void KeptWays::follow_room_name(const std::string& before, const std::string& na
     if (changed) write_ways(context_.additions, ways_);
 }
 
-// ---- keeping ----
-
-// What could be kept: planned or walked.
+// The routes that could be saved: planned or walked.
 std::vector<KeptWays::Offer> KeptWays::untold_offers() const {
     std::vector<Offer> offers;
     if (planned_.stops().size() > 1)
@@ -171,7 +167,7 @@ void KeptWays::ask_name(const std::vector<Stop>& stops, double now_s) {
     context_.ask_text(std::move(question), now_s);
 }
 
-// A good name that no other way has; else says why not.
+// Returns the name if it is valid and no other route has it; otherwise announces why not.
 std::optional<std::string> KeptWays::free_name(const std::string& typed, std::size_t except, double now_s) const {
     const auto good = good_name(typed);
     if (!good) {
@@ -182,8 +178,6 @@ std::optional<std::string> KeptWays::free_name(const std::string& typed, std::si
     context_.answer(phrase("ways.taken", {{"name", *good}}), now_s);
     return std::nullopt;
 }
-
-// ---- choosing ----
 
 void KeptWays::open_all(double now_s) {
     if (ways_.empty())
@@ -248,7 +242,7 @@ void KeptWays::open_backwards(std::size_t which, double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
-// Here, a room, or a thing.
+// Lists what can become a stop: this place, a room, or a thing.
 void KeptWays::open_add_stop(std::size_t which, double now_s) {
     if (ways_[which].stops.size() >= kMostStops)
         return context_.answer(phrase("ways.full", {{"most", kMostStops}}), now_s);
@@ -275,17 +269,17 @@ void KeptWays::open_add_stop(std::size_t which, double now_s) {
 
 void KeptWays::add_stop(std::size_t which, Stop stop, double now_s) {
     SavedWay& way = ways_[which];
-    // Looked up again as it is now, since it gets the checksum of this world with the new stop.
+    // The route gets the checksum of this world with the new stop, so it must fit the present world first.
     if (way.world != context_.additions.world_checksum() && !look_at(way).faults.empty())
         return context_.answer(phrase("ways.take_over_first", {{"way", way.name}}), now_s);
     way.world = context_.additions.world_checksum();
     const std::string name = stop.name, way_name = way.name;
     way.stops.push_back(std::move(stop));
-    // By which ways_ may be others.
+    // Saving may replace ways_, so the names were copied.
     save_and_answer(phrase("ways.stop_added", {{"way", way_name}, {"stop", name}}), now_s);
 }
 
-// What was found elsewhere is kept there; what is gone is forgotten, its place stays.
+// Stores the new places of what was found elsewhere, and forgets what is gone; its place stays.
 void KeptWays::take_over(std::size_t which, double now_s) {
     SavedWay& way = ways_[which];
     FoundWay found = look_at(way);
@@ -299,7 +293,7 @@ void KeptWays::take_over(std::size_t which, double now_s) {
     way.stops = std::move(found.stops);
     way.world = context_.additions.world_checksum();
     const std::string name = way.name;
-    save_and_answer_kept(name, now_s);  // by which ways_ may be others
+    save_and_answer_kept(name, now_s);  // saving may replace ways_, hence the copy of the name
 }
 
 void KeptWays::ask_new_name(std::size_t which, double now_s) {

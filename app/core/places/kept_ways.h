@@ -1,5 +1,6 @@
-// Ways that a person keeps in a world under a name: keeping the one that was planned or walked, and what can be done
-// with a kept one. Going along one is another's affair. App thread only; ways.h says how they are kept.
+// The routes that a person saves in a world under a name: saving the one that was planned or walked, and the list of
+// actions with a saved one. Following a route belongs to another class. App thread only; ways.h says how they are
+// stored.
 #pragma once
 
 #include <functional>
@@ -18,26 +19,26 @@ class KeptWays : SessionPart {
 public:
     KeptWays(const SessionContext& context, Rooms& rooms, const PlannedStops& planned);
 
-    // Those of the world that was entered; says what of their file cannot be read.
+    // Reads the routes of the world that was entered; announces what cannot be read.
     void enter_world(double now_s);
-    // They have been changed in their file.
+    // The routes have changed in their file.
     void take_again();
-    // Ways and KeepWay. False: it is another's.
+    // Handles Ways and KeepWay. Returns false for other commands.
     bool act(Command command, double now_s);
-    // Once the rooms are known: which ones no longer fit the world.
+    // Call it once the rooms are known: announces which routes no longer fit the world.
     void tell_unfit(double now_s);
-    // The stops in the room of that name know it by the new one from here on; saved by whoever renamed it. `before`
-    // empty: it had none that files know it by.
+    // A room was renamed: its stops refer to the new name from now on. The caller saves the file. `before` empty: the
+    // room had no stored name.
     void follow_room_name(const std::string& before, const std::string& name);
 
-    // The way planned and the ways walked, and then those that were kept, the last one first: as they are told.
+    // Routes to choose from, with spoken names: the planned one, the walked ones, then the saved ones, latest first.
     struct Offer {
         std::string name, value;
         std::vector<Stop> stops;
     };
     std::vector<Offer> offers() const;
 
-    // Set by the session: the person wants to go along these stops, led by the hand or told by ear.
+    // Set by the session; called if the person wants to follow these stops, guided by the hand or by ear.
     std::function<void(const std::vector<Stop>& stops, bool by_hand, double now_s)> on_go;
 
 private:
@@ -45,7 +46,7 @@ private:
     std::string fault_words_of(const FoundWay& found) const;
     bool save(double now_s);
     void save_and_answer(const std::string& words, double now_s);
-    // "Way Hall to Kitchen kept", if it is.
+    // Saves, and answers "Way Hall to Kitchen kept" if that succeeded.
     void save_and_answer_kept(const std::string& name, double now_s);
     std::vector<Offer> untold_offers() const;
     void open_keep(double now_s);
@@ -66,7 +67,7 @@ private:
     Rooms& rooms_;
     const PlannedStops& planned_;
     std::vector<SavedWay> ways_;
-    std::optional<Vec3> begins_m_;  // where the person said that a way begins
+    std::optional<Vec3> begins_m_;  // where the person said that a route begins
 };
 
 }  // namespace handrail

@@ -16,12 +16,10 @@ namespace handrail {
 namespace {
 
 constexpr double kMarkNear_hand_m = 0.008, kMarkNear_body_m = 1.0;
-constexpr double kLandmarkNear_m = 1.5;  // from the body
-constexpr double kFarther = 1.5;         // what was near is far again from so many times the distance on
+constexpr double kLandmarkNear_m = 1.5;  // from the walker
+constexpr double kFarther = 1.5;         // factor on the distance at which something near counts as far again
 
 }  // namespace
-
-// ---- what is kept ----
 
 void MarkList::enter_world() {
     faults_.clear();
@@ -33,7 +31,7 @@ void MarkList::enter_world() {
 }
 
 void MarkList::take_again() {
-    std::vector<Error> faults;  // told on entering
+    std::vector<Error> faults;  // announced on entering
     read(faults);
     near_.assign(marks_.size(), true);
 }
@@ -60,8 +58,6 @@ void MarkList::save_and_answer(const std::string& words, double now_s) {
     context_.keep_and_answer(words, now_s);
 }
 
-// ---- setting, naming, deleting ----
-
 bool MarkList::act(Command command, double now_s) {
     if (command == Command::DropMark) drop(false, now_s);
     else if (command == Command::DeleteMark) open_delete(now_s);
@@ -82,7 +78,7 @@ void MarkList::tick_button(double now_s) {
 void MarkList::drop(bool by_button, double now_s) {
     Vec3 place = context_.body.feet_m();
     if (context_.hands.answers()) {
-        // A hand of the keys alone, on its way to where one stands, is no reason to have no mark.
+        // A simulated hand that is still moving to the walker must not prevent a mark.
         if (!is_gone(context_.hands.tool.fault) && context_.hands.tool.workspace_jump == context_.hands.pose.jump)
             place = context_.hands.tool.proxy_m;
         else if (!context_.hands.keys_alone) return context_.answer(phrase("guide.hand_unknown"), now_s);
@@ -120,8 +116,6 @@ void MarkList::remove(std::size_t which, double now_s) {
     save_and_answer(phrase("marks.deleted", {{"name", name}}), now_s);
 }
 
-// ---- choosing ----
-
 std::vector<ListItem> MarkList::items() const {
     std::vector<ListItem> items;
     for (const Mark& mark : marks_) {
@@ -141,7 +135,7 @@ void MarkList::open_delete(double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
-// What others have put above them, then the marks.
+// Opens the list: the rows above, then the marks.
 void MarkList::open(double now_s) {
     const std::vector<Row> above = rows_above ? rows_above() : std::vector<Row>();
     ListSpec list;
@@ -157,9 +151,7 @@ void MarkList::open(double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
-// ---- coming near ----
-
-// Once for each scene: a building has tens of thousands of features, and a tick is no time to look at all of them.
+// Once for each scene: a building has tens of thousands of features, too many to examine in each tick.
 void MarkList::list_landmarks() {
     const std::shared_ptr<const Scene>& scene = context_.world.scene;
     if (!listed_of_.owner_before(scene) && !scene.owner_before(listed_of_)) return;
@@ -175,7 +167,7 @@ void MarkList::tick(double now_s) {
     contract_pre(context_.world.scene != nullptr && context_.world.solids != nullptr);
     const bool tell = !std::exchange(first_look_, false);
     const Vec3 waist = context_.body.feet_m() + Vec3(0.0, 0.0, kWaist_m);
-    // Level distance of a place that is on this storey and in no other room; else far.
+    // Level distance of a place on this storey that is not behind a wall or door; otherwise a very large number.
     const auto body_to_m = [&](const Aabb& box, double range_m) {
         const Vec3 place = nearest_place(box, waist);
         const Vec3 way = place - waist;

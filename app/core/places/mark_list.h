@@ -1,6 +1,6 @@
-// The person's marks in the world one is in: setting, naming, deleting and choosing them; and what sounds when hand or
-// body comes near a mark, a landmark or a clue. Metres, world, if not said otherwise. App thread only; marks.h says how
-// they are kept.
+// The person's marks in the present world: setting, naming, deleting and choosing them. Also plays a sound if the hand
+// or the walker comes near a mark, a landmark or a clue. World metres, unless a name says otherwise. App thread only;
+// marks.h says how marks are stored.
 #pragma once
 
 #include <functional>
@@ -15,28 +15,28 @@ namespace handrail {
 
 class MarkList : SessionPart {
 public:
-    // marks: of the world one is in, where everybody may look at them.
+    // marks: of the present world, stored where every feature can read them.
     MarkList(const SessionContext& context, std::vector<Mark>& marks) : SessionPart(context), marks_(marks) {}
 
-    // Reads them from what the person added to the world; what is wrong with that waits for tell_faults().
+    // Reads the marks from what the person added to the world; errors wait for tell_faults().
     void enter_world();
     void tell_faults(double now_s);
-    // They have been changed in their file.
+    // The marks have changed in their file.
     void take_again();
-    // DropMark, DeleteMark and Marks. False: it is another's.
+    // Handles DropMark, DeleteMark and Marks. Returns false for other commands.
     bool act(Command command, double now_s);
-    // The device's button sets one.
+    // Sets a mark if the device's button was pressed.
     void tick_button(double now_s);
-    // A mark, landmark or clue makes its sound when hand or body comes near; marks are named.
+    // Plays the sound of a mark, landmark or clue if the hand or the walker comes near; marks are also announced.
     void tick(double now_s);
 
-    // A line above the marks in their list.
+    // A row above the marks in their list.
     struct Row {
         ListItem item;
         std::function<void(double now_s)> chosen;
-        std::function<std::string(int by)> adjusted{};  // of an adjustable one; its value from then on
+        std::function<std::string(int by)> adjusted{};  // of an adjustable row; returns its new value in words
     };
-    // Set by the session: what stands there now; and that the person wants to find the chosen mark.
+    // Set by the session: the present rows above the marks; and the action if the person wants to find the chosen mark.
     std::function<std::vector<Row>()> rows_above;
     std::function<void(const Goal& mark, double now_s)> on_find;
 
@@ -53,15 +53,15 @@ private:
     void open(double now_s);
 
     std::vector<Mark>& marks_;
-    std::vector<Error> faults_;  // not told yet
-    // Where hand and body have been told to be near, so that each is told once.
+    std::vector<Error> faults_;  // not announced yet
+    // What the hand and the walker are near to, so that each is announced once.
     std::vector<bool> near_;                // by mark
-    std::vector<FeatureId> landmarks_;      // and clues, of listed_of_
-    std::weak_ptr<const Scene> listed_of_;  // whose end it does not put off
+    std::vector<FeatureId> landmarks_;      // landmarks and clues of listed_of_
+    std::weak_ptr<const Scene> listed_of_;  // weak, so that the scene can be destroyed
     std::vector<FeatureId> landmarks_near_;
     FeatureId touched_ = kNoFeature;
-    bool first_look_ = true;     // what is near on entering is not told
-    std::uint32_t buttons_ = 0;  // of the device, a tick before; worlds change, the device stays
+    bool first_look_ = true;     // what is near on entering is not announced
+    std::uint32_t buttons_ = 0;  // the device's buttons one tick earlier; kept across worlds, because the device stays
 };
 
 }  // namespace handrail

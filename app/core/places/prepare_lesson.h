@@ -1,5 +1,5 @@
-// A lesson put together by who teaches, in one list: the base, landmarks, a route, and save. What was put together
-// stays while one is in the world. App thread only.
+// One list in which a teacher prepares a lesson: the base, landmarks, a route, and saving. The draft is kept until the
+// world is left. App thread only.
 #pragma once
 
 #include <functional>
@@ -19,13 +19,13 @@ public:
     static constexpr std::size_t kMostLandmarks = 20;
 
     PrepareLesson(const SessionContext& context, Rooms& rooms) : context_(context), rooms_(rooms) {}
-    PrepareLesson(const PrepareLesson&) = delete;  // open lists know it by its place
+    PrepareLesson(const PrepareLesson&) = delete;  // open lists keep its address
     PrepareLesson& operator=(const PrepareLesson&) = delete;
 
     void enter_world() { draft_ = {}, begun_ = false; }
     void open(double now_s) { open_at(0, now_s); }
 
-    // Set by the session: the ways that could be a route, as they are told: planned, walked, kept.
+    // Set by the session: the routes to choose from, with spoken names: planned, walked, saved.
     struct Offer {
         std::string name;
         std::vector<Stop> stops;
@@ -35,18 +35,18 @@ public:
 private:
     void open_at(std::size_t at, double now_s);
     void base_here();
-    void open_again(std::size_t at);  // in place of the lists that are open
+    void open_again(std::size_t at);  // replaces the open lists
     void open_landmarks(double now_s);
     void open_routes(double now_s);
     void save(double now_s);
-    // Names in the order in which the route, from the base on, comes to them.
+    // Names in the order in which the route, beginning at the base, reaches them.
     std::vector<std::string> on_route(const std::vector<LessonDraft::Place>& asked) const;
     LessonDraft::Place place_of(const Stop& stop) const;
 
     const SessionContext& context_;
     Rooms& rooms_;
     LessonDraft draft_;
-    std::string base_name_;  // of the room, or of the ground outside; empty: none
+    std::string base_name_;  // of its room, or of the ground outside; empty: none
     bool begun_ = false;
 };
 

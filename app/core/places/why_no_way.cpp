@@ -11,7 +11,7 @@ void WhyNoWay::look(std::uint32_t room) {
                     room](const std::stop_token& stop) {
         const std::optional<WorldFault> fault = why_out_of_reach(*scene, navigation->space(), graph, room, stop);
         if (!fault) return std::string();
-        // That there is no way has been said.
+        // The lack of a route has been announced already.
         const bool known = fault->lack != Lack::Nothing || !fault->other.empty();
         return (known ? fault_words(*scene, *fault) + " " : std::string()) + fault_advice(*scene, *fault);
     });

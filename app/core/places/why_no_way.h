@@ -1,5 +1,5 @@
-// Why nobody comes to a room, and what would help, said to a person who asked for the route to it. Found in the
-// background, since the walkable space is made anew for other bodies. App thread only.
+// Explains to a person who requested a route why a room cannot be reached, and what would help. A background task finds
+// this, because the walkable area must be built again for other walker sizes. App thread only.
 #pragma once
 
 #include <string>
@@ -15,7 +15,8 @@ public:
     WhyNoWay(const SessionContext& context, Rooms& rooms) : SessionPart(context), rooms_(rooms) {}
 
     void enter_world() { looking_.give_up(); }
-    // Of a room of the graph; told as soon as it is known, nothing where one comes there from the base.
+    // Examines a room of the graph and announces the result once it is known; nothing if the room can be reached from
+    // the base.
     void look(std::uint32_t room);
     void tick(double now_s);
 

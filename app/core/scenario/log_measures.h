@@ -1,4 +1,4 @@
-// What the expectations of a scenario measure: words of a line, how far a ball is inside solids, a frequency in a
+// Measurements for the expectations of a scenario: words in a line, how deep a proxy is inside solids, a frequency in a
 // force. Pure functions; any thread.
 #pragma once
 
@@ -9,16 +9,16 @@
 
 namespace handrail {
 
-// True when the words of `wanted` stand in `line` in that order, ignoring case and punctuation.
+// True if the words of `wanted` occur in `line` in that order, ignoring case and punctuation.
 bool words_in_order(const std::string& wanted, const std::string& line);
 
-// How deep the ball overlaps the nearest solid or sheet: brute force over planes, independent of the renderer.
-// Negative: clearance is not measured, so 0 is "not at all".
+// How deep the proxy overlaps the nearest solid or sheet, by brute force over planes and independent of the renderer. 0
+// means no overlap; clearance is not measured.
 double overlap_m(const Scene& scene, const Vec3& centre_m, double radius_m);
 
-// The amplitude of the strongest line of `samples` (evenly spaced by dt_s) between two frequencies, after removing the
-// straight line through them and a Hann window (scaled so that a pure sine shows its amplitude). Equal frequencies:
-// that one line.
+// The amplitude of the strongest spectral line of `samples` (spaced by dt_s) between two frequencies. The straight line
+// through the samples is removed, and a Hann window applied, scaled so that a pure sine shows its amplitude. With equal
+// frequencies, only that line is measured.
 double line_amplitude(const std::vector<double>& samples, double dt_s, double from_hz, double to_hz);
 
 }  // namespace handrail

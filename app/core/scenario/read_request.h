@@ -11,16 +11,16 @@
 
 namespace handrail {
 
-// Pure.
+// Pure function.
 ReadOptions read_options(const WorldRequest& request);
 
-// How a world and what lies next to it are read, each failing with a sentence. The program reads both in its confined
-// process (imported_scene and toml_beside_worlds in app/main/world_files.h).
+// Functions that read a world and the files next to it; each fails with a sentence. The program reads both in its
+// confined process (imported_scene and toml_beside_worlds in app/main/world_files.h).
 struct WorldReader {
     std::function<Result<Scene>(const WorldRequest&)> scene;
     TomlReader toml = toml_of;
 };
-// Reads in this process. For tests, which read their own worlds.
+// Reads in this process, for tests, which read their own worlds.
 Result<Scene> read_requested(const WorldRequest& request);
 
 }  // namespace handrail

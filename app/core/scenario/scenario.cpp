@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Every sound has a name and every material a word: one table for people and scenarios.
+// Every sound has a name and every material a word. People and scenarios use the same table.
 std::vector<std::string_view> all_sound_names() {
     std::vector<std::string_view> names;
     for (const SoundInfo& row : sound_table()) names.push_back(row.name);
@@ -43,13 +43,13 @@ Command command_named(TomlFields& fields, const char* key) {
 
 constexpr double kLongest_s = 3600.0;
 constexpr double kLeastUnit_m = 1e-6, kMostUnit_m = 1e6;
-constexpr std::array<std::string_view, 3> kActsBy{"window-keys", "terminal-keys", "lines"};  // as in ActsBy
+constexpr std::array<std::string_view, 3> kActsBy{"window-keys", "terminal-keys", "lines"};  // in the order of ActsBy
 
 fs::path find_world(const std::string& name, const ScenarioFolders& folders, int line) {
     return find_named_world(name, folders, line);
 }
 
-// turn_deg about turn_axis, upright where none is given.
+// The rotation by turn_deg about turn_axis; without an axis, about the upward one.
 std::optional<Rotation> read_turn(TomlFields& fields) {
     if (!fields.has("turn_deg")) return std::nullopt;
     const Vec3 axis = fields.has("turn_axis") ? fields.vector("turn_axis") : Vec3(0.0, 0.0, 1.0);
@@ -143,7 +143,7 @@ ScenarioAction read_action(const TomlValue& table, const ScenarioFolders& folder
     return action;
 }
 
-// The moves that one sweep stands for.
+// The moves of one sweep.
 std::vector<ScenarioAction> read_sweep(const TomlValue& table) {
     TomlFields fields(table, "sweep");
     const Vec3 at = fields.vector("sweep_at");
@@ -194,7 +194,7 @@ void must_be_one_of(const std::string& word, std::span<const std::string_view> k
                            {"nearest", nearest_name(word, std::vector<std::string>(known.begin(), known.end()))}})};
 }
 
-// Reads one expectation: what is checked, by exactly one key, and when.
+// Reads one expectation: what to check, given by exactly one key, and when.
 class ExpectationReader {
 public:
     explicit ExpectationReader(const TomlValue& table) : fields_(table, "expectation") { e_.line = fields_.line(); }
@@ -224,7 +224,7 @@ private:
     void flag(const char* key, Check check) {
         if (is(key, check)) fields_.flag(key);
     }
-    // At most that.
+    // An upper limit.
     bool limit(const char* key, Check check, double most) {
         if (!is(key, check)) return false;
         e_.high = fields_.number(key, 0.0, most);
@@ -409,12 +409,12 @@ fs::path find_named_world(const std::string& name, const ScenarioFolders& folder
     places.insert(places.end(), folders.others.begin(), folders.others.end());
     for (const fs::path& folder : places)
         if (std::error_code ec; fs::is_regular_file(folder / name, ec)) return folder / name;
-    // "school" is school.map.
+    // A name without extension, such as "school", finds school.map.
     for (const fs::path& folder : places)
         if (!fs::path(name).has_parent_path() && !fs::path(name).has_extension())
             for (const ShelvedWorld& world : worlds_in(folder))
                 if (world.file.stem() == name) return world.file;
-    // Both files may have come from elsewhere together.
+    // The scenario and the world may have been copied together from elsewhere.
     if (fs::path beside = folders.beside / fs::path(name).filename(); fs::path(name).has_parent_path())
         if (std::error_code ec; fs::is_regular_file(beside, ec)) return beside;
     throw BadField{line, phrase("scenario.no_world", {{"name", name}})};

@@ -1,5 +1,5 @@
-// Scenario files: a world, a start, actions in time and what must come of them, in TOML that people can read. Parsing
-// only; the runner stands in scenario_run.h. The format is described in docs/scenarios.md.
+// Scenario files: a world, a start, timed actions and expectations, in readable TOML. Parsing only; scenario_run.h runs
+// them. docs/scenarios.md describes the format.
 #pragma once
 
 #include <filesystem>
@@ -22,20 +22,20 @@ struct TapCommand {
     Command command;
     double for_s = 0.1;
     int times = 1;
-};  // press = "forward", for_s = 0, times = 3: as when a count was typed
+};  // press = "forward", for_s = 0, times = 3: like a typed count
 struct HoldCommand {
     Command command;
     double for_s;
 };  // hold = "forward", for_s = 3
 struct TapKey {
     std::string key;
-};  // key = "Down": by its name, to an open list or question, else the command it stands for
+};  // key = "Down": a key by name, for an open list or question; otherwise for the command that it stands for
 struct TypeText {
     std::string text;
-};  // type = "stairs": characters, one after the other
+};  // type = "stairs": typed characters
 struct TypeLine {
     std::string line;
-};  // line = "library": as a terminal has it, to an open list or question
+};  // line = "library": a terminal line, for an open list or question
 struct Wait {
     double for_s;
 };  // wait_s = 1
@@ -43,43 +43,43 @@ struct MoveHand {
     Vec3 to_m;
     double speed_m_per_s;
     bool relative;
-};  // move_to / move_by: world metres, exactly; speed of the hand
+};  // move_to / move_by: exact world metres; speed of the hand
 struct MoveInDevice {
-    std::string control;  // of the desk's page: to_m is right of, off and above the place where the ball touches it;
-                          // empty: of the device's middle
+    // The exact offset in device metres: from the device's middle, or, if a control on the present page of the desk is
+    // named, to the right of, in front of and above the place where the proxy touches it.
+    std::string control;
     Vec3 to_m{0.0};
     double speed_m_per_s;
-};  // hand_to: metres in the device's own frame, exactly; control, off_mm, right_mm, up_mm: before (below 0: pressed
-    // into) a control of the desk
+};  // hand_to, or control with right_mm, off_mm and up_mm; a negative off_mm presses into the control
 struct PushHand {
     Vec3 force_n;
     double for_s;
-};  // push_n, for_s: on a free hand, device axes
+};  // push_n, for_s: pushes a free hand, device axes
 struct RestHand {
     Vec3 at_m;
     double for_s;
-};  // rest_at, for_s: a hand that springs to a world place
+};  // rest_at, for_s: a spring pulls the hand to a world place
 struct ScenarioTrouble {
     std::string kind;
     double for_s;
 };  // trouble = "nan" | "jump" | "freeze" | "unplug" | "late" | "hot" | "error"
 struct DeviceButton {
     bool down;
-};  // button = true: the device's first button goes down and stays there
+};  // button = true: presses the device's first button and keeps it pressed
 struct KeyboardFocus {
     bool here;
 };  // focus = false: the window loses the keyboard
 struct PlaceBody {
     Vec3 feet_m;
     double heading_rad;
-};  // place, heading_deg: the body is somewhere else
+};  // place, heading_deg: moves the walker there
 struct ChangeSetting {
     std::string key, value;
 };  // set = "workspace.scale=30": restarts the world at the same place
 struct AddThing {
     std::string name;
-    Vec3 box_m{0.0};              // add, box: its sides; zero: the model
-    std::filesystem::path model;  // add, model: a world file, as found
+    Vec3 box_m{0.0};              // side lengths for add with box; zero: add with model
+    std::filesystem::path model;  // for add with model: the world file, after the search
     Placement at;
     std::string material;
 };  // add = "crate"
@@ -92,7 +92,7 @@ struct SendThing {
     std::optional<Rotation> rotation;
     std::optional<double> scale;
     double speed_m_per_s;
-};  // send = "crate": slides there in a straight line while everything goes on
+};  // send = "crate": slides there in a straight line while the scenario continues
 
 using ScenarioStep = std::variant<TapCommand, HoldCommand, TapKey, TypeText, TypeLine, Wait, MoveHand, MoveInDevice,
                                   PushHand, RestHand, ScenarioTrouble, DeviceButton, KeyboardFocus, PlaceBody,
@@ -101,9 +101,9 @@ using ScenarioStep = std::variant<TapCommand, HoldCommand, TapKey, TypeText, Typ
 struct ScenarioAction {
     std::string name;  // for after/before; may be empty
     ScenarioStep step = Wait{0.0};
-    std::optional<double> at_s;  // else when the action before it ends
-    bool meanwhile = false;      // starts together with the action before it
-    bool left = false;           // whose = "left": it is the left hand's
+    std::optional<double> at_s;  // none: when the previous action ends
+    bool meanwhile = false;      // starts together with the previous action
+    bool left = false;           // whose = "left": for the left hand
     int line = 0;
 };
 
@@ -115,51 +115,50 @@ struct Moment {
 };
 
 enum class Check {
-    Say,           // say: words in order in one line; times (exact) or at least once
+    Say,           // say: words in this order in one line; `times` exactly, or at least once
     NotSay,        // not_say
-    SayInOrder,    // say_in_order: of the parts between bars each in a line of its own, in this order, other lines
-                   // between
-    NothingTwice,  // nothing_twice_s: no line is said again within so many seconds
-    SoundFaster,   // sound_faster: it comes again and again, each time sooner
+    SayInOrder,    // say_in_order: each part between bars in its own line, in this order; other lines may come between
+    NothingTwice,  // nothing_twice_s: no line is repeated within this many seconds
+    SoundFaster,   // sound_faster: repeats, each time after a shorter pause
     Sound,         // sound, material; latency_ms: from event to start
     NotSound,
     Force,       // force_n = [min, max] of the magnitude, or along `direction`
     ForceStep,   // force_step_n: largest change between ticks
-    ForceSpike,  // force_spike: never more than so many times what it was a tick before, nor than at the window's begin
+    ForceSpike,  // force_spike: never more than this factor times the previous tick, or times the begin of the window
     ForceLine,   // force_line_n with hz: amplitude at that frequency
-    ForceBand,   // force_band_n with from_hz, to_hz: largest amplitude of any line there
-    ForceAngle,  // force_angle_deg, direction: the force looks there, wherever it is above 0.05 N
-    Depth,       // depth_mm: largest distance of hand and ball, felt
+    ForceBand,   // force_band_n with from_hz, to_hz: largest amplitude of any line in that band
+    ForceAngle,  // force_angle_deg, direction: angle of the force to that direction, wherever the force is above 0.05 N
+    Depth,       // depth_mm: largest distance between hand and proxy, at the hand
     ForceRising,  // force_rising = true: never falls by more than 1e-9 N between ticks
     BodyAt,
     HipAt,
     ProxyAt,
     Heading,
-    Penetration,    // penetration_m: deepest overlap of ball and solids
-    Touching,       // touching: name of what is touched
-    Free,           // free = true: nothing is touched, force zero
-    SlideRatio,     // slide_mu = [low, high] with direction: the force across it over the force along it
-    StrongestLine,  // strongest_line_hz = [low, high] with from_hz, to_hz, at_least_n: where the strongest line of the
-                    // force lies
-    ToldApart,      // told_apart = true: no two materials of the world feel alike
-    NotToldApart,   // not_told_apart: this pair does, and is named
-    SoundRising,    // sound_rising = "wall tone": its loudness never falls and grows
+    Penetration,  // penetration_m: deepest overlap of proxy and solids
+    Touching,     // touching: name of the touched feature
+    Free,         // free = true: nothing is touched, force zero
+    SlideRatio,  // slide_mu = [low, high] with direction: ratio of the force across the direction to the force along it
+    // Strongest_line_hz = [low, high] with from_hz, to_hz, at_least_n: frequency of the strongest line of the force.
+    StrongestLine,
+    ToldApart,     // told_apart = true: no two materials of the world feel the same
+    NotToldApart,  // not_told_apart: the named pair feels the same, and the report names it
+    SoundRising,   // sound_rising = "wall tone": its loudness grows and never falls
 };
 
 struct Expectation {
     Check check = Check::Say;
     std::string text;                                 // words, sound name, feature name
     std::string material;                             // sounds
-    std::optional<std::array<double, 2>> muffled_db;  // sounds: lost on the way, from and to
+    std::optional<std::array<double, 2>> muffled_db;  // sounds: lost to obstacles, from and to
     std::optional<std::array<double, 2>> pitch;       // sounds: factor, from and to
     std::optional<int> times;
     double low = 0.0, high = 0.0;  // force range, limits
-    Vec3 vector{0.0};              // direction or place; NaN components are not looked at
+    Vec3 vector{0.0};              // direction or place; NaN components are ignored
     bool has_vector = false;
     double tolerance = 0.0;
     double from_hz = 0.0, to_hz = 0.0;
-    bool always = true;  // in the whole window; else at least once
-    bool left = false;   // whose = "left": what the left hand touches and feels
+    bool always = true;  // in the whole window; false: at least once
+    bool left = false;   // whose = "left": measures the left hand
     Moment from, to;
     bool has_to = false;
     int line = 0;
@@ -168,9 +167,9 @@ struct Expectation {
 struct Scenario {
     std::string title;
     std::filesystem::path file;
-    WorldRequest world;  // world: the file, as found; building, unit_m, map_scale_m_per_unit: how it is read
+    WorldRequest world;  // world: the file, after the search; building, unit_m, map_scale_m_per_unit: how to read it
     std::string device = "none", left_device = "none";
-    ActsBy acts_by = ActsBy::WindowKeys;  // acts_by: what sentences call keys
+    ActsBy acts_by = ActsBy::WindowKeys;  // acts_by: how sentences name keys
     bool has_start = false;
     Vec3 start_feet_m{0.0};
     double start_heading_rad = 0.0;
@@ -180,12 +179,13 @@ struct Scenario {
     double tail_s = 1.0;  // time after the last action
 };
 
-// An action `sweep_at` in the file stands for moves: for each of `angles` headings from from_deg to to_deg the hand
-// starts reach_m away from the place in that direction, goes straight through the place to depth_m behind it, and back.
+// An action `sweep_at` in the file becomes moves. For each of `angles` headings from from_deg to to_deg, the hand
+// starts reach_m away from the place in that direction, moves straight through the place to depth_m behind it, and
+// back.
 
-// Reads one file. World names are looked for beside the file, below it, then in `world_folders`. Any mistake - an
-// unknown key, a wrong type, a name that no action has - fails with its line; nothing is half read.
-// read_scenario_text: of what would stand in `file`.
+// Reads one file. Worlds are searched for next to the file, below its folder, then in `world_folders`. Any mistake,
+// such as an unknown key, a wrong type or an unknown action name, fails with its line; nothing is read partially.
+// read_scenario_text: reads `text` as if it were the content of `file`.
 Result<Scenario> read_scenario_text(const std::string& text, const std::filesystem::path& file,
                                     const std::vector<std::filesystem::path>& world_folders);
 Result<Scenario> read_scenario(const std::filesystem::path& file,

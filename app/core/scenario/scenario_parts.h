@@ -1,5 +1,5 @@
-// The parts of a scenario that other files hold too: what is done and what is expected. They throw BadField
-// (toml_fields.h). For readers of scenarios and lessons. Any thread.
+// The parts of a scenario that other files contain too: actions and expectations. For readers of scenarios and lessons.
+// The functions throw BadField (toml_fields.h). Any thread.
 #pragma once
 
 #include <filesystem>
@@ -12,20 +12,20 @@
 
 namespace handrail {
 
-// Where the worlds and models that a file names are looked for.
+// Where to search for the worlds and models that a file names.
 struct ScenarioFolders {
     std::filesystem::path beside;
     std::vector<std::filesystem::path> others;
 };
 
-// Throws where there is none of that name.
+// Throws if there is none with that name.
 std::filesystem::path find_named_world(const std::string& name, const ScenarioFolders& folders, int line);
-// What one table of `do` stands for; `names` gets the names of its actions. Throws where one is there already.
+// The actions of one table of `do`; adds their names to `names`. Throws if a name exists already.
 std::vector<ScenarioAction> read_actions(const TomlValue& table, const ScenarioFolders& folders,
                                          std::set<std::string>& names);
-// One table of `expect`; `names`: of the actions there are.
+// Reads one table of `expect`; `names`: of the actions.
 Expectation read_expectation(const TomlValue& table, const std::set<std::string>& names);
-// What a TomlReader said of that file, as one sentence.
+// Turns the error of a TomlReader about that file into one sentence.
 Error no_toml(const Error& error, const std::string& file);
 
 }  // namespace handrail
