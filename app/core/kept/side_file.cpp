@@ -366,7 +366,7 @@ SideEntry SideFile::peek(const fs::path& world, const fs::path& data_folder, boo
         if (from.empty() || !is_there(from) || is_link(from)) continue;
         const Result<TomlValue> read = toml(read_whole_file(from, kLongestFile_bytes).value_or(""));
         if (read) return table_in(read->find(name));
-        // Of_world reports the damage; if the content is unknown, it also tries the other file.
+        // SideFile::of_world reports the damage. If the content is unknown, it also tries the other file.
         if (read.error().line > 0) return {};
     }
     return {};

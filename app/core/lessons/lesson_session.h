@@ -28,7 +28,7 @@ public:
     void leave(double now_s);
     // True if the first minutes have not yet reached the greeting of the world.
     bool greeting_waits() const;
-    // The owner's set-up, which the first minutes asked for, is over, or left.
+    // The set-up that the first minutes requested from the owner is over or was left.
     void know_set_up_over() { set_up_over_ = true; }
 
     // Call it before a command is handled. Returns true if the lesson used the command or forbids it.

@@ -138,7 +138,8 @@ enum class Check {
     Touching,     // touching: name of the touched feature
     Free,         // free = true: nothing is touched, force zero
     SlideRatio,  // slide_mu = [low, high] with direction: ratio of the force across the direction to the force along it
-    // Strongest_line_hz = [low, high] with from_hz, to_hz, at_least_n: frequency of the strongest line of the force.
+    // Key strongest_line_hz = [low, high] with from_hz, to_hz, at_least_n: frequency of the strongest line of the
+    // force.
     StrongestLine,
     ToldApart,     // told_apart = true: no two materials of the world feel the same
     NotToldApart,  // not_told_apart: the named pair feels the same, and the report names it

@@ -12,10 +12,10 @@
 namespace handrail {
 namespace {
 
-constexpr double kTap_s = 0.1;           // how long a key stays down that is tapped by its name, or text is typed
-constexpr double kJumpTrouble_m = 0.05;  // more than a hand can move in a tick
+constexpr double kTap_s = 0.1;  // how long a key that is tapped by name stays down, and how long typing a text takes
+constexpr double kJumpTrouble_m = 0.05;  // more than a hand can move in one tick
 
-// An action on its way.
+// An action that has begun or will begin.
 struct Running {
     const ScenarioAction* action = nullptr;
     double start_s = 0.0, end_s = 0.0;
@@ -30,7 +30,7 @@ public:
         for (const ScenarioAction& action : scenario.actions) runs_.push_back({&action, 0.0, 0.0, false, false});
     }
 
-    // Starts and ends what is due at the session's time.
+    // Starts and ends the actions that are due.
     Result<void> step() {
         const double now = session_.now_s();
         for (std::size_t i = 0; i < runs_.size(); ++i) {
@@ -50,7 +50,7 @@ public:
             if (!duration && !undone_) return tl::unexpected(duration.error());
             if (!duration) undone_->push_back(run.action->line);
             run.end_s = now + duration.value_or(0.0);
-            // A key that goes up at once does so before the next action.
+            // A key that is released at once is released before the next action.
             if (run.end_s <= now) {
                 run.ended = true;
                 if (duration) end(*run.action);
@@ -67,7 +67,7 @@ public:
     }
 
 private:
-    // World place -> device place, by the workspace as it is now.
+    // World place -> device place, by the present workspace.
     Vec3 in_device(const Vec3& world_m, bool left) {
         const WorkspacePose pose = left ? session_.app().hand(1).pose : session_.app().hand().pose;
         const ToolState& tool = session_.tool(left);
@@ -79,14 +79,14 @@ private:
         session_.hand(left).state.refresh();
         return session_.hand(left).state.read().position_m;
     }
-    // The buttons stay as they are whatever else the hand does.
+    // Buttons keep their state whatever else the hand does.
     void command_hand(HandCommand command, bool left) {
         command.buttons = buttons_[left];
         hand_command_[left] = command;
         session_.hand(left).command.publish(command);
     }
 
-    // Begins an action; how long it takes, in seconds.
+    // Begins an action; returns its duration in seconds.
     Result<double> begin(const ScenarioAction& action) {
         const double now = session_.now_s();
         const bool left = action.left;
@@ -234,7 +234,7 @@ private:
     SettingsStore& settings_;
     const WorldReader& read_;
     std::vector<int>* undone_;
-    // Of the only or right hand, and of the left one.
+    // For the only or right hand, and for the left one.
     std::array<std::uint32_t, 2> buttons_{};
     std::array<HandCommand, 2> hand_command_{HeadlessSession::still_hand(), HeadlessSession::still_hand()};
     std::map<std::string, std::shared_ptr<const Scene>> models_;
@@ -243,7 +243,7 @@ private:
 
 constexpr double kLongestRun_s = 3600.0;
 
-// Sentences are for who acts so, as long as this lives.
+// While this object lives, sentences address a person who acts in this way.
 class SpokenTo {
 public:
     explicit SpokenTo(ActsBy who) : before_(spoken_to()) { speak_to(who); }
@@ -312,7 +312,8 @@ Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<
     double last_action_s = 0.0;
     session.app().apply(WorldsKnown{{scenario.world.file.parent_path(), {}}}, 0.0);
     while (session.now_s() < kLongestRun_s) {
-        // In virtual time a world is read in no time; one that cannot be read is said and the old one stays.
+        // In virtual time, reading a world takes no time. If it cannot be read, that is announced and the old world
+        // stays.
         if (const auto wanted = session.app().requests().take_world()) {
             if (auto other = read.scene(*wanted)) {
                 settings.load_file(settings_beside(wanted->file), SettingSource::World, read.toml);

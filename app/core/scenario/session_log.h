@@ -1,4 +1,4 @@
-// What a headless session left behind, tick by tick, and whether a scenario's expectations hold over it. Pure functions
+// What happened in a headless session, tick by tick, and whether a scenario's expectations hold for it. Pure functions
 // over plain data.
 #pragma once
 
@@ -28,7 +28,7 @@ struct LoggedTick {
 };
 
 struct LoggedSound {
-    double time_s = 0.0;  // when the sink was told
+    double time_s = 0.0;  // when the sink received it
     SoundCue cue;
     bool loop = false;
 };
@@ -40,15 +40,16 @@ struct LoggedLine {
 
 struct SessionLog {
     std::vector<LoggedTick> ticks;       // one per millisecond
-    std::vector<LoggedTick> left_ticks;  // of the left hand, where there are two
+    std::vector<LoggedTick> left_ticks;  // for the left hand, if there are two
     std::vector<LoggedSound> sounds;
     std::vector<LoggedLine> lines;
     std::map<std::string, std::pair<double, double>> action_times;  // name -> start, end
-    std::shared_ptr<const Scene> scene;  // as it was at the end: it knows the name of everything that was ever added
+    std::shared_ptr<const Scene> scene;  // at the end; it has the names of everything that was ever added
     double end_s = 0.0;
 };
 
-// One sentence for each expectation that does not hold: file line, when, what was expected, what was seen instead.
+// One sentence for each expectation that does not hold, with its line in the file, the time, what was expected and what
+// happened instead.
 std::vector<std::string> failures(const Scenario& scenario, const SessionLog& log, const Scene& scene);
 
 }  // namespace handrail

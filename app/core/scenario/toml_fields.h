@@ -1,5 +1,5 @@
-// Reading TOML that people write, so that the reading code can be a list of what is wanted: each mistake is one
-// sentence with its line. For readers of scenarios and lessons. Any thread.
+// Reads TOML that people write. The reading code can be a list of what it wants; each mistake becomes one sentence with
+// its line. For readers of scenarios and lessons. Any thread.
 #pragma once
 
 #include <fmt/format.h>
@@ -19,13 +19,13 @@
 
 namespace handrail {
 
-// Thrown by what reads a table, and turned into a Result by the reader of the file.
+// Thrown by functions that read a table; the reader of the file turns it into a Result.
 struct BadField {
     int line;
     std::string message;
 };
 
-// A table whose every key must be asked for by the time done() is called.
+// A table; every key must have been requested before done() is called.
 class TomlFields {
 public:
     TomlFields(const TomlValue& table, std::string what) : table_(table), what_(std::move(what)) {}
@@ -56,7 +56,7 @@ public:
         if (!node.flag()) throw BadField{node.line, phrase("scenario.flag", {{"key", key}})};
         return *node.flag();
     }
-    // Three numbers; `any` is written "any" and becomes NaN where allowed.
+    // Three numbers. Where allowed, the text "any" stands for a number and becomes NaN.
     Vec3 vector(const char* key, bool allow_any = false) {
         const TomlValue::Array* list = need(key).array();
         if (!list || list->size() != 3) throw BadField{need(key).line, phrase("scenario.three", {{"key", key}})};

@@ -12,12 +12,13 @@ namespace {
 
 constexpr double kSettles_s = 0.2;
 
-// So many steps or notches at once: a second one is no answer to what the first met.
+// True if the command takes a count and does all steps or notches at once. Repeating it instead would ignore what the
+// first step met.
 bool counts_by_itself(Command command) {
     return is_one_of(command, {Command::TrailLeft, Command::TrailRight, Command::Retrace}) || steps_or_turns(command);
 }
 
-// Where else what is not in the list of that command may be.
+// The other list in which to search for a choice.
 std::optional<Command> other_list(Command command) {
     if (command == Command::Find) return Command::Routes;
     if (command == Command::Routes) return Command::Find;
@@ -52,9 +53,9 @@ bool CarriedLines::next_leaves() const {
 }
 
 bool CarriedLines::take(double now_s) {
-    // Directions that are still being planned are waited for, too, but not to leave.
+    // Waits for directions that are still being planned, except before a line that leaves.
     if (repeat_left_ == 0 && (!app_.idle() || (app_.guide().plans_legs() && !next_leaves()))) {
-        settle_until_s_ = now_s + kSettles_s;  // what came of it wants to be said before the next line interrupts
+        settle_until_s_ = now_s + kSettles_s;  // the result should be spoken before the next line interrupts it
         return true;
     }
     if (now_s < settle_until_s_) return true;
@@ -73,8 +74,8 @@ bool CarriedLines::take(double now_s) {
     return true;
 }
 
-// In the list that the last command opened. What is not there may be in the other list: a room is no thing, and a thing
-// is no room. What is in neither closes the list, which nobody asked for.
+// Chooses in the list that the last command opened. What it does not contain may be in the other list, of rooms or of
+// things. If neither contains it, the list is closed, because nobody asked for it.
 void CarriedLines::choose(const std::string& choice, double now_s) {
     const bool holds = app_.dialogue().holds(choice);
     const auto other = other_list(repeat_command_);
@@ -91,18 +92,18 @@ void CarriedLines::choose(const std::string& choice, double now_s) {
                now_s);
 }
 
-// "Where is the kitchen" asks for the room of that name, not for the kitchen counter.
+// "Where is the kitchen" means the room of that name, not the kitchen counter.
 bool CarriedLines::means_room(const std::string& choice) const {
     return repeat_command_ == Command::Find && !app_.dialogue().holds(choice, true) && app_.guide().leads_to(choice);
 }
 
 void CarriedLines::carry_out(const std::string& line, double now_s) {
     const auto parsed = parse_terminal_line(line);
-    // The session knows a command by the word of the table alone. What always works comes before the
-    // names of a list.
+    // The session knows a command only by its word in the table. Commands that always work come before the names of a
+    // list.
     const std::string word = parsed && parsed->command ? std::string(info(*parsed->command).word) : line;
     const bool always = parsed && parsed->command && in_list(*parsed->command) == InList::Always;
-    // A command or question that the open list has no use for is carried out as if the list were closed.
+    // A command or question that the open list cannot use is carried out as if the list were closed.
     if (parsed && parsed->command && in_list(*parsed->command) == InList::Waits && app_.dialogue().is_open() &&
         !app_.dialogue().typing() && !app_.dialogue().has_use_for(line))
         app_.apply(ListsLeft{}, now_s);
@@ -125,7 +126,7 @@ void CarriedLines::carry_out(const std::string& line, double now_s) {
 void CarriedLines::tap(Command command, int times, double now_s) {
     app_.apply(CommandDown{command, times}, now_s);
     app_.apply(CommandUp{command}, now_s);
-    // A hand that was told to move needs a moment to be there.
+    // A simulated hand that was moved needs a moment to arrive.
     if (command >= Command::HandForward && command <= Command::HandCentre) settle_until_s_ = now_s + kSettles_s;
 }
 

@@ -1,5 +1,5 @@
-// What a tick of the session has for the servo of one hand, beside what both have in common (the world as it is felt,
-// and where its bodies are). Plain data; app thread only.
+// The output of a session's tick for the servo of one hand, in addition to what both hands share: the rendered world
+// and the places of its bodies. Plain data; app thread only.
 #pragma once
 
 #include <memory>
@@ -11,9 +11,9 @@ namespace handrail {
 struct HandOutput {
     WorkspacePose pose;
     ServoTuning tuning;
-    const GuidancePath* guidance = nullptr;  // null: this hand is never led
-    Vec3 target_m{0.0};                      // of the simulated hand, device frame
-    std::shared_ptr<HandEngine> engine;      // its side of what is free to move; null: nothing is
+    const GuidancePath* guidance = nullptr;  // null: this hand is never guided
+    Vec3 target_m{0.0};                      // for the simulated hand, device frame
+    std::shared_ptr<HandEngine> engine;      // its access to the movable things; null: nothing is movable
 };
 
 }  // namespace handrail

@@ -84,16 +84,16 @@ void HeadlessSession::change_settings(const Settings& settings) {
 
 void HeadlessSession::advance() {
     ++milliseconds_;
-    driver_.hand_over();  // what came since the last frame acts at once, so a test need not wait for the next one
+    driver_.hand_over();  // input since the last frame acts at once, so that tests need not wait for the next frame
     clock_.sleep_until_s(static_cast<double>(milliseconds_) * kTick_s);
     for (Hand& hand : hands_) {
         if (!hand.servo || milliseconds_ % servo_every_ms_ != 0) continue;
         hand.servo->step();
         hand.tool = hand.servo->tool();
     }
-    // What a hand feels moves in its rhythm; else the app moves it.
+    // With a servo, bodies move in its rhythm; otherwise the app moves them.
     if (hands_[0].servo || hands_[1].servo) app_.step_bodies(now_s());
-    // Frames fall on the first millisecond at or after their time.
+    // A frame runs in the first millisecond at or after its time.
     if (now_s() * kFrames_per_s >= static_cast<double>(frames_)) {
         ++frames_;
         lines_.take(now_s());

@@ -1,6 +1,6 @@
-// The whole program on a virtual clock in one thread: servos a thousand times a second, ears two hundred times, the app
-// sixty times. Session, SessionDriver, ServoLoop and AudioThread are those of the program; what its threads do happens
-// here in a fixed order, so the same input gives the same output. For scenarios and tests.
+// The whole program on a virtual clock in one thread: servos a thousand times a second, audio two hundred times, the
+// app sixty times. Session, SessionDriver, ServoLoop and AudioThread are those of the program. What the program's
+// threads do happens here in a fixed order, so the same input gives the same output. For scenarios and tests.
 #pragma once
 
 #include <array>
@@ -21,38 +21,38 @@ namespace handrail {
 
 class HeadlessSession {
 public:
-    // The sinks are told everything in virtual time and must outlive the session. A hand that is not present gets no
+    // The sinks receive everything in virtual time and must outlive the session. A hand that is not present gets no
     // servo.
     HeadlessSession(const Settings& settings, const HandFacts& hand, AudioSink& audio, SpeechSink& speech,
                     const SessionOptions& options = {});
     ~HeadlessSession();
 
     Session& app() { return app_; }
-    // A second hand, the left one; from then on the one of the constructor is the right one. Facts of none take it away
-    // again.
+    // Adds a second hand, the left one; the hand of the constructor is then the right one. Facts of an absent hand
+    // remove it again.
     void give_left_hand(const HandFacts& facts);
-    // Another device, or none, for the only or right hand from now on, as when one is unplugged and another taken.
+    // Replaces the device of the only or right hand, or removes it, as when a person unplugs it.
     void change_hand(const HandFacts& facts);
     SimulatedHand& hand(std::size_t which = 0) { return *hands_[which].simulated; }
     const HandFacts& facts() const { return facts_; }
     const ToolState& tool(std::size_t which = 0) const { return hands_[which].tool; }
     double now_s() const { return clock_.now_s(); }
     void change_settings(const Settings& settings);
-    // A key goes down, and the keyboard comes and goes: as in a real session the servo's switches are set at once, and
-    // the app is told.
+    // A key is pressed; the keyboard focus changes. As in a real session, the servo's switches are set at once and the
+    // app is informed.
     void press(Command command, int times = 1);
-    // A key by name goes down and up: to an open list or question, else the command it stands for. False: it means
-    // nothing here.
+    // Presses and releases a key by name. An open list or question gets it first; otherwise its command is done.
+    // Returns false if the key has no meaning here.
     bool tap_key(const std::string& name);
-    // Types a line. It is carried out as by the program: when what the line before began is over.
+    // Types a line. As in the program, it is carried out when the effect of the previous one is over.
     void type(std::string line) { lines_.add(std::move(line)); }
     const CarriedLines& lines() const { return lines_; }
     void set_focus(bool focused);
-    // What the hand does before it is told anything.
+    // What the hand does before its first command.
     static HandCommand still_hand();
-    // The servo runs only every n-th millisecond from now on, as on a machine that is too slow.
+    // From now on the servo runs only every n-th millisecond, as on a slow machine.
     void slow_servo(int every_ms) { servo_every_ms_ = every_ms; }
-    // One millisecond of everything.
+    // Advances everything by one millisecond.
     void advance();
 
 private:
@@ -68,9 +68,9 @@ private:
     VirtualClock clock_;
     Session app_;
     HandFacts facts_;
-    ServoSwitches switches_;     // of both hands
+    ServoSwitches switches_;     // for both hands
     std::array<Hand, 2> hands_;  // the only or right one, the left one
-    AudioThread ears_;           // stepped, without its thread
+    AudioThread ears_;           // stepped here, not on its own thread
     SessionDriver driver_{app_, ears_};
     CarriedLines lines_{app_};
     long milliseconds_ = 0;

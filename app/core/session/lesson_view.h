@@ -1,4 +1,4 @@
-// What whoever teaches sees of a session. Plain data; metres of the world.
+// What a teacher sees of a session. Plain data; world metres.
 #pragma once
 
 #include <string>
@@ -11,14 +11,14 @@ namespace handrail {
 
 struct LessonView {
     Vec3 feet_m{0.0};
-    int times_put = 0;  // how often the body was put there instead of walking
+    int times_put = 0;  // how often the walker was placed there instead of walking
     double heading_rad = 0.0;
-    double wall_m = 1e9;       // from the body's middle to the nearest wall
-    bool trails = false;       // is led along what is at its side
-    bool rooms_known = false;  // the rest only then
+    double wall_m = 1e9;       // from the walker's centre to the nearest wall
+    bool trails = false;       // the walker is following a wall
+    bool rooms_known = false;  // the fields below are valid only then
     std::string room;
-    double perimeter_m = 0.0;  // of the room: its walls, doors and what stands against them; 0: there are none
-    double walls_share = 0.0;  // how much of that is known
+    double perimeter_m = 0.0;  // of the room's walls, doors and what stands against them; 0: none
+    double walls_share = 0.0;  // share of that which is known
     int walls = 0, walls_done = 0, exits = 0, exits_found = 0;
 };
 

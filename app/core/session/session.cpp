@@ -19,7 +19,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kAnswerFollows_s = 60.0;  // so long what is typed next waits for an answer that rooms are looked for
+constexpr double kAnswerFollows_s = 60.0;  // how long typed lines wait for an answer that needs the rooms
 
 }  // namespace
 
@@ -42,7 +42,7 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     settled_.give_up();
     keep_learnt(now_s);
     state_.body.walker.reset();
-    // The world that is left is freed in the background.
+    // A background task frees the world that was left.
     std::shared_ptr<RoomsOfWorld> rooms_left = where_.rooms.enter_world(std::move(world.file), std::move(world.ways));
     auto left = std::make_shared<
         std::tuple<std::shared_ptr<RoomsOfWorld>, std::shared_ptr<const Scene>, std::shared_ptr<const BodyWorld>>>(
@@ -55,7 +55,7 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     where_.climbs.enter_world();
     where_.visits.enter_world();
     too_early_.reset();
-    take_additions();  // before the hand's scene is made: what bears a mark is not simplified
+    take_additions();  // before the scene for the hand is made: things with a mark are not simplified
     hand_.touch_view.enter_world(std::move(world.sharp), now_s);
     state_.world.movers.enter(state_.world.scene->movers);
     state_.world.solids = std::move(world.body);
@@ -75,7 +75,7 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     places_.why_no_way.enter_world();
     learn_.teaching.blocked.clear();
     labyrinth_.enter_world(now_s);
-    state_.lists.dialogue.close_all();  // what it was about may be gone
+    state_.lists.dialogue.close_all();  // the lists may refer to the old world
     movers_.triggers.enter_world();
     walk_.walking.enter_world();
     state_.context.tick_s = now_s;
@@ -107,7 +107,7 @@ void Session::set_hand(const HandFacts& hand, const Settings& settings, double n
     change_settings(settings, now_s);
 }
 
-// What it is, how large, where one is and which way one faces, what to try: at most kMostOnEntering words.
+// Name and size of the world, place and direction of the person, and hints: at most kMostOnEntering words.
 std::string Session::entering_text() const {
     constexpr std::size_t kMostOnEntering = 35;
     const Vec3 size = state_.world.building_m.empty() ? Vec3(0.0) : state_.world.building_m.size_m();
@@ -126,7 +126,7 @@ std::string Session::entering_text() const {
 
 void Session::press(Command command, double now_s, int times) {
     if (walk_.keys_held.held(command)) return;
-    // Any key interrupts what is being said; Repeat wants it again, and Stop says so itself.
+    // Any key interrupts the current announcement, except keys that repeat it or that stop speech themselves.
     if (command != Command::Repeat && command != Command::HistoryBack && command != Command::HistoryForward &&
         command != Command::StopSpeech && command != Command::StopEverything)
         quiet(now_s);
@@ -166,13 +166,13 @@ bool Session::idle() const {
 void Session::act(Command command, double now_s, int times) {
     if (!state_.world.scene) return;
     if (desk_visit_.refuses(command, now_s)) return;
-    where_.rooms.take_refused();  // by others, since the last command
+    where_.rooms.take_refused();  // forget refusals to others since the last command
     carry_out(command, now_s, times);
     where_.far.note(command);
     if (where_.rooms.take_refused()) too_early_ = TooEarly{command, now_s};
 }
 
-// What was asked before the rooms were known.
+// Answers the question that was asked before the rooms were known.
 void Session::answer_what_was_too_early(double now_s) {
     if (!too_early_ || where_.rooms.awaited()) return;
     const Command asked = std::exchange(too_early_, std::nullopt)->command;
@@ -188,7 +188,7 @@ void Session::place(const Vec3& feet_m, double heading_rad, double now_s) {
     state_.events.tell(Teleported{feet_m, state_.body.heading_rad}, now_s);
 }
 
-// The body out of what it stands in, and the hand.
+// Brings the walker out of a solid that contains it, and the hand too.
 void Session::bring_out(double now_s) {
     const Vec3 workspace_was_m = hand_.workspace.middle_m();
     std::string said = walk_.walking.bring_out(now_s);
@@ -198,15 +198,15 @@ void Session::bring_out(double now_s) {
     answer(said.empty() ? phrase("session.inside_nothing") : said, now_s);
 }
 
-// The same world with something added or removed: everything else goes on.
+// Replaces the scene of the same world after something was added or removed; everything else continues.
 void Session::change_world(Scene scene, double now_s) {
     settled_.give_up();
     state_.world.scene = std::make_shared<const Scene>(std::move(scene));
     hand_.touch_view.change_world(now_s);
 }
 
-// Everything has come to rest: where it is now is where it is found, drawn and led to. The walls that a body meets are
-// there already.
+// Everything has come to rest. A background task makes a scene with the present places, for finding, drawing and
+// guiding. The solids for walking are up to date already.
 void Session::settle() {
     settled_.begin([scene = state_.world.scene,
                     now = things_now(state_.world)](const std::stop_token&) -> std::shared_ptr<const Scene> {
@@ -221,13 +221,13 @@ bool Session::anything_moves() const {
 void Session::take_settled() {
     auto settled = settled_.take();
     if (!settled || !*settled) return;
-    const bool in_vain = anything_moves();  // what moves again settles again
+    const bool in_vain = anything_moves();  // things that move again will settle again
     auto left = in_vain ? std::move(*settled) : std::exchange(state_.world.scene, std::move(*settled));
     if (!in_vain) {
         state_.world.movers.follow(state_.world.scene->movers);
         rebuild_solids(state_.world, state_.body);
     }
-    // A whole world takes tens of milliseconds to let go of: not here.
+    // Freeing a whole world takes tens of milliseconds, so a background task does it.
     settled_.begin([left = std::move(left)](const std::stop_token&) { return std::shared_ptr<const Scene>(); });
 }
 
@@ -279,7 +279,7 @@ void Session::tick(double now_s, const ToolState& tool, const ToolState& left_to
     tell_changes(now_s);
     desk_visit_.tick(now_s);
     if (at_desk()) {
-        // The world waits: nothing moves, walks or turns.
+        // The world is paused: nothing moves, walks or turns.
         hand_.workspace.move_hand_by_keys(dt_s);
         hand_.forces.tick(now_s);
         publish_pose(now_s, PoseChange::Walked);
@@ -290,7 +290,7 @@ void Session::tick(double now_s, const ToolState& tool, const ToolState& left_to
     labyrinth_.tick(now_s);
     const bool mover_arrived = movers_.doors.take_arrived(), bodies_rest = bodies_.take_rested();
     if (state_.world.things.tick(now_s, dt_s) || mover_arrived || bodies_rest) {
-        // From now on it is seen where it is, as soon as everything stands still again.
+        // Everything that has moved gets its new place in the scene once all of it is at rest.
         if (!anything_moves()) settle();
         rebuild_solids(state_.world, state_.body);
     } else if (anything_moves() || state_.world.movers.any_endless()) {

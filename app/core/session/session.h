@@ -1,6 +1,6 @@
-// The session: where one is in the world, what a command does, what is published to servo, ears and window. No window,
-// device or sound library, no thread, no clock of its own: the caller ticks it about 60 times a second and carries its
-// outputs. App thread only.
+// The session: where the person is in the world, what a command does, and what servo, ears and window receive. It has
+// no window, device, sound library, thread or clock. The caller ticks it about 60 times a second and passes its outputs
+// on. App thread only.
 #pragma once
 
 #include <filesystem>
@@ -35,71 +35,72 @@
 
 namespace handrail {
 
-inline constexpr double kFrame_s = 1.0 / 60.0;  // between two ticks of a session in real time
+inline constexpr double kFrame_s = 1.0 / 60.0;  // between two ticks in real time
 
 class Session {
 public:
     Session(const Settings& settings, const HandFacts& hand, const SessionOptions& options = {});
-    Session(const Session&) = delete;  // lists that are open and sounds that wait know it by its place
+    Session(const Session&) = delete;  // open lists and waiting sounds keep its address
     Session& operator=(const Session&) = delete;
 
-    // The one way in (session_input.h). False where a key, text, line or act was not taken. now_s as in tick.
+    // All input goes through this (session_input.h). Returns false if a key, text, line or action was not used. now_s
+    // as in tick.
     bool apply(SessionInput input, double now_s);
 
-    // For all who record, one after the other. comes: each input before it acts, and when; not_taken: apply() is false
-    // for the last one.
+    // Called for all recordings, one after the other. comes: gets each input before it acts, with its time. not_taken:
+    // apply() returns false for the last one.
     struct InputListener {
         std::function<void(const SessionInput& input, double now_s)> comes;
         std::function<void()> not_taken;
     };
     void tell_inputs(InputListener listener) { watched_.inputs.push_back(std::move(listener)); }
 
-    // Sets a thing down, takes it away or sends it elsewhere while everything goes on: touched, it neither knocks nor
-    // leaks. Each fails with a sentence and changes nothing: see worlds/scene/models.h; too many things at once; a
-    // speed that is not above zero. Walking meets a thing where it is.
+    // Adds a thing, removes it or moves it while the session continues. A hand that touches it feels neither a knock
+    // nor a gap. Each fails with a sentence and changes nothing: see worlds/scene/models.h; also if there are too many
+    // things, or the speed is not positive. Walking collides with a thing where it is at that moment.
     Result<void> add_thing(const std::string& name, std::shared_ptr<const Scene> model, const Placement& at,
                            const std::string& material, double now_s);
     Result<void> remove_thing(const std::string& name, double now_s);
     Result<void> send_thing(const std::string& name, const Placement& to, double speed_m_per_s);
-    // Where the thing of that name is now; none of that name: nothing.
+    // The present place of the thing with that name; no value if there is none.
     std::optional<Placement> thing_at(const std::string& name) const;
 
-    // For whoever teaches. Costs some rays, and once in each room looking at all of it.
+    // For a teacher. Costs some rays, and once in each room an examination of the whole room.
     LessonView lesson_view();
 
-    // What it asks of whoever owns it, to be looked at after each tick.
+    // The session's requests to its owner, who looks at them after each tick.
     OwnerRequests& requests() { return state_.requests; }
     const Dialogue& dialogue() const { return state_.lists.dialogue; }
 
-    // now_s never goes back; steps over 0.1 s are cut to 0.1 s of walking.
+    // now_s never decreases. A step of more than 0.1 s counts as 0.1 s of walking.
     void tick(double now_s, const ToolState& tool, const ToolState& left_tool = {});
 
-    // What was learnt of the world one is in, where the person wants to be remembered: each minute anyway, and at the
-    // end.
+    // Saves what was learnt about the present world, if the person wants it to be remembered. Done every minute anyway;
+    // the owner calls it at the end.
     void keep_learnt(double now_s);
 
-    // What others take after each tick.
+    // Outputs to fetch after each tick.
     std::shared_ptr<const Scene> scene() const { return state_.world.scene; }
     std::shared_ptr<const HapticScene> haptic_scene() const { return hand_.touch_view.felt(); }
     // 0: the only or right hand; 1: the left one.
     HandOutput hand(std::size_t which = 0) const;
     const BodyFrame& bodies() const { return state_.world.things.frame(); }
-    // Its `entered` rises when another world was entered; scene() may be another one without that, when something was
-    // added, moved or removed.
+    // Its `entered` increases when another world is entered. If something is added, moved or removed, scene() changes
+    // without that.
     const WorldState& world() const { return state_.world; }
     // Not const: an owner may follow a route (Guide::follow_to).
     Guide& guide() { return guide_; }
     const Bodies& free_bodies() const { return bodies_; }
-    // What is free to move goes on, in virtual time: each millisecond where a hand feels it.
+    // Advances movable things in virtual time. Call it every millisecond if a hand feels them.
     void step_bodies(double now_s) { bodies_.step_engine(now_s); }
     bool two_hands() const { return state_.hands.two(); }
     Listener listener() const;
-    // The desk, which the hand is at now and then: the world waits meanwhile.
+    // The desk. While the hand is there, the world is paused.
     const DeskVisit& desk_visit() const { return desk_visit_; }
     DeskVisit& desk_visit() { return desk_visit_; }
     bool at_desk() const { return state_.hands.at_desk(); }
     std::vector<CueRequest> take_cues() { return state_.cues.take(); }
-    // What has happened since they were last taken, beside what is said and played (session_event.h).
+    // Events since the last call, in addition to what is announced and played (session_event.h).
     std::vector<SessionEvent> take_events() { return state_.events.take(); }
     // Settings that were changed in the session, to be stored and saved: key and value.
     std::vector<std::pair<std::string, std::string>> take_setting_changes() {
@@ -108,9 +109,9 @@ public:
     const Settings& settings() const { return state_.person.settings; }
     ViewState view(const ToolState& tool, const std::string& last_spoken) const;
     const KeyMap& keys() const { return state_.person.keys; }
-    // Nothing is on its way any more: no steps pending, no turn unfinished, nothing held.
+    // True if nothing is pending: no steps, no turn, no held key.
     bool idle() const;
-    // The first minutes have not come to the world yet.
+    // True if the first minutes have not yet reached the greeting of the world.
     bool greeting_waits() const { return lesson_session_.greeting_waits(); }
     const Vec3& feet_m() const { return state_.body.walker->state().feet_m; }
     bool standing() const { return state_.body.walker->state().on_ground; }
@@ -118,15 +119,15 @@ public:
     // Free space across the way, at the height of the waist; 0 where a side is open.
     double passage_width_m() const { return walk_.walking.passage_width_m(); }
 
-    // Something is being made in the background.
+    // True while a background task makes something.
     bool works_in_background() const { return hand_.touch_view.busy() || settled_.busy(); }
 
-    // The answer to "where am I", also used on entering.
+    // The answer to "where am I", also announced on entering.
     std::string where_am_i() const { return where_.asking.where_am_i(); }
 
 private:
     void wire();  // session_wiring.cpp
-    // What session_input.h tells, each by itself.
+    // The inputs of session_input.h, one by one.
     void enter_world(EnteringWorld world, double now_s);
     void place(const Vec3& feet_m, double heading_rad, double now_s);
     void set_hand(const HandFacts& hand, const Settings& settings, double now_s);
@@ -166,12 +167,12 @@ private:
     // Lists: session_dialogue.cpp.
     bool reply(const DialogueReply& reply, double now_s);
     void bring_out(double now_s);
-    // The world as it changes.
+    // Changes of the world.
     void change_world(Scene scene, double now_s);
     void settle();
     void take_settled();
     void tell_changes(double now_s);
-    bool anything_moves() const;  // and comes to rest by itself
+    bool anything_moves() const;  // and will come to rest without further input
     // What the person added: session_additions.cpp.
     void take_additions();
     void tell_additions(double now_s);
@@ -198,7 +199,7 @@ private:
     LessonSession lesson_session_{state_.context, asked_to_leave_};
     Menu menu_{state_.context};
     SimplifiedList simplified_list_{state_.context, where_.rooms};
-    // The world with its things where they have come to rest.
+    // A copy of the world with its things where they have come to rest.
     BackgroundTask<std::shared_ptr<const Scene>> settled_{state_.context.executor, "settle"};
     PlacesFeatures places_{state_, where_.rooms, guide_.planned()};
     Soundscape soundscape_;
@@ -206,7 +207,7 @@ private:
     Labyrinth labyrinth_{state_.context, bodies_, soundscape_};
     SoundDictionary dictionary_;
     struct Given {
-        std::optional<SideFile> side_file;  // of the world that is entered next
+        std::optional<SideFile> side_file;  // for the world that is entered next
         std::optional<LastPlace> last_place;
     };
     Given given_;
@@ -214,14 +215,15 @@ private:
     struct Watched {
         std::vector<InputListener> inputs;
         Arrivals* arrivals = nullptr;
-        bool leads = false, list_open = false;  // as Leading and ListShown told last
+        bool leads = false, list_open = false;  // as last reported by Leading and ListShown
     };
     Watched watched_;
     struct TooEarly {
         Command command;
         double asked_s = 0.0;
     };
-    std::optional<TooEarly> too_early_;  // asked while rooms were still looked for; answered once they are known
+    // Asked while rooms were still being searched for; answered once they are known.
+    std::optional<TooEarly> too_early_;
 };
 
 }  // namespace handrail

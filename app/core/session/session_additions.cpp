@@ -1,5 +1,5 @@
-// Session's part on what the person adds to a world: its file when one enters, and when it or another session changes
-// it. App thread only.
+// The session's part for additions to a world: reading their file on entering, and saving it when the person or another
+// session changes it. App thread only.
 #include <utility>
 
 #include "app/core/session/session.h"
@@ -12,7 +12,7 @@ constexpr double kRetryAdditions_s = 30.0;
 
 }  // namespace
 
-// What was added to the world that is entered.
+// Takes over the additions to the world that is being entered.
 void Session::take_additions() {
     state_.additions_due_s.reset();
     if (given_.side_file) state_.additions = std::move(*std::exchange(given_.side_file, std::nullopt));
@@ -44,17 +44,18 @@ bool Session::save_additions(double now_s) {
     return saved.has_value();
 }
 
-// What a full disk or a folder without rights kept from being saved. It is in memory until it is, and was said.
+// Tries again to save what could not be saved because of a full disk or missing rights. It stays in memory meanwhile;
+// the failure has been announced.
 void Session::tick_additions(double now_s) {
     if (!state_.additions_due_s || now_s < *state_.additions_due_s) return;
-    // The alarm is not said again; it would come every half minute.
+    // The alarm is not repeated, because it would come every half minute.
     if (!state_.additions.save()) state_.additions_due_s = now_s + kRetryAdditions_s;
     else save_additions(now_s);
 }
 
-// Another session has added to this world or changed what was added: everything is as the file has it now.
+// Another session has changed the additions to this world: everything is read again.
 void Session::take_others_additions() {
-    state_.lists.dialogue.close_all();  // a list goes by places that may have shifted
+    state_.lists.dialogue.close_all();  // lists refer to indices that may have shifted
     places_.marks.take_again();
     places_.faults.take_again();
     places_.ways.take_again();

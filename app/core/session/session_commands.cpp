@@ -1,4 +1,4 @@
-// Session's part on commands: which feature carries out which of them, as a table. App thread only.
+// The session's part for commands: a table of the features that carry them out. App thread only.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,11 +12,11 @@
 namespace handrail {
 
 struct Session::Carriers {
-    // False: not in the state that things are in.
+    // Returns false if the feature cannot use the command in its present state.
     using Carrier = bool (*)(Session& session, Command command, double now_s, int times);
     struct Row {
         Command command;
-        std::array<Carrier, 2> games;  // come first while they are played or something is held
+        std::array<Carrier, 2> games;  // come first while a game is played or a thing is held
         std::array<Carrier, 2> carriers;
     };
 
@@ -172,7 +172,7 @@ void Session::carry_out(Command command, double now_s, int times) {
     contract_pre(by_somebody);
 }
 
-// What is no single feature's. False: it is one's.
+// Carries out commands that belong to no single feature. Returns false for all others.
 bool Session::act_itself(Command command, double now_s) {
     switch (command) {
         case Command::Simplified:

@@ -1,6 +1,6 @@
-// Carries values between a session, the servos of its hands and its ears, each step in a stated order. The owner has
-// the clock: real time in the program, virtual time in scenarios and tests, recorded time in a replay. App thread; owns
-// none of what it connects.
+// Passes data between a session, the servos of its hands and its ears, in a fixed order. The owner has the clock: real
+// time in the program, virtual time in scenarios and tests, recorded time in a replay. App thread. Owns none of the
+// things that it connects.
 #pragma once
 
 #include <array>
@@ -19,52 +19,52 @@ namespace handrail {
 
 class SessionDriver {
 public:
-    // What a set-up gives to the hand in place of the world.
+    // What a set-up shows to the hand instead of the world.
     struct SetUpTouch {
         std::shared_ptr<const HapticScene> scene;
         ServoTuning tuning;
         WorkspacePose pose;
-        HandCommand simulated;  // of a simulated hand
+        HandCommand simulated;  // for a simulated hand
     };
-    // What only some owners do. Each may be empty.
+    // Extra steps of some owners. Each may be empty.
     struct Steps {
-        // After the session's tick, before anything is handed over; with the tools that the tick had.
+        // Called after the session's tick and before anything is passed on, with the tools of that tick.
         std::function<void(double now_s, const ToolState& tool, const ToolState& left_tool)> ticked;
-        // Takes the settings that the session changed, by key and value. True: the ears are given the settings anew.
-        // Empty: they are for every change.
+        // Receives the settings that the session changed, by key and value. Returns true if the ears must get the
+        // settings. Empty: they get them after every change.
         std::function<bool(std::vector<std::pair<std::string, std::string>> changes)> take_settings;
-        // Before the ears and the servos are given anything.
+        // Called before the ears and the servos receive anything.
         std::function<void()> hands_over;
-        // What is about to be said and played.
+        // Receives what is about to be announced and played.
         std::function<void(std::vector<CueRequest>& cues)> look_at_cues;
     };
 
-    // All outlive this object.
+    // All of them outlive this object.
     SessionDriver(Session& app, EarsInbox& ears, Steps steps = {}) : app_(app), ears_(ears), steps_(std::move(steps)) {}
 
-    // The servo of hand 0 (the only or right one) or 1 from now on, which is given everything anew; null: none.
+    // Sets the servo of hand 0 (the only or right one) or 1, which then receives everything again; null: none.
     // simulated: its device, if the session moves it.
     void drive(std::size_t which, ServoInbox* servo, std::shared_ptr<SimulatedHand> simulated = nullptr);
 
-    // A tick of the session, then hand_over(). The tools are what the servos published last.
+    // Ticks the session, then calls hand_over(). The tools are what the servos published last.
     void tick(double now_s, const ToolState& tool, const ToolState& left_tool = {});
-    // Settings that the session changed, to who keeps them and to the ears; hand_over() begins with this.
+    // Passes on the settings that the session changed, to their owner and to the ears. hand_over() begins with this.
     void hand_over_settings();
-    // What changed since the last time, in this order: settings, world, cues and listener to the ears, then to the
-    // left and the right servo.
+    // Passes on what has changed since the last call, in this order: settings; world, cues and listener to the ears;
+    // then data for the left and the right servo.
     void hand_over();
 
-    // A set-up has the right hand until end_set_up(); hand_over() leaves that hand alone.
+    // A set-up controls the right hand until end_set_up(); hand_over() does not touch that hand.
     void begin_set_up();
     void feel_set_up(const SetUpTouch& touch);
-    // confirms: how often the set-up asked to confirm a fault; the servo counts them with those of the session.
+    // confirms: how often the set-up requested to confirm a fault; the servo adds them to those of the session.
     void end_set_up(std::uint32_t confirms);
 
 private:
     struct Hand {
         ServoInbox* servo = nullptr;
         std::shared_ptr<SimulatedHand> simulated;
-        // Given last.
+        // Last sent:
         std::shared_ptr<const HapticScene> scene, desk;
         std::uint64_t bodies = 0;
         std::uint32_t guidance = 0;
@@ -80,7 +80,7 @@ private:
     std::shared_ptr<const Scene> heard_scene_;
     int heard_world_ = 0;
     bool set_up_ = false;
-    std::uint32_t confirms_ = 0;  // of all set-ups so far
+    std::uint32_t confirms_ = 0;  // of all set-ups up to now
 };
 
 }  // namespace handrail

@@ -1,5 +1,5 @@
-// The session's features that stand together on one floor, each struct made in the order in which they need each other:
-// the folder of the same name holds them. App thread only.
+// Groups of the session's features, one struct for each folder. The members are in the order in which they need each
+// other. App thread only.
 #pragma once
 
 #include "app/core/context/session_state.h"
@@ -31,7 +31,7 @@
 
 namespace handrail {
 
-// Where the body is: in which room, among what.
+// Where the walker is: its room and what is around.
 struct Whereabouts {
     explicit Whereabouts(SessionState& state)
         : rooms(state.context),
@@ -46,7 +46,7 @@ struct Whereabouts {
     Visits visits;
 };
 
-// What moves when it is used, walked against or walked into.
+// Things that move when they are used, walked against or entered.
 struct MoverFeatures {
     explicit MoverFeatures(SessionState& state)
         : doors(state.context, state.world, state.body), triggers(state.context, state.world) {}
@@ -54,7 +54,7 @@ struct MoverFeatures {
     Triggers triggers;
 };
 
-// What moves the body: keys, sticks, and ears that lead it along walls.
+// What moves the walker: keys, sticks, and following walls by ear.
 struct WalkingFeatures {
     explicit WalkingFeatures(SessionState& state)
         : by_ear(state.context, state.body, keys_held),
@@ -66,7 +66,7 @@ struct WalkingFeatures {
     Walking walking;
 };
 
-// What the hand feels of the world, where its workspace lies in it, and with which force.
+// What the hand feels of the world, where its workspace is, and whether there is force.
 struct HandFeatures {
     HandFeatures(SessionState& state, const HeldKeys& keys_held)
         : touch_view(state.context, state.world, state.body, state.hands),
@@ -77,7 +77,7 @@ struct HandFeatures {
     Forces forces;
 };
 
-// What the person keeps of a world, to come back to.
+// What the person saves of a world, to return to it.
 struct PlacesFeatures {
     PlacesFeatures(SessionState& state, Rooms& rooms, const PlannedStops& planned)
         : marks(state.context, state.world.marks),
@@ -92,14 +92,14 @@ struct PlacesFeatures {
     PrepareLesson lesson;
 };
 
-// What an instructor's lesson does here.
+// An instructor's lesson.
 struct TeachingFeatures {
     explicit TeachingFeatures(SessionState& state) : exercise(state.context) {}
     Exercise exercise;
     std::vector<FeatureId> blocked;  // doors
 };
 
-// What of a place is known by now, the game that makes one look for more, and the lessons of an instructor.
+// What is known of a place, the hunt as a game for exploring, and an instructor's lessons.
 struct LearningFeatures {
     LearningFeatures(SessionState& state, Rooms& rooms, Soundscape& soundscape)
         : place(state.context, rooms),

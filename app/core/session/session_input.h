@@ -1,5 +1,5 @@
-// The one way in: everything that reaches a session from outside, as one value each, applied by Session::apply alone.
-// Window, terminal, scenarios, tests and whatever plays a session again use the same. Plain data.
+// All input of a session, one value for each kind; only Session::apply applies it. Window, terminal, scenarios, tests
+// and replays all use it. Plain data.
 #pragma once
 
 #include <cstdint>
@@ -24,17 +24,17 @@
 
 namespace handrail {
 
-// A command's key goes down, and up again.
+// The key of a command is pressed and released.
 struct CommandDown {
     Command command;
-    int times = 1;  // of steps and turns, as when a count was typed; else once
+    int times = 1;  // for steps and turns, as when a count was typed; otherwise 1
 };
 struct CommandUp {
     Command command;
 };
-// To lists, questions and whatever waits for a key (dialogue.h): a key by name, characters, a line of a terminal, a
-// screen reader's action on an item of the open list. Each is a command only where nothing took it: apply() is false
-// then. A key that stops force, sound or speech is never taken.
+// Input to lists, questions and whatever waits for a key (dialogue.h): a key by name, characters, a terminal line, or a
+// screen reader's action on an item of the open list. If none of them uses it, apply() returns false and the caller
+// treats it as a command. They never take a key that stops force, sound or speech.
 struct KeyTapped {
     std::string key;
 };
@@ -44,63 +44,66 @@ struct TextTyped {
 struct LineTyped {
     std::string line;
 };
-// Leaves the open list and all lists under it, up to a question for a text, without a word. False: no list is open.
+// Leaves the open list and all lists under it silently, down to a text question. Not used if no list is open.
 struct ListsLeft {};
 struct ItemActed {
     ItemAct act;
 };
-// Sticks act until told otherwise or the keyboard is lost, beside the keys. What is not finite counts as rest.
+// Sticks act in addition to keys, until the next value or until the keyboard focus is lost. Values that are not finite
+// count as rest.
 struct Steered {
     Steering steering;
 };
-// The window lost or regained the keyboard: nothing stays held and force fades away while it is lost.
+// The window lost or regained the keyboard. While it is lost, no key counts as held and force fades out.
 struct FocusChanged {
     bool focused;
 };
-// How often the stop key was pressed, from whoever sees it before the app does (ServoSwitches::stops): told before the
-// keys of each frame. The servo has stopped already; this makes the rest follow.
+// Number of presses of the stop key, from whatever sees the key before the app does (ServoSwitches::stops). It is
+// reported before the keys of each frame. The servo has stopped already; this makes the rest follow.
 struct Stopped {
     std::uint32_t count;
 };
-// Moves the simulated hand's target, device frame; clamped to its reach.
+// Moves the target of the simulated hand, device frame; clamped to its workspace.
 struct HandMoved {
     Vec3 by_m;
 };
-// One setting of any key, as a list, the desk or a command changes it: in force at once, and told by
-// Session::take_setting_changes. Not taken where it cannot be.
+// Changes one setting of any key, as a list, the desk or a command does. It is effective at once and returned by
+// Session::take_setting_changes. Not used if the value is invalid.
 struct SettingSet {
     std::string key, value;
 };
-// New settings from outside; the world stays. Force ramps in again where the workspace changes.
+// New settings from outside; the world stays. Force ramps in again if the workspace changes.
 struct SettingsChanged {
     Settings settings;
 };
-// Another device, or none, in place of the one there was; the settings are those of outside, as in SettingsChanged.
+// Replaces the device by another one, or by none. The settings come from outside, as in SettingsChanged.
 struct HandChanged {
     HandFacts hand;
     Settings settings;
-    bool for_want_of_one = false;  // simulated since there is no real one: lessons speak of walking
+    bool for_want_of_one = false;  // simulated because there is no device: lessons then speak of walking
 };
-// A second device in the left hand, or none: its own ball and ceiling in the same workspace, with the scale of the
-// first. What one hand does to the workspace the other goes along with.
+// A second device in the left hand, or none. It has its own proxy and force ceiling in the same workspace, at the scale
+// of the first. If one hand moves the workspace, the other moves along.
 struct LeftHandChanged {
     HandFacts hand;
 };
-// A device that could be used has been plugged in: says so, and the force key takes it the next time.
+// A usable device has been plugged in. It is announced, and the next press of the force key takes it.
 struct HandOffered {
     std::string spoken_name;
 };
-// The body is put where the world says and one is told where one is. The additions are what the person added to that
-// world and where it is kept; without them they are forgotten with the world.
-// request: the file it was read from, and how, for whoever reads it again. settings: those of the person from now on,
-// with what this world brings and without what the one before brought; none: they stay.
+// Enters a world: the walker is placed at the world's start, and that place is announced.
+// additions: what the person added to that world, and its file; none: additions stay in memory and are lost with the
+// world.
+// request: the file and how it was read, for whoever reads it again.
+// settings: the person's settings from now on, with those of this world and without those of the previous one; none:
+// unchanged.
 struct WorldEntered {
     EnteringWorld world;
     std::optional<SideFile> additions = {};
     WorldRequest request = {};
     std::optional<Settings> settings = {};
 };
-// Puts the body somewhere else in this world; the workspace jumps with it.
+// Moves the walker to another place in this world; the workspace moves along.
 struct Placed {
     Vec3 feet_m;
     double heading_rad = 0.0;
@@ -110,40 +113,40 @@ struct Told {
     std::string text;
     SpeechClass speech_class = SpeechClass::Answer;
 };
-// The first minutes, before a world is entered or in one. who_speaks: "speech-dispatcher"; owner_sets_up: the owner
-// runs the set-up by voice when requests() has it, else that part is left out.
+// Begins the first minutes, before a world is entered or in one. who_speaks: "speech-dispatcher". owner_sets_up: the
+// owner runs the set-up by voice when requests() contains it; otherwise that part is skipped.
 struct FirstMinutesBegun {
     std::string who_speaks;
     bool owner_sets_up = false;
 };
-// Nobody will answer them any more, or they are not wanted: the world greets as it does otherwise.
+// The first minutes are not wanted or can no longer be answered. The world then greets as usual.
 struct LessonLeft {};
-// The set-up that was asked for is over, or left.
+// The requested set-up is over or was left.
 struct SetUpOver {};
-// Where a session that was never left had come to. The command asks the owner to go on there: to read that world where
-// it is another one, and then to tell WentOnAt.
+// The last place of a session that crashed. The LastPlace command requests that the owner continue there: it reads that
+// world if necessary and then sends WentOnAt.
 struct LastPlaceKnown {
     LastPlace place;
 };
-// At the place in the world that is entered, or beside what stands there by now; where the world is no longer, nobody
-// is moved. Says where one is.
+// Moves the walker to that place in the present world, or next to what is there now, and announces it. If the place is
+// no longer in the world, nobody is moved.
 struct WentOnAt {
     LastPlace place;
 };
-// What is known of a session before this one that broke off: line by line, and the file that holds the same.
+// What is known of an earlier session that crashed: the file with the report, and its lines.
 struct CrashReportKnown {
     std::string file;
     std::vector<std::string> lines;
 };
-// Every fault of the settings files, each in a sentence; the menu lists them.
+// Every error in the settings files, one sentence each; the menu lists them.
 struct SettingsFaultsKnown {
     std::vector<std::string> faults;
 };
-// What is plugged in, in sentences, where the session had asked its owner for it: opened as a list.
+// The connected devices, one sentence each, after the session has requested them from its owner. Opened as a list.
 struct DevicesFound {
     std::vector<std::string> sentences;
 };
-// What the chooser of worlds offers.
+// What the list of worlds offers.
 struct WorldsKnown {
     WorldShelf shelf;
 };

@@ -1,4 +1,4 @@
-// Session's part on going on where a session that was never left had come to. App thread only.
+// The session's part for continuing where an earlier session crashed. App thread only.
 #include <algorithm>
 
 #include "app/core/session/session.h"
@@ -7,7 +7,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kOutside_m = 10.0;  // farther out of the world nobody has stood
+constexpr double kOutside_m = 10.0;  // nobody can have stood farther outside the world
 
 }  // namespace
 

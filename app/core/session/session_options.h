@@ -1,4 +1,4 @@
-// What an owner chooses for a session once, when it is made. Plain data.
+// What an owner sets once when it makes a session. Plain data.
 #pragma once
 
 #include <filesystem>
@@ -10,15 +10,15 @@
 namespace handrail {
 
 struct SessionOptions {
-    // Where background tasks run; outlives the session.
+    // Runs the background tasks; outlives the session.
     const Executor& executor = at_once();
-    // Where best times are kept; empty: they last as long as the session.
+    // Folder for best times; empty: they last as long as the session.
     std::filesystem::path records_in = {};
-    // Files of languages of the person's own; empty: there are the bundled ones.
+    // Folder of the person's own language files; empty: only the bundled ones.
     std::filesystem::path languages_in = {};
     BodyEngines bodies = {};
-    // Reports or decides in which tick the result of a background task is there; outlives the session. Null: results
-    // are there as soon as they are done.
+    // Records or determines in which tick the result of a background task arrives; outlives the session. Null: results
+    // arrive as soon as they are ready.
     Arrivals* arrivals = nullptr;
 };
 

@@ -1,5 +1,5 @@
-// Session's part on settings that change while it goes on: all of them from outside, or one of them, by whatever it is
-// changed. App thread only.
+// The session's part for settings that change while it runs: all of them from outside, or a single one from any input.
+// App thread only.
 #include <algorithm>
 #include <array>
 
@@ -10,18 +10,18 @@
 namespace handrail {
 namespace {
 
-// What follows when a setting changes, beside that everybody finds the new value from then on.
+// What must be done after a setting has changed, apart from storing its value.
 enum class Follows : std::uint8_t {
     Nothing,
-    Pose,       // the workspace lies elsewhere
-    Tuning,     // the servo is tuned otherwise, and force ramps in again
-    UnderHand,  // the workspace turns about the place under the hand
-    Scale,      // it grows about that place, and no named scale is in force any more
-    Keys,       // keys stand for other commands
-    Language,   // the names of things are others
+    Pose,       // move the workspace
+    Tuning,     // tune the servo again; force ramps in again
+    UnderHand,  // the workspace turns or changes about the place under the hand
+    Scale,      // the workspace scales about that place, and no named scale is effective any more
+    Keys,       // keys belong to other commands
+    Language,   // names are in another language
 };
 struct Consequence {
-    std::string_view key;  // without the rest where it ends with a point
+    std::string_view key;  // ends with a dot: prefix of several keys
     Follows follows;
 };
 constexpr std::array kConsequences{
@@ -64,7 +64,7 @@ void Session::change_settings(const Settings& settings, double now_s) {
     if (state_.world.scene) hand_.workspace.take_settings(now_s);
 }
 
-// Without what follows for the hand and the world it is in.
+// Takes all settings, without the consequences for hand and world.
 void Session::take_settings(Settings settings, double now_s) {
     speak_language_of(settings.speech, now_s);
     state_.person.settings = std::move(settings);
@@ -76,10 +76,10 @@ void Session::speak_language_of(const Settings::Speech& speech, double now_s) {
     if (speech.language == state_.person.settings.speech.language) return;
     for (const Diagnostic& fault : speak_as_set(speech, menu_.languages().folder()))
         say(fault.sentence(), SpeechClass::Answer, now_s);
-    desk_visit_.furnish();  // its controls' names
+    desk_visit_.furnish();  // its controls have new names
 }
 
-// The one way to change a setting; stored and saved by whoever owns the settings.
+// All changes of a single setting go through this; the owner of the settings stores and saves them.
 Result<void> Session::set(std::string_view key, const std::string& value, double now_s) {
     Settings changed = state_.person.settings;
     if (auto done = change_setting(changed, key, value); !done) return done;
@@ -90,7 +90,7 @@ Result<void> Session::set(std::string_view key, const std::string& value, double
     return {};
 }
 
-// The settings are those from now on, of which that one is another.
+// Applies `changed`, in which only `key` has a new value.
 void Session::follow(std::string_view key, Settings changed, double now_s) {
     const Follows follows = what_follows(key);
     if (follows == Follows::Language) speak_language_of(changed.speech, now_s);
@@ -99,7 +99,7 @@ void Session::follow(std::string_view key, Settings changed, double now_s) {
         state_.person.settings = std::move(changed);
         return true;
     };
-    const bool moves = state_.world.scene && !at_desk();  // a workspace that jumps would end a visit at the desk
+    const bool moves = state_.world.scene && !at_desk();  // a jump of the workspace would end a visit at the desk
     const bool under_hand = follows == Follows::UnderHand || follows == Follows::Scale;
     if (under_hand && moves) return hand_.workspace.change_under_hand(take, now_s);
     take();

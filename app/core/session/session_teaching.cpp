@@ -1,4 +1,5 @@
-// Session's part on lessons of an instructor: what they do to it, and what they see of it. App thread only.
+// The session's part for an instructor's lessons: what they do to the session, and what they see of it. App thread
+// only.
 #include <algorithm>
 
 #include "app/core/session/session.h"
@@ -41,7 +42,8 @@ void Session::teach(const TeacherActed& act, double now_s) {
     tell_changes(now_s);
 }
 
-// By the hand where there is one; by words from half the help on, below that by the sound of the goal alone.
+// Guides by the hand if there is one. Otherwise by words if the amount of guidance is at least half, and below that
+// only by the sound of the goal.
 void Session::lead_in_lesson(const TeacherActed& act, double now_s) {
     constexpr double kByWords = 0.5;
     guide_.limit_help(std::clamp(act.number, 0.0, 1.0));
@@ -60,7 +62,7 @@ void Session::lead_in_lesson(const TeacherActed& act, double now_s) {
     state_.events.tell(Led{stops.back().name, LedBy::Beacon}, now_s);
 }
 
-// Ways lead round the doors that are blocked, once there are ways.
+// Makes routes avoid the blocked doors, once the rooms are known.
 void Session::lay_blocked() {
     if (!where_.rooms.found()) return;
     std::vector<Aabb> boxes;
@@ -83,7 +85,7 @@ LessonView Session::lesson_view() {
     view.room = own_name(where_.rooms.graph().rooms[where_.rooms.here()]);
     if (const Room& here = where_.rooms.graph().rooms[where_.rooms.here()]; here.given) view.room = here.name;
     const Progress progress = learn_.place.progress_in(where_.rooms.here());
-    // Walls that one meets outside are those of the building, and nobody goes round all of them.
+    // Outdoors, the walls are those of the building, and nobody is expected to walk along all of them.
     if (!is_outside(where_.rooms.graph().rooms[where_.rooms.here()], where_.rooms.space(),
                     *where_.rooms.file_scene())) {
         view.perimeter_m = progress.perimeter_m;

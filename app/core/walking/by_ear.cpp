@@ -19,12 +19,12 @@ namespace {
 constexpr double kCrumb_m = 0.25;
 constexpr std::size_t kMostCrumbs = 4000;
 constexpr double kSquareReach_m = 3.0;
-constexpr double kToldTurn_rad = 0.7;            // a new direction is told that differs by more, 40 degrees
-constexpr double kToldClimb_m = 0.3;             // and a new height
-constexpr double kBeforeStairs_m = 0.35;         // beside the body, to the first riser, where trailing waits
-constexpr double kStairsLookedForEvery_m = 0.1;  // for them
-constexpr double kStairsSeen_m = 2.0;            // so much of them tells that they are stairs
-constexpr double kLevelAgain_m = 1.5;            // on the level so far, stairs are over, or have not been taken
+constexpr double kToldTurn_rad = 0.7;            // turns by more than this (40 degrees) are announced
+constexpr double kToldClimb_m = 0.3;             // height changes by more than this are announced
+constexpr double kBeforeStairs_m = 0.35;         // from the walker's edge to the first riser; following waits there
+constexpr double kStairsLookedForEvery_m = 0.1;  // distance between two searches for stairs
+constexpr double kStairsSeen_m = 2.0;            // how far ahead the ground is examined for stairs
+constexpr double kLevelAgain_m = 1.5;            // after this much level ground, the stairs are over or were not taken
 
 }  // namespace
 
@@ -139,7 +139,7 @@ bool ByEar::start_trail(TrailSide side, double now_s) {
     return false;
 }
 
-// Where it goes, wherever that is not where one faces with the wall at that side already.
+// Announces where following leads, unless the person already faces that way with the wall at that side.
 void ByEar::tell_start(double now_s) {
     const double heading_rad = trail_.heading_rad();
     const bool turns = std::abs(wrap_angle(heading_rad - body_.heading_goal_rad)) > kToldTurn_rad;
@@ -184,7 +184,7 @@ std::optional<Vec3> ByEar::lead(double now_s, double dt_s) {
     return way.wish_m_per_s;
 }
 
-// What is told of the way it goes now, when that is another one than the person knows of; once.
+// The new direction if it differs from what the person knows; only once.
 std::string ByEar::going_words() {
     if (std::abs(wrap_angle(body_.heading_goal_rad - told_heading_rad_)) <= kToldTurn_rad) return {};
     told_heading_rad_ = body_.heading_goal_rad;
@@ -208,7 +208,7 @@ void ByEar::tell_turn_and_climb(double now_s) {
     told_z_m_ = z_m;
 }
 
-// Stairs are taken only by who asks for them.
+// Waits at stairs until the person repeats the command.
 bool ByEar::waits_at_stairs(double heading_rad, double now_s) {
     if (stairs_.held || stairs_.climbs) return stairs_.held;
     if (glm::length(body_.feet_m() - stairs_.looked_m) < kStairsLookedForEvery_m) return false;
@@ -226,7 +226,7 @@ bool ByEar::waits_at_stairs(double heading_rad, double now_s) {
 void ByEar::tell_trail(const TrailEvent& event, double now_s) {
     const std::string name =
         describe_feature(*context_.world.scene, event.feature, std::max(1, context_.settings.speech.verbosity));
-    // One sentence for both, since the newest name replaces the one before.
+    // One sentence for both, because the newest name replaces the previous one.
     const auto with_going = [this](std::string words) {
         if (const std::string going = going_words(); !going.empty())
             words += (words.ends_with('.') ? " " : ". ") + going;
@@ -250,7 +250,7 @@ void ByEar::tell_trail(const TrailEvent& event, double now_s) {
         case TrailEvent::Kind::Opening: {
             context_.cues.cue(sound_at(SoundKind::Opening, event.place_m, now_s));
             if (!context_.settings.walk.callouts) return;
-            // An open door goes by its name.
+            // An open door is announced by its name.
             std::string text = phrase("walking.opening", {{"metres", std::round(event.width_m * 10.0) / 10.0}});
             for (const Feature& feature : context_.world.scene->features)
                 if (feature.kind == FeatureKind::Door && !feature.bounds_m.empty() &&
@@ -288,7 +288,7 @@ std::optional<Vec3> ByEar::retrace(double now_s, double dt_s) {
     return left * (context_.settings.walk.speed_m_per_s / way_m);
 }
 
-// Square to the nearest wall, or to the nearest quarter of the compass where none is near.
+// Turns square to the nearest wall, or to the nearest quarter of the compass if no wall is near.
 void ByEar::square_up(double now_s) {
     const auto nearest = nearest_wall(*context_.world.solids, body_.feet_m(), kSquareReach_m);
     const double quarter = 0.5 * kPi;

@@ -1,6 +1,7 @@
-// Moving by ear: along a wall, back the way one came, square to a wall; from one thing to the next by Leaping. Says
-// where the body shall go; Walking moves it. Trailing never turns or climbs without a word: each new direction is told,
-// and before stairs it waits to be asked again. App thread only; world metres.
+// Moving by ear: along a wall, back along one's path, square to a wall, and by leaps from thing to thing (Leaping).
+// This class says where the walker should go; Walking moves it. While it follows a wall it never turns or climbs
+// silently: it announces each new direction, and it waits before stairs until the command is repeated. App thread only;
+// world metres.
 #pragma once
 
 #include <functional>
@@ -17,31 +18,30 @@ namespace handrail {
 
 class ByEar : SessionPart {
 public:
-    // It turns `body`, and lays and takes up the crumbs it goes back along.
+    // Turns `body`, and lays and takes up the trail of points for the way back.
     ByEar(const SessionContext& context, BodyState& body, const HeldKeys& keys);
 
     void enter_world();
-    // The body was set down elsewhere in the same world.
+    // Call it after the walker was placed elsewhere in the same world.
     void set_down();
-    // Whatever else the person does ends trailing and going back; told of every command before it is acted on.
+    // Call it with every command before it acts: any other action ends following and going back.
     void notice(Command command);
-    // False: it is another's.
-    // times: of steps along a wall or back.
+    // Returns false if the command belongs to another feature. times: number of steps along a wall or back.
     bool act(Command command, double now_s, int times = 1);
     // Trailing or going back leads the body now.
     bool leads() const;
-    // Where they want the body to go, metres per second, level; none: the person's own keys count.
+    // The wished velocity of the walker, metres per second, level; no value: the person's own keys apply.
     std::optional<Vec3> lead(double now_s, double dt_s);
-    // What is still to go of taps is not gone any more.
+    // Drops the remaining distance of taps.
     void halt();
-    // Where the body stands counts among the places that one goes back along.
+    // Adds the walker's place to the path for the way back.
     void lay_crumb();
-    // Leaps, Home and the like can be taken back: called before them.
+    // Call it before leaps, Home and the like, so that they can be undone.
     void keep_place() { leaping_.keep_place(); }
-    // Out of the wall that the body's side is at while it trails, level.
+    // The level normal of the wall that the walker follows; no value if there is none.
     std::optional<Vec3> wall_at_side() const;
 
-    // Set by the session: the answer to "where am I", and the doors of the room one is in.
+    // Set by the session: the answer to "where am I", and the doors of the present room.
     std::function<std::string()> where_am_i;
     std::function<std::vector<LeapDoor>()> doors_of_room;
 
@@ -58,15 +58,15 @@ private:
     BodyState& body_;
     const HeldKeys& keys_;
     Trail trail_;
-    double trail_left_m_ = 0.0;    // of taps, still to go
-    bool trail_to_event_ = false;  // until something is met
-    double retrace_left_m_ = 0.0;  // of taps, still to go back along the body's crumbs
+    double trail_left_m_ = 0.0;    // remaining distance of taps
+    bool trail_to_event_ = false;  // until the next event of the wall
+    double retrace_left_m_ = 0.0;  // remaining distance of taps back along the path
     bool retracing_ = false;
-    double told_heading_rad_ = 0.0, told_z_m_ = 0.0;  // of the trail: as the person knows them
-    // The stairs before which trailing waits: it goes on over them when it is asked again, until it is on the level.
+    double told_heading_rad_ = 0.0, told_z_m_ = 0.0;  // as last announced to the person
+    // Stairs before which following waits. A repeated command continues over them, until the ground is level again.
     struct Stairs {
         bool held = false, climbs = false;
-        double z_m = 0.0, level_m = 0.0;  // where it was last tick, and how far it has been on the level
+        double z_m = 0.0, level_m = 0.0;  // height in the last tick; distance on level ground
         Vec3 from_m{0.0}, looked_m{1e9};
     };
     Stairs stairs_;

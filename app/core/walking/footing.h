@@ -1,5 +1,5 @@
-// The ground under and before the feet: what is told of stairs, ramps, drops and doors ahead, and the edge at which a
-// body stops until it is asked for twice. App thread only; world metres.
+// The ground under and before the feet. It announces stairs, ramps, drops and doors ahead, and stops the walker at an
+// edge until the person asks twice. App thread only; world metres.
 #pragma once
 
 #include <vector>
@@ -13,20 +13,20 @@ namespace handrail {
 
 class Footing : SessionPart {
 public:
-    // It holds `body` back at edges.
+    // Holds `body` back at edges.
     Footing(const SessionContext& context, BodyState& body) : SessionPart(context), body_(body) {}
 
     void enter_world();
-    // The body was set down elsewhere in the same world: what was told of it lately stays told.
+    // Call it after the walker was placed elsewhere in the same world. What was announced lately is not repeated.
     void set_down();
-    // A key that walks, pressed at an edge, goes over it; told of every command before it is acted on.
+    // Call it with every command before it acts. A walking key pressed at an edge permits the walker to cross it.
     void notice(Command command, double now_s);
-    // Takes the body back to `before` when it stands over a drop that was not asked for twice. True: it was.
-    // The steps that led there are told with it.
+    // Moves the walker back to `before` if it is over a drop that was not confirmed, and returns true. The steps to the
+    // edge are announced with it.
     bool held_at_edge(const WalkerState& before, Paces& paces, double now_s);
-    // While the body stands: tells of what the ground does. before_m: where it stood a tick ago.
+    // Call it each tick while the walker stands: announces changes of the ground. before_m: its place in the last tick.
     void tick(const Vec3& before_m, const WalkResult& walked, double now_s);
-    // Of footsteps: higher uphill.
+    // Pitch of footsteps: higher uphill.
     double step_pitch() const { return underfoot_.step_pitch; }
 
 private:
@@ -35,24 +35,24 @@ private:
     void tell_ahead(double now_s);
     void beat_ahead(double now_s);
 
-    // The ground ahead, looked at when the body has moved or turned.
+    // The ground ahead, examined after the walker has moved or turned.
     struct Looked {
         GroundAhead ahead;
         Vec3 from_m{0.0};
         double heading_rad = 0.0, at_s = -1e9;
-        double moved_s = -1e9;  // when the body last walked or turned
+        double moved_s = -1e9;  // when the walker last walked or turned
         double beat_s = -1e9, door_s = -1e9;
     };
     struct Edge {
-        bool held = false;       // stopped; told once for a press
-        double at_s = -1e9;      // when
-        bool confirmed = false;  // the next edge may be gone over
+        bool held = false;       // stopped; announced once for each press
+        double at_s = -1e9;      // time of the stop
+        bool confirmed = false;  // the next edge may be crossed
     };
     struct Underfoot {
-        int risers = 0;  // since the stairs began, positive up
+        int risers = 0;  // since the stairs began, positive upwards
         double since_riser_m = 0.0;
-        double ramp_m = 0.0;  // walked on it so far; level ground counts it down
-        int ramp_told = 0;    // 1 up, -1 down
+        double ramp_m = 0.0;  // distance walked on the ramp; level ground reduces it
+        int ramp_told = 0;    // announced: 1 up, -1 down
         double step_pitch = 1.0;
     };
     struct Told {
@@ -65,7 +65,7 @@ private:
     Looked looked_;
     Edge edge_;
     Underfoot underfoot_;
-    std::vector<Told> told_;  // stairs and edges of the last half minute
+    std::vector<Told> told_;  // announced stairs and edges of the last half minute
 };
 
 }  // namespace handrail

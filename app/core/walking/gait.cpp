@@ -8,7 +8,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kHeadOn = 0.1;  // less of a tick's way is none: that is answered at once
+constexpr double kHeadOn = 0.1;  // share of a tick's distance; less counts as none and is handled at once
 constexpr double kStraightIn_m = 0.01;
 constexpr int kMostLineUps = 2;
 

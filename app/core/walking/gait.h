@@ -1,6 +1,6 @@
-// How a walk goes on that meets something: along what is met at under 45 degrees, into the doorway whose frame is met,
-// and stopped by the rest. Measured and decided as BlindGround::walk does, so that routes for words hold for the body
-// of the session. Plain state; app thread. World metres.
+// How a walk continues when it meets something: it slides along a surface met at under 45 degrees, slides into a
+// doorway whose frame it meets, and stops at anything else. Measurements and decisions match BlindGround::walk, so that
+// routes in words are valid for the walker of the session. Plain state; app thread. World metres.
 #pragma once
 
 #include <functional>
@@ -12,23 +12,24 @@ namespace handrail {
 
 class Gait {
 public:
-    // Another walk begins: what was met before counts no more.
+    // Call it when another walk begins; earlier contacts no longer count.
     void begin() { *this = {}; }
-    // Nobody walks any more, so nobody slides.
+    // Call it when nobody walks: sliding ends.
     void stand() { aside_m_ = 0.0; }
-    // So far to the side, positive to the right of the walk, the body still has to slide into a doorway; the walk waits
+    // How far the walker must still slide to the side into a doorway, positive to the right of the walk; the walk waits
     // meanwhile.
     double aside_left_m() const { return aside_m_; }
-    // A tick of that has been made; less than wished: something is in the way, and the walk goes on as it is.
+    // Reports a tick of sliding. If less than wished was made, something is in the way, and the walk continues from
+    // there.
     void went_aside(double wished_m, double made_m);
 
     enum class Goes { On, Along, Aside, Stopped };
-    // A tick of the walk itself has been made, `met`: against something. line_up_m: see BlindGround::line_up_m, asked
-    // once the walk is held; may be null.
+    // Reports a tick of the walk itself; `met`: against something. line_up_m: see BlindGround::line_up_m, called once
+    // the walk is held; may be null.
     Goes went(double wished_m, double made_m, bool met, const std::function<std::optional<double>()>& line_up_m);
 
 private:
-    double wished_m_ = 0.0, made_m_ = 0.0;  // since it was looked at last
+    double wished_m_ = 0.0, made_m_ = 0.0;  // since the last decision
     double aside_m_ = 0.0;
     int lined_up_ = 0;
 };

@@ -14,8 +14,9 @@ namespace handrail {
 namespace {
 
 constexpr std::size_t kMostUndo = 16, kMostPlaces = 64;
-constexpr double kMarkHeight_m = 1.5;  // of a mark, above or below the waist, to count as on this floor
-constexpr double kTellHeight_m = 0.3;  // a leap that leads higher or lower by more says so
+// Largest height above or below the waist at which a mark counts as on this floor.
+constexpr double kMarkHeight_m = 1.5;
+constexpr double kTellHeight_m = 0.3;  // larger height changes of a leap are announced
 
 }  // namespace
 
@@ -38,7 +39,7 @@ void Leaping::keep_place() {
 }
 
 void Leaping::undo(double now_s) {
-    // Where something stands by now nobody is put back, nor where one stood in a solid.
+    // Nobody is put back where something stands now, or into a solid.
     std::erase_if(
         undo_, [&](const Place& place) { return context_.world.solids->blocked(place.feet_m, body_.walker->shape()); });
     if (undo_.empty()) {
@@ -52,7 +53,7 @@ void Leaping::undo(double now_s) {
     context_.answer(phrase("walking.undone") + " " + where_am_i_(), now_s);
 }
 
-// Doors of the room, doors, landmarks and clues in sight, and marks: the nearest first.
+// Doors of the room; doors, landmarks and clues in sight; and marks: nearest first.
 std::vector<Leaping::Target> Leaping::targets() const {
     std::vector<Target> all;
     const Vec3& feet_m = body_.feet_m();
@@ -87,7 +88,7 @@ std::vector<Leaping::Target> Leaping::targets() const {
     return all;
 }
 
-// A place before it where there is room; right onto a mark where that is free.
+// A place before the target if there is room; directly on a mark if that is free.
 std::optional<Leaping::Place> Leaping::place_at(const Target& target) const {
     if (target.before) return target.before;
     const BodyShape shape = body_.walker->shape();
@@ -105,7 +106,7 @@ std::optional<Leaping::Place> Leaping::place_at(const Target& target) const {
 
 std::string Leaping::name_of_target(const Target& target) const {
     if (target.mark) return context_.world.marks[target.number - context_.world.scene->features.size()].name;
-    constexpr int kNameAndMaterial = 2;  // more would be sentences of their own
+    constexpr int kNameAndMaterial = 2;  // higher levels would add whole sentences
     return describe_feature(*context_.world.scene, FeatureId{target.number}, kNameAndMaterial);
 }
 
@@ -114,7 +115,7 @@ void Leaping::leap_on(double now_s) {
     const auto been_at = [&](std::uint32_t number) {
         return std::any_of(leapt_.begin(), leapt_.end(), [&](const Leapt& leapt) { return leapt.number == number; });
     };
-    // Twice: when all that is near has been leapt to, it begins anew, and not with where one is.
+    // Two rounds: once everything near has been visited, the series begins again, but not with the present place.
     for (int round = 0; round < 2; ++round) {
         for (const Target& target : near) {
             if (been_at(target.number)) continue;
@@ -142,8 +143,8 @@ void Leaping::leap_back(double now_s) {
 }
 
 void Leaping::leap_to(const Leapt& to, double now_s) {
-    const Leapt there = to;                    // `to` may lie among what was leapt to,
-    const std::vector<Leapt> series = leapt_;  // which being set down elsewhere begins anew
+    const Leapt there = to;                    // a copy, because `to` may be an element of leapt_
+    const std::vector<Leapt> series = leapt_;  // being placed elsewhere clears leapt_
     const double was_m = body_.feet_m().z;
     context_.asks.place(there.place.feet_m, there.place.heading_rad, now_s);
     leapt_ = series;

@@ -1,6 +1,6 @@
-// Leaping from one thing that is near to the next, and back: the nearest first that one has not leapt to since one last
-// walked or turned, the doors of the room among them. Says where one is then. Also takes back what put the body
-// elsewhere. App thread only; world metres.
+// Leaps from one nearby thing to the next, and back. The next is the nearest one not visited since the last walk or
+// turn; the doors of the room are among them. Announces the new place. Also undoes whatever moved the walker elsewhere.
+// App thread only; world metres.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@
 
 namespace handrail {
 
-// A door of the room one is in, and where one stands before it.
+// A door of the present room, and where the walker stands before it.
 struct LeapDoor {
     FeatureId feature = kNoFeature;
     Vec3 place_m{0.0}, feet_m{0.0};
@@ -20,18 +20,18 @@ struct LeapDoor {
 
 class Leaping : SessionPart {
 public:
-    // where_am_i: the answer to that question; doors: of the room one is in, none where rooms are not known. Both may
-    // be set later, and outlive this object.
+    // where_am_i: the answer to that question. doors: of the present room, none if rooms are not known. Both may be set
+    // later, and outlive this object.
     Leaping(const SessionContext& context, const BodyState& body, const std::function<std::string()>& where_am_i,
             const std::function<std::vector<LeapDoor>()>& doors)
         : SessionPart(context), body_(body), where_am_i_(where_am_i), doors_(doors) {}
 
     void enter_world();
-    // Whoever goes or turns by other means begins anew with what is nearest then.
+    // After other movement, the series begins again with what is nearest then.
     void begin_anew() { leapt_.clear(); }
-    // Leaps and taking them back. False: it is another's.
+    // Handles leaps and undoing them. Returns false if the command belongs to another feature.
     bool act(Command command, double now_s);
-    // Leaps, Home and the like can be taken back: called before them.
+    // Call it before leaps, Home and the like, so that they can be undone.
     void keep_place();
 
 private:
@@ -39,12 +39,12 @@ private:
         Vec3 feet_m{0.0};
         double heading_rad = 0.0;
     };
-    // Features by their number, and marks, counted on from them.
+    // The number of a feature; marks are numbered after all features.
     struct Target {
         std::uint32_t number = 0;
-        double bearing_rad = 0.0, distance_m = 0.0;  // from the body, level
+        double bearing_rad = 0.0, distance_m = 0.0;  // from the walker, level
         bool mark = false;
-        std::optional<Place> before;  // where one stands, where that is known
+        std::optional<Place> before;  // where the walker would stand, if known
     };
     struct Leapt {
         std::uint32_t number = 0;
@@ -62,8 +62,8 @@ private:
     const BodyState& body_;
     const std::function<std::string()>& where_am_i_;
     const std::function<std::vector<LeapDoor>()>& doors_;
-    std::vector<Place> undo_;   // the newest last
-    std::vector<Leapt> leapt_;  // since the person last went or turned otherwise, the newest last
+    std::vector<Place> undo_;   // newest last
+    std::vector<Leapt> leapt_;  // since the person last walked or turned; newest last
 };
 
 }  // namespace handrail

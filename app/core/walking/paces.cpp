@@ -12,9 +12,9 @@ namespace handrail {
 namespace {
 
 constexpr double kMostTaps = 8.0;
-constexpr double kShoulder_m = 0.08;  // how far ahead a shoulder is looked at, and how wide it is
+constexpr double kShoulder_m = 0.08;  // how far ahead a shoulder is examined, and how wide it is
 
-// A shoulder alone was met: the middle of the body would have come through. 1 right, -1 left, 0 neither.
+// Whether only a shoulder was met, so that the middle of the body would have passed: 1 right, -1 left, 0 neither.
 int shoulder_met(const SessionContext& context, double way_rad) {
     const BodyWorld& solids = *context.world.solids;
     const BodySize& size = context.body.walker->size();
@@ -37,7 +37,7 @@ std::string state_words(const SessionContext& context, FeatureId feature) {
     if (std::string lock = lock_words(context, feature); !lock.empty()) return lock;
     const int mover = mover_of(context.world, feature);
     if (mover < 0) return {};
-    // The leaf of one that is not shut stands in the way by itself.
+    // An open leaf may still be in the way.
     return phrase(shut(context.world, static_cast<std::uint32_t>(mover)) ? "questions.shut" : "questions.open");
 }
 

@@ -1,5 +1,5 @@
-// Steps that are asked for and steps that were made: how many are still to go, what is said of those that are done, and
-// what a blocked one is answered with. Functions, and plain state; app thread.
+// Steps requested and steps made: how many remain, and what is announced when they are done or blocked. Functions and
+// plain state; app thread.
 #pragma once
 
 #include <string>
@@ -9,23 +9,23 @@
 
 namespace handrail {
 
-// What is still to go once `times` steps more are asked for. Of keys that are tapped fast at most eight steps wait, so
-// that nobody runs on for long; a count is walked as far as it says.
+// The remaining distance once `times` more steps are requested. After fast taps at most eight steps wait, so that
+// nobody keeps walking for long; a typed count is walked in full.
 double more_to_go_m(double left_m, double step_m, int times);
 
-// "north wall, plaster", "Door, shut, left shoulder", "north wall, behind": what was met and, where it is not straight
-// ahead, on which side. way_rad: where the body was going. Empty at verbosity 0.
+// "north wall, plaster", "Door, shut, left shoulder", "north wall, behind": what was met and, unless it is straight
+// ahead, on which side. way_rad: direction of the walk. Empty at verbosity 0.
 std::string met_words(const SessionContext& context, const TraceHit& met, double way_rad);
 
-// What was walked since the body stood still last, in whole steps.
+// The distance walked since the walker last stood still, in whole steps.
 class Paces {
 public:
     void begin() { walked_m_ = 0.0; }
     void walked(double way_m) { walked_m_ += way_m; }
-    // "6 steps"; empty where it was none. Begins anew.
+    // "6 steps"; empty if there was none. Starts counting again.
     std::string take(const SessionContext& context);
-    // Of keys that act in words, "6 steps, then north wall", or "Blocked. North wall" where there was no step; of the
-    // keys of a window what was met alone, as its steps are heard. Begins anew.
+    // For a person who types: "6 steps, then north wall", or "Blocked. North wall" without a step. For keys of a
+    // window: only what was met, because the steps are heard. Starts counting again.
     std::string take_blocked(const SessionContext& context, const std::string& met);
 
 private:
@@ -34,7 +34,7 @@ private:
 
 // "Blocked. North wall, plaster".
 std::string blocked_words(const std::string& met);
-// Whoever types is told each step in words.
+// True if the person types and therefore gets steps in words.
 bool tells_steps(const SessionContext& context);
 
 }  // namespace handrail

@@ -1,4 +1,4 @@
-// What a stick or a puck wants of the body. Plain data; any thread.
+// What a stick or a puck requests of the walker. Plain data; any thread.
 #pragma once
 
 namespace handrail {

@@ -16,16 +16,17 @@
 namespace handrail {
 namespace {
 
-// 150 degrees a second: at scale 60 a hand at the rim moves 10 cm/s through the world.
+// 150 degrees a second. At scale 60 a hand at the rim then moves through the world as if at 10 cm/s.
 constexpr double kTurnRate_rad_per_s = 2.6;
-constexpr double kStickTurnRate_rad_per_s = 1.6;  // 90 degrees a second with the stick all the way
+constexpr double kStickTurnRate_rad_per_s = 1.6;  // 90 degrees a second at full deflection of the stick
 constexpr double kTurnRepeat_s = 0.4;
 constexpr double kFreeTurn_rad = 5.0 * kPi / 180.0;
 constexpr double kTiltRate_rad_per_s = 0.8;
 constexpr double kMostTilt_rad = 1.2;
 constexpr double kToneRange_m = 2.0;
-constexpr double kHeadingTold_s = 0.1;  // after the last of several turns: one heading for all of them
-constexpr double kRests_s = 0.1;        // then the body has come to rest
+// Delay after the last of several turns, so that one heading is announced for all.
+constexpr double kHeadingTold_s = 0.1;
+constexpr double kRests_s = 0.1;  // after this long the walker has come to rest
 constexpr double kSameBase_m = 0.5;
 constexpr double kPathPoint_m = 0.25;
 constexpr std::size_t kMostPathPoints = 4000;
@@ -38,7 +39,7 @@ void Walking::stand() {
     since_footstep_m_ = 0.0;
     gait_.begin();
     blocked_ = false;
-    brushed_ = {};  // what it names may be of another world
+    brushed_ = {};  // the contact may belong to another world
     heading_due_s_.reset();
     paces_.begin();
 }
@@ -125,7 +126,7 @@ bool Walking::act(Command command, double now_s, int times) {
             body_.heading_goal_rad =
                 wrap_angle(body_.heading_goal_rad + (command == Command::FreeLeft ? -kFreeTurn_rad : kFreeTurn_rad));
             return true;
-        case Command::TiltUp:  // as long as they are held
+        case Command::TiltUp:  // act as long as they are held
         case Command::TiltDown:
             return true;
         case Command::Home:
@@ -152,7 +153,7 @@ void Walking::face(double heading_rad, double now_s) {
     context_.answer(sentence_case(fine_compass_word(body_.heading_goal_rad)), now_s);
 }
 
-// To the next notch that way, or to one so many further on.
+// Turns to the next notch in that direction, or by `times` notches.
 void Walking::turn_by(double by_rad, int times, double now_s) {
     const double notch_rad = std::abs(by_rad);
     const double goal_rad = std::round((body_.heading_goal_rad + by_rad) / notch_rad) * notch_rad;
@@ -180,7 +181,7 @@ void Walking::tick(double now_s, double dt_s) {
     walk(now_s, dt_s);
 }
 
-// A stick turns as far as it is pushed and long; which way one faces is told when it comes to rest.
+// A stick turns in proportion to its deflection; the heading is announced when it comes to rest.
 void Walking::turn(double now_s, double dt_s) {
     const double free_keys = 0.5 * keys_.sign(Command::FreeRight, Command::FreeLeft);
     const double free_turn = steering_.turn_right + free_keys;
@@ -199,7 +200,7 @@ void Walking::turn(double now_s, double dt_s) {
     free_keys_told_ = free_keys != 0.0;
 }
 
-// What keys, taps and sticks want of this tick, metres per second; way_m: how far that is.
+// The velocity that keys, taps and sticks request for this tick, metres per second; way_m: the distance of the tick.
 Vec3 Walking::own_wish(double& way_m, double dt_s) {
     const double speed = context_.settings.walk.speed_m_per_s, stride = speed * dt_s;
     const Vec3 ahead = forward_of_heading(body_.heading_rad), right = right_of_heading(body_.heading_rad);
@@ -214,7 +215,7 @@ Vec3 Walking::own_wish(double& way_m, double dt_s) {
     if (side_keys != 0.0) return by(right, side_keys * stride);
     if (pending_.right_m != 0.0) return by(right, std::clamp(pending_.right_m, -stride, stride));
     if (steering_.ahead == 0.0 && steering_.right == 0.0) return Vec3(0.0);
-    // A stick goes as fast as it is pushed, sideways too, never faster than a key.
+    // A stick moves in proportion to its deflection, also sideways, but never faster than a key.
     const Vec3 pushed = ahead * steering_.ahead + right * steering_.right;
     const Vec3 wish = pushed * (speed / std::max(1.0, glm::length(pushed)));
     way_m = glm::length(wish) * dt_s;
@@ -236,7 +237,7 @@ void Walking::walk(double now_s, double dt_s) {
     if (way == 0.0) gait_.stand();
     if (way != 0.0 && !went_ && pending_.ahead_m == 0.0 && pending_.right_m == 0.0) gait_.begin();
     went_ = way != 0.0;
-    // Into a doorway first whose frame was met.
+    // First slide into a doorway whose frame was met.
     const double aside_m = by_itself || way == 0.0 ? 0.0 : gait_.aside_left_m();
     const Vec3 own = wish;
     if (aside_m != 0.0) {
@@ -291,8 +292,8 @@ void Walking::walk(double now_s, double dt_s) {
     if (!bounds_m.empty() && feet.z < bounds_m.min_m.z - kOutOfWorld_m) end_fall(now_s);
 }
 
-// Out of the world: back to the base. If nothing holds the body there, the base moves to where something does, or the
-// person would fall again and again.
+// The walker fell out of the world: returns to the base. If nothing holds the walker there, the base moves to a place
+// that does, or the person would fall again and again.
 void Walking::end_fall(double now_s) {
     std::vector<Vec3> wishes{context_.world.home_feet_m};
     for (const Start& start : context_.world.scene->starts) wishes.push_back(start.feet_m);
@@ -318,7 +319,7 @@ void Walking::hover(bool wants_to_go, double now_s) {
     blocked_ = wants_to_go;
 }
 
-// False: what was met stops the walk.
+// Returns false if what was met stops the walk.
 bool Walking::go_on(const WalkResult& walked, const Vec3& wish, double way_m, double now_s) {
     if (way_m == 0.0) return true;
     const double way_rad = std::atan2(wish.x, wish.y);
@@ -342,7 +343,7 @@ bool Walking::go_on(const WalkResult& walked, const Vec3& wish, double way_m, do
     return false;
 }
 
-// The shoulder that has met it is the one away from the doorway.
+// The shoulder that met the frame is the one away from the doorway.
 void Walking::tell_frame(double now_s) {
     if (blocked_) return;
     const bool left = gait_.aside_left_m() > 0.0;
@@ -351,7 +352,7 @@ void Walking::tell_frame(double now_s) {
         SpeechClass::Contact, now_s);
 }
 
-// What one brushes along is heard, softly.
+// Plays the surface that the walker slides along, softly.
 void Walking::tell_slide(const TraceHit& met, double way_m, double now_s) {
     constexpr double kHeardEvery_m = 0.3, kLoudness = 0.35;
     const bool begins = brushed_.slid_m == 0.0;
@@ -369,7 +370,7 @@ void Walking::tell_slide(const TraceHit& met, double way_m, double now_s) {
 void Walking::tell_step(const WalkerState& before, const WalkResult& walked, double now_s) {
     const double step_m = context_.settings.walk.step_length_m;
     since_footstep_m_ += walked.walked_m;
-    // Each riser is a step, up and down.
+    // Each riser counts as a step, up and down.
     const bool riser =
         walked.landed || walked.climbed_m > 0.1 ||
         (before.on_ground && body_.walker->state().on_ground && before.feet_m.z - body_.feet_m().z > 0.1);
@@ -385,7 +386,7 @@ void Walking::tell_step(const WalkerState& before, const WalkResult& walked, dou
     context_.cues.cue(std::move(cue));
 }
 
-// Whoever types hears no footsteps where there is no sound, and reads how many there were.
+// A person who types may have no sound for footsteps, so their number is given as text.
 void Walking::tell_rest(bool goes, double now_s) {
     if (goes) walked_s_ = now_s;
     if (goes || now_s - walked_s_ < kRests_s) return;

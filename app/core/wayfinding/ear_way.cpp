@@ -19,11 +19,11 @@
 namespace handrail {
 namespace {
 
-// Than by a lift: the way on foot may be longer by this share and by so much, and is told all the same.
+// A route on foot is preferred to a lift up to this factor plus this distance.
 constexpr double kLongerOnFoot = 1.5, kLongerOnFoot_m = 15.0;
-constexpr double kTakenUpAhead_m = 2.0;     // of where one is beside the way
-constexpr double kAtPlace_m = 0.2;          // nearer than this no wall can stand between
-constexpr double kWorthTurningBack = 1.15;  // a way on that is longer by more
+constexpr double kTakenUpAhead_m = 2.0;     // distance ahead at which a followed route is joined again
+constexpr double kAtPlace_m = 0.2;          // nearer than this, no wall can be in between
+constexpr double kWorthTurningBack = 1.15;  // factor; the followed route is kept unless it is longer by more
 
 }  // namespace
 
@@ -43,7 +43,7 @@ void EarWay::stop() {
 
 EarWay::RoomRoute EarWay::route_to(std::uint32_t room) const {
     const Vec3 from_m = context_.body.feet_m(), to_m = goal_in_room(rooms_.navigation(), rooms_.graph(), room, from_m);
-    // What waits for a button is told at once.
+    // A door that waits for a button cannot be announced leg by leg.
     const auto told_by_legs = [&](const Route& way) {
         return way.reaches && way.points_m.size() > 1 &&
                std::all_of(way.passages.begin(), way.passages.end(), [&](const RoutePassage& passage) {
@@ -54,7 +54,7 @@ EarWay::RoomRoute EarWay::route_to(std::uint32_t room) const {
     };
     Route route = rooms_.navigation().plan(from_m, to_m);
     if (told_by_legs(route)) return {std::move(route), true};
-    // Legs are surer than a lift: by the stairs, where that is no much longer way.
+    // Legs are more reliable than a lift, so stairs are preferred if they are not much longer.
     if (route.reaches) {
         Route foot = rooms_.navigation().plan(from_m, to_m, RouteWish::OnFoot);
         if (told_by_legs(foot) && foot.length_m < kLongerOnFoot * route.length_m + kLongerOnFoot_m)
@@ -95,7 +95,7 @@ void EarWay::follow_again(const std::string& first, double now_s) {
     follow_to(Vec3(goal_m()), std::string(name_), first, now_s);
 }
 
-// Where it leads is known to whoever looks at the way, and nothing is said of it.
+// Follows a route without announcing it; the displayed route changes.
 void EarWay::follow_silently(Route route, const std::string& goal) {
     name_ = goal;
     told_.reset();
@@ -189,8 +189,8 @@ void EarWay::note_stop(FeatureId by) {
     stopped_ = Stop{by, context_.body.feet_m(), context_.body.heading_rad, times};
 }
 
-// The door whose leaf the body meets on the way there, or has met where it stands: a leaf at a shoulder is in the way,
-// too, though by the plan the body passes it. Empty: there is none, or it goes on stopping the body.
+// The door whose leaf blocks the way to that place, or has just stopped the walker here. A leaf at a shoulder blocks
+// too, even if the plan passes it. Empty: there is none, or it has stopped the walker too often to be the only cause.
 std::string EarWay::leaf_in_way(const Vec3& to_m) const {
     constexpr double kHere_m = 0.25, kThatWay_rad = 0.8;
     constexpr int kMostTimes = 4;
@@ -207,7 +207,7 @@ std::string EarWay::leaf_in_way(const Vec3& to_m) const {
     return open ? passage_name(context_, PassageKind::Door, stopped_->by, 0.0) : std::string();
 }
 
-// So near that the key takes one over them.
+// True if the person stands near enough to climb these stairs with a key.
 bool EarWay::stands_at(const RoutePassage& passage) const {
     const Vec3 off = passage.place_m - context_.body.feet_m();
     return std::hypot(off.x, off.y) < Climbs::kAtEnd_m;
@@ -221,14 +221,14 @@ std::optional<RoutePassage> EarWay::climb_here() const {
     return passages.front();
 }
 
-// A lift goes nowhere by itself.
+// True if the person stands in the lift, which does not move on its own.
 bool EarWay::stands_in(const RoutePassage& passage) const {
     return passage.kind == PassageKind::Lift && passage.feature && context_.body.ground == passage.feature;
 }
 
-// The rest of it from here: planned anew, unless that leads back against the way that was told last, or else is
-// followed, and is not much shorter. Of two ways of one length now this one is planned and now that, and who did as
-// told would go to and fro between them.
+// The rest of the route from here, planned again. The previous route is kept if the new one leads back against it and
+// is not much shorter. Otherwise, of two equally long routes, planning would choose one and then the other, and the
+// person would walk to and fro.
 Route EarWay::planned() const {
     const Vec3& feet_m = context_.body.feet_m();
     if (plans_.runs_to(name_)) return plans_.looked_at(feet_m);
@@ -248,12 +248,12 @@ Route EarWay::planned() const {
     return kept.length_m < kWorthTurningBack * anew.length_m ? kept : anew;
 }
 
-// What is not there yet is told as soon as it is.
+// Announces the words, or says that they will follow if they are still being planned.
 void EarWay::tell(const std::string& words, double now_s) {
     if (!words.empty()) return context_.answer(words, now_s);
     if (word_.at_work()) return context_.answer(phrase("leg.looks"), now_s);
     if (!follower_.following()) return tell_on(now_s);
-    // No legs lead on from here: as the ways of hands are told.
+    // No legs lead on from here, so the route is announced as a whole, as for the hand.
     if (Route route = planned(); route.reaches && route.points_m.size() > 1)
         follow_silently(std::move(route), std::string(name_));
     tell_on(now_s);
@@ -299,13 +299,13 @@ RouteFollower::Said EarWay::tick(double now_s) {
     return follower_.tick(context_.body.feet_m(), distances(context_), [this](bool at_end) { return there(at_end); });
 }
 
-// In the room where one goes to a room; else at the place, with nothing between.
+// If the goal is a room: the walker stands inside it. Otherwise: the walker is at the place, with nothing in between.
 bool EarWay::there(bool at_end) const {
     const Vec3& feet_m = context_.body.feet_m();
     if (room_) {
         const RoomGraph& graph = rooms_.graph();
         if (stands_inside(graph, rooms_.space(), *rooms_.file_scene(), feet_m, *room_)) return true;
-        // Of a room that is too small to stand inside of it, its middle.
+        // In a room too small to stand inside, its middle counts.
         return at_end && glm::length(feet_m - graph.rooms[*room_].middle_m) < kAtPlace_m;
     }
     return at_end && (glm::length(feet_m - follower_.goal_m()) < kAtPlace_m ||
@@ -317,7 +317,7 @@ RouteFollower::Said EarWay::tick_words(double now_s) {
     const WordWay::News news = word_.tick();
     if (news.planned) {
         if (!word_.at_work()) {
-            // None for words: as the ways of hands are told.
+            // There are no legs in words, so the route is announced as a whole, as for the hand.
             const std::optional<std::uint32_t> room = room_;
             Route route = planned();
             if (follow(std::move(route), std::string(name_), {}, now_s)) room_ = room;
@@ -339,7 +339,7 @@ RouteFollower::Said EarWay::tick_words(double now_s) {
     return said;
 }
 
-// A soft tone from ahead, once, when one has turned to where the leg leads.
+// Plays a soft tone from ahead, once, when the person has turned to the direction of the leg.
 void EarWay::tell_facing(double now_s) {
     constexpr double kFacing_rad = 0.05, kLoudness = 0.4;
     const auto heading_rad = word_.heading_rad();

@@ -1,4 +1,4 @@
-// A way that is followed by ear: told once, then step by step. Metres, world. App thread only.
+// A route followed by ear: announced once as a whole, then step by step. Metres, world. App thread only.
 #pragma once
 
 #include <memory>
@@ -18,48 +18,49 @@ public:
     EarWay(const SessionContext& context, Rooms& rooms, WayPlans& plans, WordGround& ground)
         : SessionPart(context), rooms_(rooms), plans_(plans), word_(context, rooms, ground) {}
 
-    // Tells the way and follows it; where the goal cannot be reached, to the nearest place that can. `first` is said
-    // before all else. The rooms are found. False: it ends before the goal.
+    // Announces the route and follows it. If the goal cannot be reached, it leads to the nearest place that can, and
+    // returns false. `first` is announced before everything else. Requires that the rooms are found.
     bool follow(Route route, const std::string& name, const std::string& first, double now_s);
     void follow_to(const Vec3& goal_m, const std::string& name, const std::string& first, double now_s);
-    // To a room by words, leg by leg; as follow where lifts, teleporters or edges lead there.
+    // To a room, in words leg by leg. If lifts, teleporters or edges are on the route, it behaves like follow.
     bool follow_to_room(std::uint32_t room, const std::string& first, double now_s);
-    // How that way goes from here: its length is what is told of it.
+    // The route from here; only its length is announced.
     Route to_room(std::uint32_t room) const { return route_to(room).route; }
-    // Anew to where one is going.
+    // Plans and announces the route to the present goal again.
     void follow_again(const std::string& first, double now_s);
     void stop();
     bool following() const { return follower_.following(); }
     bool plans_legs() const { return word_.awaited(); }
     bool plans_rest() const { return word_.at_work() && !word_.whole(); }
-    // As it is told: of the goal or of the nearest place to it. Kept when the way is over.
+    // As announced: the goal or the nearest place to it. Kept after the route is over.
     const std::string& name() const { return name_; }
-    bool to_nearest() const { return to_nearest_; }  // of what cannot be reached
+    bool to_nearest() const { return to_nearest_; }  // the goal itself cannot be reached
     const Vec3& goal_m() const { return follower_.goal_m(); }
     double along_m() const { return follower_.along_m(); }
-    // How far it goes on straight, which way, and to what.
+    // Announces how far it goes straight on, in which direction, and to what.
     void tell_on(double now_s);
-    // The leg one is on, the next one, or the rest of the way.
+    // Announces the present leg, the next one, or the rest of the route.
     void tell_leg(double now_s);
     void tell_next_leg(double now_s);
     void tell_rest(double now_s);
-    // What that tells, a leg each; empty: it is being planned, or no way is followed.
+    // What tell_rest announces, one text for each leg; empty: it is being planned, or no route is followed.
     std::vector<std::string> rest_of_way();
-    // Which way the leg that was told leads; none: no way is followed.
+    // Direction of the announced leg; no value: no route is followed.
     std::optional<double> leg_heading_rad() const;
-    // The body was stopped by that part.
+    // That feature stopped the walker.
     void note_stop(FeatureId by);
-    // The stairs to be taken in one go that it leads over next, where one stands at them.
+    // The stairs that come next on the route and can be climbed in one go, if the person stands before them.
     std::optional<RoutePassage> climb_here() const;
-    // A leaf stands across the rest of the way by now: it goes on round it, without a word but what comes.
+    // If a door leaf now blocks the rest of the route, a new route leads round it. Only the next directions change;
+    // nothing else is announced.
     void renew();
-    // What there is to say now.
+    // Returns what to announce now.
     RouteFollower::Said tick(double now_s);
 
 private:
     struct RoomRoute {
         Route route;
-        bool by_legs = false;  // nothing of it keeps it from being told leg by leg
+        bool by_legs = false;  // all of it can be announced leg by leg
     };
     RoomRoute route_to(std::uint32_t room) const;
     Route planned() const;
@@ -76,21 +77,21 @@ private:
     WayPlans& plans_;
     RouteFollower follower_;
     WordWay word_;
-    std::optional<std::uint32_t> room_;   // that one goes to, where it is one and can be reached
-    RouteWish wish_ = RouteWish::Safest;  // OnFoot where legs are told, so that both tell the same way
-    bool faces_ = false;                  // the leg that was told
-    bool rest_asked_ = false;             // the rest of the way was asked for before it was planned
+    std::optional<std::uint32_t> room_;   // the goal room, if the goal is a room and can be reached
+    RouteWish wish_ = RouteWish::Safest;  // OnFoot while legs are announced, so that both plans use the same route
+    bool faces_ = false;                  // the person faces the announced leg
+    bool rest_asked_ = false;             // the rest of the route was requested before it was planned
     std::string name_;
     bool to_nearest_ = false;
     struct Stop {
         FeatureId by = kNoFeature;
         Vec3 at_m{0.0};
         double heading_rad = 0.0;
-        int times = 1;  // by the same part one after the other
+        int times = 1;  // consecutive stops by the same feature
     };
-    std::optional<Stop> stopped_;              // the body, last
-    std::optional<Route> told_;                // how it goes on, as tell_on told it last
-    std::shared_ptr<const Scene> planned_in_;  // the world as it was when the way was planned
+    std::optional<Stop> stopped_;              // the last stop of the walker
+    std::optional<Route> told_;                // the rest of the route as tell_on last announced it
+    std::shared_ptr<const Scene> planned_in_;  // the scene in which the route was planned
 };
 
 }  // namespace handrail

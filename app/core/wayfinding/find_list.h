@@ -1,5 +1,5 @@
-// The list of everything that has a name: the nearest first, several of one name together, each with where it is, in
-// which room and on which storey; all of it or one kind alone. App thread only.
+// The list of everything with a name, nearest first. Things of one name are grouped, and each has its place, room and
+// storey. The list shows everything or only one kind. App thread only.
 #pragma once
 
 #include <cstdint>
@@ -12,28 +12,29 @@
 
 namespace handrail {
 
-// What one may look for alone.
+// What the list can show.
 enum class FindKind { Everything, Doors, Landmarks, Things, Marks };
 inline constexpr int kFindKinds = 5;
 
-// A goal, the room it is in where that is another than the body's and both are known, and how far it is on foot then.
+// A goal. The room and the distance on foot are set only if it is in another room than the walker and both rooms are
+// known.
 struct Found {
     Goal goal;
     std::uint32_t room = kNothing;
-    std::optional<double> on_foot_m;  // none: in the same room, or no way there is known
+    std::optional<double> on_foot_m;  // none: in the same room, or no route is known
 };
-// Those of one name, the nearest first.
+// All goals with one name, nearest first.
 struct FindGroup {
     std::string name;
     std::vector<Found> found;
 };
-// In the order of the nearest of each; what is in other rooms is as far as the way to it on foot.
+// Groups in the order of their nearest goals; for other rooms, the distance is the length of the route on foot.
 std::vector<FindGroup> find_groups(const SessionContext& context, const Rooms& rooms, FindKind kind);
 
 // "3 steps on foot, left, one storey above, Kitchen".
 std::string find_words(const SessionContext& context, const Rooms& rooms, const Found& found);
 
-// A name stands for the one thing that has it, or opens the list of those that do.
+// Choosing a name that only one thing has chooses that thing; otherwise a list of all with that name opens.
 void open_find_list(const SessionContext& context, const Rooms& rooms,
                     std::function<void(const Goal& goal, double now_s)> chosen, double now_s);
 
