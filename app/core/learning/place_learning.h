@@ -25,7 +25,7 @@ public:
     void take_again();
     // Writes new progress to the additions if the person wants it to be remembered.
     void keep(double now_s);
-    // Unexplored, ProgressReport, LearnPlace and LearntRooms. False: it is another's.
+    // Handles Unexplored, ProgressReport, LearnPlace and LearntRooms. Returns false for other commands.
     bool act(Command command, double now_s);
     // Call it once a tick. Notes the places of hand and walker. bumped and trailed: normals of the wall that the walker
     // bumped into and of the wall that it follows.

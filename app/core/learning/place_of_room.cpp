@@ -84,7 +84,7 @@ public:
     void share_out();
     // Grows all rooms to the walls at the same pace, so that a strip of floor along a wall goes to the nearer one.
     void grow_to_walls(const Doors& doors);
-    // What is outside: cells that are not the room's and hang together with the rim.
+    // Finds the outside: cells that are not the room's and are connected to the rim.
     void find_outside();
     // Finds the boundary between room and outside, with the feature at each part.
     void find_walls(const Doors& doors);

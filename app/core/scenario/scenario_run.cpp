@@ -284,7 +284,7 @@ Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<
     for (const auto& [key, value] : scenario.settings)
         if (const auto set = settings.set(key, value, SettingSource::CommandLine); !set)
             return fail(set.error().message, file);
-    // English, so that a file means the same everywhere.
+    // English by default, so that a file means the same everywhere.
     const std::string& language = settings.values().speech.language;
     if (const auto spoken = speak_language(language == "auto" ? "en" : language); !spoken)
         return fail(spoken.error().message, file);

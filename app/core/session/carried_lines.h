@@ -25,11 +25,12 @@ public:
     void drop();
     // Drops the lines too, but returns them, so that the caller can carry them out.
     std::vector<std::string> take_rest();
-    // Takes the next line, so that the caller can carry it out. None if no line waits.
+    // Removes and returns the next line, so that the caller can carry it out. No value if no line waits.
     std::optional<std::string> take_next();
     // True if the next line leaves the program or the world.
     bool next_leaves() const;
-    // Once a frame, before the session's tick. False if there was nothing to do and nothing is waited for.
+    // Call it once a frame, before the session's tick. Returns false if there was nothing to do and nothing to wait
+    // for.
     bool take(double now_s);
     // True if a line requested the end of the program.
     bool left() const { return left_; }

@@ -116,7 +116,7 @@ public:
     const Vec3& feet_m() const { return state_.body.walker->state().feet_m; }
     bool standing() const { return state_.body.walker->state().on_ground; }
     double heading_rad() const { return state_.body.heading_rad; }
-    // Free space across the way, at the height of the waist; 0 where a side is open.
+    // Free width across the walking direction, at waist height; 0 if a side is open.
     double passage_width_m() const { return walk_.walking.passage_width_m(); }
 
     // True while a background task makes something.

@@ -34,7 +34,7 @@ public:
     void tick(double now_s, double dt_s);
     // Plays the tone of the nearest wall ahead, if the person wants it.
     void tell_walls(double now_s);
-    // To where the world was entered.
+    // Returns to the base.
     void go_home(double now_s);
     // Moves a walker that is inside a solid to the nearest free place. Returns the distance in words, or that there is
     // no place; empty: the walker is free already.
@@ -59,9 +59,8 @@ public:
     // Free width across the walking direction, at waist height; 0 if a side is open.
     double passage_width_m() const;
 
-    // Set by the session.
-    // Before each step: what lies before the body and gives way is pushed, and what has come to overlap the body takes
-    // from the wish what leads into it. True: what gives way is no bump.
+    // Set by the session; called before each step. Pushes movable things in front of the walker, and removes from the
+    // wish what leads into a body that overlaps the walker. Returns true if a thing moves aside, which is not a bump.
     std::function<bool(Vec3& wish_m_per_s, double now_s)> push_ahead;
     // Called after each step of the walker, with what it did and met.
     std::function<void(const WalkResult& walked, double now_s)> on_walked;

@@ -1,6 +1,6 @@
-// Tools to find a thing by ear, each a few lines of state over places and times: the beacon that calls from where the
-// thing is, and "warmer", which tells the distance alone. Both are single sounds in a rhythm, so they need no loop and
-// stop at once. And the help that grows less over laps. Plain state, no clock, no device; app thread.
+// Tools to find a thing by ear, each with a small state. The beacon calls from the place of the thing; "warmer" conveys
+// only the distance. Both are single sounds in a rhythm, so they need no loop and stop at once. Also the guidance that
+// decreases over laps. Plain state, no clock, no device; app thread.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@
 
 namespace handrail {
 
-// What is sought by a rhythm, and when it sounded last.
+// The thing that is searched for with a rhythm of sounds, and when it last sounded.
 class Sought {
 public:
     void set(std::string name, const Aabb& thing_m, FeatureId feature);
@@ -32,46 +32,47 @@ protected:
     double last_s_ = -1e9;
 };
 
-// One at a time. Its beat is the faster the nearer one is; straight ahead it rings, behind it is dull, and on arriving
-// it ends by itself.
+// Only one at a time. The beat is faster the nearer the thing is. The sound rings straight ahead and is dull behind. On
+// arrival the beacon ends automatically.
 class Beacon : public Sought {
 public:
     static constexpr double kAhead_rad = 11.25 * kPi / 180.0;   // to either side: half a notch of turning
-    static constexpr double kBehind_rad = 112.5 * kPi / 180.0;  // from there on
-    static constexpr double kArrived_m = 1.2;        // level, from the body to the thing; two storeys are not one place
-    static constexpr double kMostMuffled_db = 12.0;  // it obeys walls and stays audible
+    static constexpr double kBehind_rad = 112.5 * kPi / 180.0;  // larger angles count as behind
+    static constexpr double kArrived_m = 1.2;        // level, from the walker to the thing, on the same storey
+    static constexpr double kMostMuffled_db = 12.0;  // walls muffle it, but it stays audible
 
     struct Beat {
         std::optional<CueRequest> sound;  // to be played now
         bool arrived = false;             // it has just ended
     };
-    // muffled_db: what lies between ears and a place; asked only for a beat. `heard`: false while sounds are stopped.
-    // turning_m: it calls from there as long as one has to go there first, and nobody arrives; none: from the thing.
+    // muffled_db: muffling between the ears and a place; called only for a beat. `heard`: false while sounds are
+    // stopped. turning_m: it calls from there as long as the person must go there first, and nobody arrives; no value:
+    // it calls from the thing.
     Beat tick(const Vec3& feet_m, const Listener& listener, const std::function<double(const Vec3&)>& muffled_db,
               bool heard, double now_s, const std::optional<Vec3>& turning_m = {});
     static double interval_s(double distance_m);
 };
 
-// A tick in the middle of the head that comes the faster the nearer the hand is: by felt distance, or the body's where
-// there is no device. Its pitch tells how directly one came nearer since the tick before, and where one went away from
-// it another sound does.
+// A tick in the middle of the head, faster the nearer the hand is at its scale, or the walker if there is no device.
+// Its pitch shows how directly the hand has approached since the previous tick; moving away has a different sound.
 class Warmer : public Sought {
 public:
     static constexpr double kFound_hand_m = 0.004;
-    static constexpr double kRests_hand_m = 0.0003;  // from one tick to the next: no going
+    static constexpr double kRests_hand_m = 0.0003;  // from one tick to the next; less counts as rest
 
     struct Beat {
         bool sound = false;
-        double nearer = 0.0;  // since the tick before, as a part of the way one went: 1 straight to it, -1 straight
-                              // away, 0 who rests or goes past
-        bool found = false;   // it has just ended
+        // Approach since the previous tick, as a share of the distance moved: 1 straight to it, -1 straight away, 0 at
+        // rest or sideways.
+        double nearer = 0.0;
+        bool found = false;  // it has just ended
     };
     void set(std::string name, const Aabb& thing_m, FeatureId feature) {
         Sought::set(std::move(name), thing_m, feature);
         before_.reset();
     }
-    // felt_m: hand metres from the ball to the thing, along the way where one is known; place_m: where the ball is,
-    // hand metres; found: it is reached.
+    // felt_m: hand metres from the proxy to the thing, along the route if one is known. place_m: place of the proxy,
+    // hand metres. found: it is reached.
     Beat tick(double felt_m, const Vec3& place_m, bool found, bool heard, double now_s);
     static double interval_s(double felt_m);
 
@@ -83,18 +84,19 @@ private:
     std::optional<Before> before_;  // at the last tick
 };
 
-// How strongly one is led, lap by lap to the same goal: 100, 60, 30, 0 % as errors fall. It never grows by itself.
+// Strength of guidance, lap by lap to the same goal: 100, 60, 30, 0 % as errors decrease. It never increases
+// automatically.
 class Laps {
 public:
     static constexpr double kStrengths[] = {1.0, 0.6, 0.3, 0.0};
 
-    // Another goal begins at full help; the same one goes on where it was.
+    // Another goal begins with full guidance; the same one continues at its present strength.
     void begin(const std::string& goal);
     double strength() const { return kStrengths[step_]; }
-    // A lap that came to its end with so many errors. Fewer than in the lap before, or none at all: less help next
-    // time.
+    // A lap ended with this many errors. If there were none, or fewer than in the previous lap, there is less guidance
+    // next time.
     void finish(int errors, bool fades);
-    // By the person's own wish: 1 more, -1 less.
+    // The person changes it: 1 more, -1 less.
     void change(int by);
 
 private:
@@ -103,8 +105,8 @@ private:
     std::optional<int> errors_before_;
 };
 
-// Everything with a name that one may want to find: objects, doors, landmarks and the like, each with its box. Of
-// several with one name each is there.
+// Everything with a name that a person may want to find, such as objects, doors and landmarks, each with its box.
+// Things with the same name are all listed.
 struct NamedThing {
     std::string name;
     Aabb bounds_m;

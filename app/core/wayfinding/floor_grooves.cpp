@@ -7,7 +7,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kAgain_s = 1.0;  // those that ended are laid again no sooner
+constexpr double kAgain_s = 1.0;  // shortest time until ended grooves are made again
 
 }  // namespace
 
@@ -28,7 +28,7 @@ std::optional<GuidancePath> FloorGrooves::lay(const GuidancePath& path, double n
     const GuidanceState& felt = context_.hands.tool.guidance;
     const bool lie = path.number != 0 && path.kind == GuidanceKind::Grooves;
     if (lie && felt.number == path.number && felt.phase != GuidancePhase::Acts && now_s - laid_.ended_s > kAgain_s) {
-        laid_.ended_s = now_s;  // a jump of the workspace, or force that might not act
+        laid_.ended_s = now_s;  // by a jump of the workspace, or because force was forbidden
         laid_.ended = true;
     }
     const Vec3 here = finding_place_m(context_);

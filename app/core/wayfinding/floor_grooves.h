@@ -1,5 +1,6 @@
-// Grooves on the floor along the way planned last and through the doorways near by, which lie for the hand while they
-// are wished for and nothing else leads it: which path the servo is to have. Hand and world metres. App thread only.
+// Grooves on the floor along the last planned route and through nearby doorways, for the hand to feel if the person
+// wants them and nothing else guides the hand. This class decides which path the servo gets. Hand and world metres. App
+// thread only.
 #pragma once
 
 #include <optional>
@@ -16,11 +17,11 @@ public:
     FloorGrooves(const SessionContext& context, Rooms& rooms, const WayPlans& plans);
 
     void enter_world();
-    // They are wished for, and there is a hand for them in the world.
+    // True if the person wants them, and a hand in the world can feel them.
     bool wished() const;
-    // While nothing else acts and force may. path: as the servo has it. What is to lie from now on, its number not
-    // given yet; none: all stays as it is. They are laid anew for another way, another scale, and a hand that has gone
-    // far.
+    // Call it while nothing else acts and force is permitted. path: the servo's present path. Returns the new grooves,
+    // still without a number; no value: no change. New grooves are made for another route, another scale, or a hand
+    // that has moved far.
     std::optional<GuidancePath> lay(const GuidancePath& path, double now_s);
 
 private:
@@ -29,9 +30,9 @@ private:
     struct Laid {
         std::vector<GrooveLeg> doorways;  // of this world
         bool doorways_known = false;
-        bool ended = false;  // by the servo, since they were laid
-        unsigned way = 0;    // WayPlans::changes() then
-        Vec3 near_m{0.0};    // where the hand was
+        bool ended = false;  // by the servo, since they were made
+        unsigned way = 0;    // WayPlans::changes() at that time
+        Vec3 near_m{0.0};    // place of the hand
         double good_within_m = 0.0;
         double scale = 0.0;
         double ended_s = -1e9;

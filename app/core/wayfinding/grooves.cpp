@@ -10,7 +10,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kThrough_m = 0.6;  // on either side of a doorway: a wall and a step
+constexpr double kThrough_m = 0.6;  // on either side of a doorway: wall thickness and a step
 constexpr std::size_t kMostLegs = GuidancePath::kMostPoints / 2;
 
 }  // namespace

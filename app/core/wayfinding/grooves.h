@@ -1,6 +1,5 @@
-// Grooves that the hand can feel on the floor: along the way that was planned last and through the openings of doors
-// near by. Which legs they run along, as the servo takes them; pure functions, app thread. The force stands in
-// haptic/servo/guidance.
+// Grooves on the floor for the hand, along the last planned route and through nearby doorways. This file selects the
+// legs along which they run, in the servo's form. Pure functions, app thread. haptic/servo/guidance computes the force.
 #pragma once
 
 #include <span>
@@ -12,17 +11,17 @@
 
 namespace handrail {
 
-// On the floor, at the soles.
+// On the floor.
 struct GrooveLeg {
     Vec3 from_m{0.0}, to_m{0.0};
 };
 
-// Through each door and opening between two rooms of one storey, square to it.
+// One leg square through each door and opening between two rooms of one storey.
 std::vector<GrooveLeg> grooves_through_doorways(const RoomGraph& graph, const WalkSpace& space);
 
-// Those nearest to a place that the servo can take at once, so high above the floor as the middle of a ball that lies
-// on it. `good_within_m`: a hand that has not gone farther than that from the place misses none; infinite where all
-// could be taken.
+// The grooves nearest to a place, as many as the servo can take at once, at the height of the centre of a proxy that
+// lies on the floor. `good_within_m`: within this distance of the place the hand misses none; infinite if all of them
+// fit.
 struct Grooves {
     GuidancePath path;
     double good_within_m = 0.0;

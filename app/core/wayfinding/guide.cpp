@@ -19,10 +19,10 @@ namespace handrail {
 namespace {
 
 constexpr double kLookRange_m = 30.0;
-constexpr double kNoWay_m = 1e6;         // farther than all that can be reached
-constexpr std::size_t kMostOnFoot = 16;  // ways planned for a list, some milliseconds each
+constexpr double kNoWay_m = 1e6;         // larger than any distance on foot
+constexpr std::size_t kMostOnFoot = 16;  // routes planned for a list, some milliseconds each
 
-// Two sentences, one after the other; either may be empty.
+// Joins two sentences; either may be empty.
 std::string beside(const std::string& first, const std::string& then) {
     return first.empty() || then.empty() ? first + then : first + " " + then;
 }
@@ -32,7 +32,7 @@ bool is_surface(FeatureKind kind) {
            kind == FeatureKind::Slope;
 }
 
-// With what it passes, if anything.
+// Adds the doors and stairs on the route, if any.
 std::string with_passages(const std::string& words, const WayForHand& way) {
     if (way.passes.empty()) return words;
     return beside(words, phrase("lead.by_way_of", {{"passages", fmt::format("{}", fmt::join(way.passes, ", "))}}));
@@ -96,7 +96,7 @@ void Guide::follow(double now_s) {
     const RouteFollower::Said said = ear_.tick(now_s);
     const std::string name = ear_.name();
     if (said.left) {
-        // Planned anew from here, and said once.
+        // The route is planned again from here, and that is announced once.
         context_.events.tell(LeftRoute{name, LedBy::Ear}, now_s);
         context_.say(phrase("lead.left_way"), SpeechClass::Contact, now_s);
         if (plans_.runs_to(name)) go_on({}, now_s);
@@ -131,7 +131,7 @@ void Guide::lead(double now_s) {
 
 void Guide::call(double now_s) {
     if (seek_.tick_beacon(now_s)) {
-        if (ear_.name() == beacon().name() && !plans_.running()) ear_.stop();  // told once
+        if (ear_.name() == beacon().name() && !plans_.running()) ear_.stop();  // the arrival is announced only once
         context_.play(SoundKind::Arrived, now_s);
         context_.events.tell(Arrived{beacon().name(), LedBy::Beacon}, now_s);
         context_.say(phrase("lead.here", {{"goal", beacon().name()}}), SpeechClass::Answer, now_s);
@@ -149,14 +149,14 @@ void Guide::go_along(const std::vector<Stop>& stops, bool by_hand, double now_s)
     go_on({}, now_s);
 }
 
-// To the next stop that has a name. `first` is said before all else.
+// Continues to the next stop with a name. `first` is announced before everything else.
 void Guide::go_on(const std::string& first, double now_s) {
     const Stop& stop = plans_.stop();
     if (plans_.by_hand()) return lead_to(goal_of(context_, stop), first, now_s);
     ear_.follow(plans_.on(context_.body.feet_m()), stop.name, first, now_s);
 }
 
-// A stop is reached: true when the way goes on from it, which has been told then. `words` tell that one is there.
+// A stop is reached. Returns true if the route continues, after announcing that. `words` announce the arrival.
 bool Guide::next_stop(const std::string& words, double now_s) {
     const StopPassed passed{plans_.stop().name, plans_.by_hand() ? LedBy::Hand : LedBy::Ear};
     if (!plans_.next()) return false;
@@ -173,7 +173,7 @@ void Guide::list_routes(double now_s) {
     const Vec3& feet_m = context_.body.feet_m();
     const FootDistances on_foot(graph, rooms_.here(), feet_m);
     struct Near {
-        double order_m = 0.0;  // on foot; behind all of those, where no way is known, as the crow flies
+        double order_m = 0.0;  // on foot; rooms without a known route come after all others, by direct distance
         std::uint32_t room = 0;
         std::optional<double> way_m;
     };
@@ -185,7 +185,7 @@ void Guide::list_routes(double now_s) {
     }
     const auto in_order = [](const Near& a, const Near& b) { return a.order_m < b.order_m; };
     std::stable_sort(near.begin(), near.end(), in_order);
-    // As long as the way is told to be when it is chosen; of those farther off that is told then alone.
+    // Shows the distance that is announced when the room is chosen. Rooms farther away show it only then.
     const std::size_t planned = std::min(near.size(), kMostOnFoot);
     for (std::size_t i = 0; i < planned; ++i)
         if (const Route route = ear_.to_room(near[i].room); route.reaches) {
@@ -221,7 +221,7 @@ void Guide::list_routes(double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
-// As long as rooms are not known, by the names that the map gives them.
+// While rooms are not known, uses the room names of the map.
 bool Guide::leads_to(std::string_view typed) const {
     const std::vector<RoomName>& given = context_.world.scene->room_names;
     if (!rooms_.found())
@@ -290,7 +290,7 @@ void Guide::set_beacon(const Goal& goal, double now_s) {
         phrase("guide.beacon_on", {{"name", goal.name}, {"where", where}}) + (how.empty() ? how : ". " + how), now_s);
 }
 
-// What the hand touches, else what is straight ahead, else to be chosen.
+// Puts the beacon on what the hand touches, otherwise on what is straight ahead, otherwise on a choice from a list.
 void Guide::beacon_here(double now_s) {
     const ToolState& tool = context_.hands.tool;
     FeatureId id = kNoFeature;
@@ -356,7 +356,7 @@ void Guide::leave_way() {
     seek_.silence_beacon();
 }
 
-// As a stop that is planned after the ones before.
+// Guides to a goal, and notes it as a stop after the earlier ones.
 void Guide::lead_as_planned(const Goal& goal, double now_s) {
     plans_.end();
     const Vec3 from = hand_.may_lead() && hand_.force_may_act() ? finding_place_m(context_) : context_.body.feet_m();
@@ -364,14 +364,15 @@ void Guide::lead_as_planned(const Goal& goal, double now_s) {
     lead_to(goal, {}, now_s);
 }
 
-// By the hand where there is one, else by ear. `first` is said before all else.
+// Guides by the hand if there is one, otherwise by ear. `first` is announced before everything else.
 void Guide::lead_to(const Goal& goal, const std::string& first, double now_s) {
     goal_ = goal;
     if (!hand_.may_lead()) return lead_by_ear(goal, first, now_s);
     if (const std::string why = hand_.why_no_force(); !why.empty()) return lead_by_ear(goal, beside(first, why), now_s);
     const WayForHand way = plans_.for_hand(goal, GuidancePath::kMostPoints);
     if (way.points_m.empty()) return lead_by_ear(goal, beside(first, way.problem), now_s);
-    laps_.begin(fmt::format("{} {}", goal.name, goal.feature.value));  // ten windows have one name
+    // The number tells things with the same name apart.
+    laps_.begin(fmt::format("{} {}", goal.name, goal.feature.value));
     const std::string where = where_words(context_, told_box(rooms_, goal));
     const auto taking = [&] {
         if (!way.reaches)
@@ -386,7 +387,7 @@ void Guide::lead_to(const Goal& goal, const std::string& first, double now_s) {
     hand_.pull(way, help() * context_.settings.guidance.strength, std::move(words), now_s);
 }
 
-// The way in words and along it, as to a room; the beacon calls from the thing where nothing stands between.
+// Announces the route in words and follows it, as to a room. The beacon calls from the thing if nothing is in between.
 void Guide::lead_by_ear(const Goal& goal, const std::string& first, double now_s) {
     hand_.end();
     ear_.stop();
@@ -412,8 +413,8 @@ void Guide::lead_by_ear(const Goal& goal, const std::string& first, double now_s
     ear_.follow(std::move(route), goal.name, first, now_s);
 }
 
-// Lines from the hand along its way to the thing; where there is none or it is not wished for, three planes through the
-// thing, on which the hand likes to rest.
+// Lines from the hand along the route to the thing. If there is no route, or the person does not want it, three planes
+// through the thing, which hold the hand gently.
 void Guide::cross_lines(const Goal& goal, double now_s) {
     goal_ = goal;
     if (!context_.hands.right.present) return context_.answer(phrase("lead.lines_need_device"), now_s);

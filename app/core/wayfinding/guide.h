@@ -1,5 +1,5 @@
-// Goes where the person wants to go: by the hand where there is one, else by ear; decides what follows on arriving, on
-// letting go and on leaving the way. Whoever wants somebody led asks here. Metres, world. App thread only.
+// Guides the person to a goal, by the hand if there is one, otherwise by ear. Decides what follows on arrival, on
+// letting go and on leaving the route. Other features request guidance here. Metres, world. App thread only.
 #pragma once
 
 #include <functional>
@@ -32,60 +32,59 @@ public:
           seek_(context, rooms, plans_, doors) {}
 
     void enter_world();
-    // SetBeacon, MuteBeacon, TakeMe, Find, CrossLines, Routes, Storeys, the legs of a way and FaceWay. False: it is
-    // another's.
+    // Handles SetBeacon, MuteBeacon, TakeMe, Find, CrossLines, Routes, Storeys, the legs of a route and FaceWay.
+    // Returns false for other commands.
     bool act(Command command, double now_s);
-    // The three of a tick, in this order: the way that is followed by ear, the hand's, and the sounds of what is
-    // sought.
+    // Call these three in each tick, in this order: the route followed by ear, guidance of the hand, and the sounds of
+    // searched things.
     void follow(double now_s);
     void lead(double now_s);
     void call(double now_s);
 
-    // ---- for others ----
-    // Along the stops of a kept way, from the first on or to it first; by the hand or by ear.
+    // ---- for other features ----
     void go_along(const std::vector<Stop>& stops, bool by_hand, double now_s);
     void go_to_room(std::uint32_t room, double now_s);
-    // Follows the route from where the body stands to a place: to the room around it if `by_room`, else to a thing of
-    // that name there. False: no route leads there.
+    // Follows the route from the walker to a place: to the room around it if `by_room`, otherwise to a thing with that
+    // name. Returns false if no route leads there.
     bool follow_to(const Vec3& goal_m, const std::string& name, bool by_room, double now_s);
-    // Legs that were requested are still being planned; a later tick has them.
+    // True while requested legs are still being planned; a later tick announces them.
     bool plans_legs() const { return ear_.plans_legs(); }
-    // The same of the legs to the end of the route.
+    // The same for the legs to the end of the route.
     bool plans_rest() const { return ear_.plans_rest(); }
     // The legs that RestOfWay announces, one each; guidance ends. Empty: there is no route.
     std::vector<std::string> take_legs();
-    // Whether a room is called so that one may choose a way to.
+    // True if there is a room with this name that can be chosen as a goal.
     bool leads_to(std::string_view typed) const;
-    // The ways to find a thing, in a list.
+    // Opens the list of ways to find a thing.
     void open_tools(const Goal& goal, double now_s);
     void take_me(double now_s);
     void mute_beacon(double now_s);
-    // The beacon without a word.
+    // Switches the beacon on without an announcement.
     void call_from(const Goal& goal);
     void silence_beacon() { seek_.silence_beacon(); }
-    // How much help being led gives, 0 to 1; 1 more or -1 less of it.
+    // Amount of guidance, 0 to 1. change_help: 1 more, -1 less.
     double help() const { return help_limit_.value_or(laps_.strength()); }
-    // So much instead, as a lesson has it, 0 to 1; none: as the laps have it.
+    // Sets the amount of guidance, 0 to 1, for a lesson; no value: determined by the laps.
     void limit_help(std::optional<double> help) {
         contract_pre(!help || (*help >= 0.0 && *help <= 1.0));
         help_limit_ = help;
     }
-    // The hand is led, or about to be: it may be ahead of the body.
+    // True if the hand is guided, or about to be; it may then be ahead of the walker.
     bool leads_hand() const { return hand_.at_work() || hand_.lines_at_work(); }
     bool may_lead_hand() const { return hand_.may_lead() && hand_.force_may_act(); }
-    // The hand, the ear or the beacon leads now.
+    // True while hand, ear or beacon guides.
     bool leads() const { return ear_.following() || hand_.at_work() || beacon().on(); }
-    // Nothing leads any more, without a word.
+    // Ends all guidance silently.
     void leave_way();
     void change_help(int by) { laps_.change(by); }
-    // The hand is another one from now on.
+    // Another device is used from now on.
     void let_go() { hand_.end(); }
-    // Of the workspace: see HandLead.
+    // For the workspace: see HandLead.
     Vec3 carry() { return hand_.carry(); }
     bool take_carried() { return hand_.take_carried(); }
     void person_moved(double now_s) { hand_.person_moved(now_s); }
 
-    // See BlindGround::line_up_m; none where the ways of the world are not known.
+    // See BlindGround::line_up_m; no value if the routes of the world are not known.
     std::optional<double> line_up_m(const Vec3& feet_m, double heading_rad) {
         return ground_.line_up_m(feet_m, heading_rad);
     }
@@ -99,7 +98,7 @@ public:
     const Beacon& beacon() const { return seek_.beacon(); }
     const Seek& seek() const { return seek_; }
     const PlannedStops& planned() const { return planned_; }
-    const std::vector<Vec3>& way_m() const { return plans_.last_m(); }  // planned last, soles
+    const std::vector<Vec3>& way_m() const { return plans_.last_m(); }  // as the servo of the right hand has it
     const GuidancePath& path() const { return hand_.path(); }           // as the servo of the right hand has it
 
 private:

@@ -12,14 +12,14 @@
 namespace handrail {
 namespace {
 
-constexpr double kAnnounced_s = 1.0;     // between telling that the hand will be led and the first force
-constexpr double kStray_hand_m = 0.008;  // off the way
-constexpr double kLeft_hand_m = 0.020;   // a hand on its own has left the way
-constexpr double kLeft_s = 1.0;          // when it is so far off for so long
-constexpr double kMovedLately_s = 0.5;   // who walks or moves the workspace does not hold against the pull
-constexpr double kRests_s = 0.3;         // afterwards a new way is planned
-// Where the way leads out of reach the workspace goes on along it: from so much of the reach on, back to so much of it,
-// and so fast.
+constexpr double kAnnounced_s = 1.0;     // between the announcement and the first force
+constexpr double kStray_hand_m = 0.008;  // off the path; counts as an error
+constexpr double kLeft_hand_m = 0.020;   // distance at which an unguided hand counts as off the path
+constexpr double kLeft_s = 1.0;          // if it is that far off for this long
+constexpr double kMovedLately_s = 0.5;   // a person who walks or moves the workspace does not resist the pull
+constexpr double kRests_s = 0.3;         // rest after which a new path is planned
+// Shares of the reach at which the workspace begins and stops moving along a path that leads out of reach; and its
+// speed.
 constexpr double kCarryFrom = 0.55, kCarryTo = 0.45;
 constexpr double kCarry_hand_m_per_s = 0.03, kCarryAhead_hand_m = 0.005;
 
@@ -101,7 +101,7 @@ void HandLead::end() {
 }
 
 void HandLead::announce(GuidancePath path, std::string words, double now_s) {
-    end();  // one at a time
+    end();  // only one at a time
     path.number = ++last_number_;
     led_.announced = path;
     led_.starts_s = now_s + kAnnounced_s;
@@ -122,13 +122,13 @@ void HandLead::publish(GuidancePath path) {
     led_.path = path;
 }
 
-// What acts goes on along another path.
+// Continues the present guidance along another path.
 void HandLead::go_on_along(GuidancePath path) {
     path.strength = led_.path.strength;
     publish(path);
 }
 
-// True once the hand touches what it is led to, wherever on it.
+// True once the hand touches the goal anywhere.
 bool HandLead::hand_at(const std::optional<Goal>& goal) const {
     if (!goal || !goal->feature) return false;
     const auto contacts = contacts_of(context_.hands.tool);
@@ -144,7 +144,7 @@ bool HandLead::wants_new_way(const std::optional<Goal>& goal, double now_s) {
     const ToolState& tool = context_.hands.tool;
     const Vec3& feet_m = context_.body.feet_m();
     if (tool.workspace_motion == WorkspaceMotion::Grabbed || feet_m != led_.feet_before_m) led_.moved_s = now_s;
-    // The leaf of a door takes the hand along.
+    // A door leaf may carry the hand along.
     const auto contacts = contacts_of(tool);
     if (context_.world.movers.any_moving() &&
         std::any_of(contacts.begin(), contacts.end(),
@@ -165,7 +165,7 @@ std::optional<HandLead::Arrival> HandLead::tick(const std::optional<Goal>& goal,
     if (led_.announced && now_s >= led_.starts_s) {
         led_.path = *led_.announced;
         if (led_.path.kind == GuidanceKind::Pull)
-            led_.path.points_m[0] = finding_place_m(context_);  // where it has come to meanwhile
+            led_.path.points_m[0] = finding_place_m(context_);  // the hand may have moved since the announcement
         led_.announced.reset();
         led_.acts = true;
         led_.lines_laid_s = now_s;
@@ -176,12 +176,12 @@ std::optional<HandLead::Arrival> HandLead::tick(const std::optional<Goal>& goal,
     if (plans_.by_hand()) plans_.pass(finding_place_m(context_));
     const ToolState& tool = context_.hands.tool;
     const GuidanceState felt = tool.guidance;
-    if (felt.number != led_.path.number) return std::nullopt;  // the servo has not seen it yet
+    if (felt.number != led_.path.number) return std::nullopt;  // the servo has not received it yet
     const bool pull = led_.path.kind == GuidanceKind::Pull, acts = felt.phase == GuidancePhase::Acts;
     bool arrived = felt.phase == GuidancePhase::Arrived;
     if (led_.path.kind == GuidanceKind::CrossLines && acts) return std::nullopt;
     if (led_.path.kind == GuidanceKind::WayLines) {
-        // Those that a jump of the workspace ended are laid from where the hand is then.
+        // Lines that a jump of the workspace ended are set again from the hand's new place.
         if (acts || force_may_act()) {
             arrived = acts && (hand_at(goal) || glm::length(tool.hip_m - points_of(led_.path).back()) <=
                                                     Guidance::kArrived_m * scale(context_));
@@ -212,19 +212,19 @@ std::optional<HandLead::Arrival> HandLead::tick(const std::optional<Goal>& goal,
     return std::nullopt;
 }
 
-// The servo led no more, and why; a cause that is over by now was short.
+// The servo ended the guidance; says why. If the cause is over already, it was short.
 std::string HandLead::no_longer_words() const {
     std::string why = why_no_force();
     if (why.empty()) why = phrase("lead.force_was_off", {{"key", context_.keys.keys_of(Command::TakeMe)}});
     return phrase("lead.no_longer") + " " + why;
 }
 
-// While it pulls: doors across the way, and how far off it the hand is.
+// During a pull, announces doors on the path and checks how far off the hand is.
 void HandLead::watch_way(const std::optional<Goal>& goal, double now_s) {
     doors_.tell_touched(now_s);
     if (goal && led_.planned_in != context_.world.scene) {
-        // Something stands elsewhere than when the way was planned, such as the leaf of a door: the same lead goes on
-        // along a new way, without a word.
+        // Something has moved since the path was planned, such as a door leaf. The same guidance silently continues
+        // along a new path.
         led_.planned_in = context_.world.scene;
         const WayForHand way = plans_.for_hand(*goal, GuidancePath::kMostPoints);
         if (!way.points_m.empty()) go_on_along(pull_along(way.points_m));
@@ -241,7 +241,7 @@ void HandLead::watch_way(const std::optional<Goal>& goal, double now_s) {
     led_.left = true;
 }
 
-// Lines lie where they are until the hand has left them, or something stands elsewhere.
+// Lines stay in place until the hand has left them or something has moved.
 void HandLead::watch_lines(const std::optional<Goal>& goal, double now_s) {
     doors_.tell_touched(now_s);
     const ToolState& tool = context_.hands.tool;
@@ -253,7 +253,7 @@ void HandLead::watch_lines(const std::optional<Goal>& goal, double now_s) {
         lay_lines(*goal, now_s);
 }
 
-// Anew from where the hand is, without a word; where no way leads from there those that lie stay.
+// Silently sets the lines again from the hand's place. If no path leads from there, the old ones stay.
 void HandLead::lay_lines(const Goal& goal, double now_s) {
     led_.lines_laid_s = now_s;
     led_.planned_in = context_.world.scene;
@@ -275,7 +275,7 @@ Vec3 HandLead::carry() {
     const HandsState& hands = context_.hands;
     const ToolState& tool = hands.tool;
     const auto way = points_of(led_.path);
-    const bool lines = led_.path.kind == GuidanceKind::WayLines;  // a hand that is on them and leans along them
+    const bool lines = led_.path.kind == GuidanceKind::WayLines;  // the hand is on the lines and leans along them
     const bool led =
         led_.acts && (lines || led_.path.kind == GuidanceKind::Pull) && led_.path.strength > 0.0 &&
         tool.guidance.number == led_.path.number && tool.guidance.phase == GuidancePhase::Acts &&

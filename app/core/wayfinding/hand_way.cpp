@@ -9,20 +9,21 @@
 namespace handrail {
 namespace {
 
-constexpr double kBeside_m = 0.4;                      // from a thing's side to where one stands before it
-constexpr double kOnePlace_m = 0.3;                    // nearer places to stand are one
-constexpr double kReach_height_m[] = {1.0, 1.5, 0.5};  // of hands and eyes that look for it
-constexpr double kBefore_m = 0.3;                      // from a thing's face to where a hand turns to it
-// A thing is looked for this far inside it: what it stands on or hangs at holds its faces.
+constexpr double kBeside_m = 0.4;                      // from a thing's side to where a person stands before it
+constexpr double kOnePlace_m = 0.3;                    // standing places nearer to each other count as one
+constexpr double kReach_height_m[] = {1.0, 1.5, 0.5};  // heights of hands and eyes that look for it
+constexpr double kBefore_m = 0.3;                      // from a thing's face to where the hand turns to it
+// The point that is searched for is this far inside the thing, because whatever it stands on or hangs at covers its
+// faces.
 constexpr double kInside_m = 0.05;
-constexpr double kBallRoom_m = 0.3;  // a hand goes round the leaf of an open door at that distance
+constexpr double kBallRoom_m = 0.3;  // distance at which a hand goes round the leaf of an open door
 
-constexpr BodyShape kBall{0.13, 0.26};  // of 4 mm at scale 60
+constexpr BodyShape kBall{0.13, 0.26};  // proxy of 4 mm at scale 60
 
 Vec3 nearest_in(const Aabb& box, const Vec3& to_m) { return glm::clamp(to_m, box.min_m, box.max_m); }
 
-// The last of a hand's way: straight to the thing, or from before one of its sides or over it; first where a ball
-// passes, then where a line does. Empty where there is none.
+// The end of a hand's path: straight to the thing, or via a point before one of its sides or above it. Prefers a path
+// free for a proxy to one free for a line. Empty if there is none.
 std::vector<Vec3> last_points(const BodyWorld& world, const Vec3& from_m, const Aabb& thing_m, FeatureId thing) {
     const Vec3 centre = thing_m.centre_m(), half = 0.5 * thing_m.size_m() + Vec3(kBefore_m);
     std::vector<std::vector<Vec3>> ways{{place_on(thing_m, from_m)}};
@@ -47,9 +48,9 @@ bool within_reach(const BodyWorld& world, const Vec3& stand_m, const Aabb& thing
     });
 }
 
-// A walk leads round the leaves of open doors where that is not far; through one else, and a hand may meet one, or be
-// caught by it, that a body at the side of it would not. Round its end then, where there is a way that is free for a
-// ball; or at least for a line, where not even that goes straight.
+// A route leads round the leaves of open doors if that is not far, otherwise through one. A hand may also meet or be
+// caught by a leaf that a walker would pass. This finds a path round the end of the leaf that is free for a proxy, or
+// at least for a line if not even a line goes straight.
 std::vector<Vec3> round_leaves(const BodyWorld& world, const Vec3& from_m, const Vec3& to_m) {
     const Vec3 half(0.0, 0.0, 0.5 * kBall.height_m);
     const auto door = [&](FeatureId feature) {
@@ -70,8 +71,8 @@ std::vector<Vec3> round_leaves(const BodyWorld& world, const Vec3& from_m, const
         }
     if (!leaf) return {};
     const Aabb& stands = leaf->bounds_m;
-    // Beside its corners, and beside the place where it was met: its bounds hold more than the leaf where a frame
-    // belongs to it.
+    // Candidate points are next to its corners, and next to the place where it was met, because its bounds may include
+    // the frame.
     std::vector<Vec3> beside;
     for (int i = 0; i < 4; ++i)
         beside.emplace_back((i & 1) ? stands.max_m.x + kBallRoom_m : stands.min_m.x - kBallRoom_m,
@@ -171,7 +172,7 @@ std::vector<Vec3> hand_way(const Route& route, const Vec3& hand_m, double height
         points.push_back(next);
     }
     if (route.reaches) {
-        // What cannot be reached at that height can be from higher or lower, if from anywhere.
+        // If the thing cannot be reached at that height, tries from higher or lower.
         std::vector<Vec3> last = last_points(world, points.back(), thing_m, thing);
         for (const double other_m : kReach_height_m) {
             if (!last.empty()) break;

@@ -12,13 +12,14 @@
 namespace handrail {
 namespace {
 
-constexpr double kBeyondEnd_m = 0.1;        // of the end of the stretch
-constexpr double kLeastStretch_m = 1e-3;    // a shorter one has no direction
+constexpr double kBeyondEnd_m = 0.1;        // beyond the end of the stretch
+constexpr double kLeastStretch_m = 1e-3;    // shorter stretches have no direction
 constexpr double kShutLeafWithin_m = 0.25;  // from where the leaf is when it is shut
 constexpr double kLeafLookEvery_m = 0.1;
-constexpr double kSquarely = 0.7;  // |cos| between a stretch and a leaf: less meets its face, more its edge
+// |cos| between stretch and leaf; below it the walker meets the face, above it the edge.
+constexpr double kSquarely = 0.7;
 
-// The path comes to where the leaf is when it is shut.
+// True if the path comes near the place of the shut leaf.
 bool leads_through_door(const Aabb& shut_m, std::span<const Vec3> path_m) {
     for (std::size_t leg = 1; leg < path_m.size(); ++leg) {
         const Vec3 way = path_m[leg] - path_m[leg - 1];
@@ -33,7 +34,7 @@ bool leads_through_door(const Aabb& shut_m, std::span<const Vec3> path_m) {
     return false;
 }
 
-// Of a leaf that swings, as it stands now: a body that comes along the stretch meets its face, not its edge.
+// True if a walker on the stretch meets the face of a swinging leaf as it stands now, not its edge.
 bool meets_face(const WorldState& world, std::uint32_t mover, const Aabb& leaf_m, const Vec3& way) {
     if (world.scene->movers[mover].swing_rad == 0.0) return false;
     const PlacedFrame frame(world.movers.at(mover));
@@ -59,7 +60,7 @@ std::optional<std::uint32_t> leaf_across(const WorldState& world, const BodySize
             world.thing_of_mover[mover] < 0 || shut(world, mover))
             continue;
         const Aabb& leaf_m = world.scene->placed[static_cast<std::size_t>(world.thing_of_mover[mover])].model->bounds_m;
-        // Who comes from its hinge's side to the doorway has the leaf across the way before it.
+        // A walker who comes to the doorway from the hinge's side has the leaf in the way before it.
         const double free_m = std::max(0.0, met->distance_m - size.radius_m);
         const bool face = meets_face(world, mover, leaf_m, way);
         std::vector<Vec3> until_m(path_m.begin(), path_m.begin() + static_cast<std::ptrdiff_t>(i));

@@ -1,5 +1,5 @@
-// The leaf of a door that stands open across a path, to be shut before you go on. Function of what the context holds:
-// one trace of the body for each stretch of the path; app thread. World metres.
+// Finds an open door leaf across a path, which must be shut before the person can go on. Functions of what the context
+// contains: one trace of the body for each stretch of the path; app thread. World metres.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,11 @@
 
 namespace handrail {
 
-// The door, a place in Scene::movers, whose leaf a body meets that walks straight from each place of the path to the
-// next, soles; none: it meets none, or nobody shuts it by hand, or the path leads through that door itself and comes to
-// the doorway before it meets the leaf's face.
+// The door, an index in Scene::movers, whose leaf blocks a walker on the straight stretches of the path, at floor
+// level. No value if none does, if the door is not shut by hand, or if the path leads through that door and reaches the
+// doorway before the leaf's face.
 std::optional<std::uint32_t> leaf_across(const WorldState& world, const BodySize& size, std::span<const Vec3> path_m);
-// What it is called; empty: none.
+// Its name; empty: none.
 std::string leaf_ahead(const SessionContext& context, std::span<const Vec3> path_m);
 
 }  // namespace handrail

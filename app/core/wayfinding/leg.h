@@ -1,4 +1,4 @@
-// The next straight stretch of a way on foot. Pure; app thread; world metres.
+// The next straight stretch of a route on foot. Pure functions; app thread; world metres.
 #pragma once
 
 #include <optional>
@@ -13,10 +13,10 @@ struct Leg {
     double along_m = 0.0;  // of the route
 };
 
-// The first from there that is longer than `least_m`, with the way it belongs to; none: there is no way.
+// The first stretch from there that is longer than `least_m`, with its route; no value: there is no route.
 std::optional<Leg> next_leg(Route route, const Vec3& from_m, double least_m);
 
-// What is left of a route from so far along it.
+// The rest of a route from this distance along it.
 Route rest_of(const Route& route, double along_m);
 
 }  // namespace handrail

@@ -1,6 +1,6 @@
-// What tells somebody with a cane that a counted leg is walked right and where it ends, where that is surer than steps:
-// the doors that are passed, the floor that changes underfoot, a landmark at its end, the wall one trails. Functions of
-// what the context holds; some rays for each step; app thread. World metres.
+// Clues that tell a person with a cane that a counted leg is walked correctly, and where it ends, if that is more
+// reliable than counting steps: doors that are passed, a change of the floor, a landmark at the end, or a wall to
+// trail. Functions of what the context contains; some rays for each step; app thread. World metres.
 #pragma once
 
 #include <string>
@@ -9,8 +9,9 @@
 
 namespace handrail {
 
-// One sentence, the surest; empty: there is nothing of the kind. From `from_m` straight on to `to_m`, soles, in the
-// direction of that notch; `door`: the one the leg leads to, among the doors of the floor, kNothing: none.
+// One sentence with the most reliable clue; empty: there is none. The leg leads from `from_m` straight to `to_m`, at
+// floor level, in the direction of that notch. `door`: the one to which the leg leads, among the doors of the floor;
+// kNothing: none.
 std::string leg_clue(const SessionContext& context, const WordFloor& floor, const Vec3& from_m, const Vec3& to_m,
                      int notch, std::uint32_t door);
 

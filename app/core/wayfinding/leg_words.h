@@ -1,6 +1,6 @@
-// A leg of a route for words as a sentence: what to do first, then how far, then to what and its state. "Turn left. 4
-// steps, until you meet Living room door, shut. Open it." The form is all that somebody needs who follows it; the user
-// guide tells it. Functions of what the context holds; app thread. World metres.
+// A leg of a route as a sentence: first what to do, then how far, then to what and its state. "Turn left. 4 steps,
+// until you meet Living room door, shut. Open it." That is all a person needs to follow it; the user guide explains it.
+// Functions of what the context contains; app thread. World metres.
 #pragma once
 
 #include <string>
@@ -12,21 +12,21 @@ namespace handrail {
 
 struct SpokenLeg {
     int turn_notches = 0;  // clockwise, -7 to 8
-    int steps = 0;         // where the stairs begin, for a flight; 0: at once
+    int steps = 0;         // to the beginning of the stairs, for a flight; 0: at once
     PaceEnd end = PaceEnd::Steps;
-    std::string to;          // what is met or come to, with its state; may be empty where steps are counted
-    int risers = 0;          // of a flight; 0: a ramp, or there is none
-    bool up = false;         // of a flight
-    int to_stairs = 0;       // steps to where it begins, on a leg that goes over it and does not end with it
-    bool open = false;       // a door there is to be opened by hand
-    bool by_itself = false;  // or opens as one comes near
-    std::string leaf;        // the door whose leaf stands open across it and is to be shut; empty: none does
-    std::string clue;        // what tells beside steps that one is right; a sentence, may be empty
+    std::string to;          // what is met or reached, with its state; may be empty if steps are counted
+    int risers = 0;          // of a flight; 0: a ramp, or no flight
+    bool up = false;         // direction of the flight
+    int to_stairs = 0;       // steps to a flight that the leg crosses without ending there
+    bool open = false;       // there is a door to open by hand
+    bool by_itself = false;  // or one that opens automatically
+    std::string leaf;        // the door whose open leaf blocks the leg and must be shut; empty: none
+    std::string clue;        // a sentence with a sign, besides steps, that the leg is right; may be empty
 };
 std::string leg_words(const SpokenLeg& leg, const DistanceWords& how);
 
-// How a leg is walked from where one stands: `planned_from_m` is where it was planned from, `notch` where it leads,
-// `goal` what to call its end where it is the last one.
+// A leg as walked from the person's present place. `planned_from_m`: where it was planned from. `notch`: its direction.
+// `goal`: name of its end, if it is the last leg.
 struct LegAt {
     const WordLeg& leg;
     int notch = 0;
@@ -36,7 +36,7 @@ struct LegAt {
     int from_notch = 0;
 };
 SpokenLeg spoken_leg(const SessionContext& context, const WordFloor& floor, const LegAt& at, const DoorsOpen& open);
-// Nothing is left of it to be walked from there.
+// True if nothing of the leg remains to be walked from there.
 bool leg_is_over(const WordFloor& floor, const LegAt& at, const DoorsOpen& open);
 
 }  // namespace handrail

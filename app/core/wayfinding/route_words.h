@@ -1,4 +1,4 @@
-// A route in words, and along it: what is ahead, that one is still on the way, that one has left it. Plain state and
+// A route in words, and following it: what is ahead, that the person is still on it, or has left it. Plain state and
 // pure functions; app thread.
 #pragma once
 
@@ -13,26 +13,27 @@
 
 namespace handrail {
 
-// One instruction: where along the route it is due, and what stands there.
+// One instruction: where along the route it is due, and what is there.
 struct RouteNode {
     double at_m = 0.0;
-    std::string what;       // "Kitchen door", "stairs, 2.9 metres up"; empty for a mere turn
-    double turn_rad = 0.0;  // clockwise, made there; 0: straight on
+    std::string what;       // "Kitchen door", "stairs, 2.9 metres up"; empty for a turn only
+    double turn_rad = 0.0;  // clockwise, to make there; 0: straight on
     Vec3 place_m{0.0};
 };
 
-// Doors, stairs and what else is met, turns of more than a sixteenth of a circle, and the goal, in order. Turns beside
-// a feature belong to it. name_of: of a passage, fit to be spoken.
+// Doors, stairs and other features, turns of more than a sixteenth of a circle, and the goal, in order. A turn next to
+// a feature belongs to it. name_of: spoken name of a passage.
 std::vector<RouteNode> nodes_of(const Route& route, const std::string& goal,
                                 const std::function<std::string(const RoutePassage&)>& name_of);
 
 // "28 steps in all. Turn slightly left. 14 steps. Turn right. 4 steps to Front door. Turn left. 10 steps to Kitchen."
-// `heading_rad`: of who listens.
+// `heading_rad`: of the listener.
 std::string route_words(const Route& route, const std::vector<RouteNode>& nodes, double heading_rad,
                         const DistanceWords& how);
 
-// Follows a body along a route. Says each feature once, 6 m before it, and again when it is reached with where to turn;
-// every 10 m without another word that one is on the way; and once that one has left it.
+// Follows a walker along a route. Announces each feature once, 6 m before it, and again when it is reached, with the
+// next turn. After every 10 m without an announcement, it says that the person is on the route. It also reports once
+// that the person has left it.
 class RouteFollower {
 public:
     struct Said {
@@ -45,11 +46,11 @@ public:
     bool following() const { return route_.points_m.size() >= 2; }
     const Route& route() const { return route_; }
     const Vec3& goal_m() const { return route_.points_m.back(); }
-    double along_m() const { return along_m_; }  // where on the route one is
+    double along_m() const { return along_m_; }  // distance of the person along the route
     std::vector<Vec3> ahead_m() const;           // the rest of it
     double left_m() const { return std::max(0.0, route_.length_m - along_m_); }
-    // `there`: whether one has arrived; it is told whether the end of the route is within kThere_m, which a wall may
-    // stand before.
+    // Decides whether the person has arrived. at_end: the end of the route is within kThere_m, although a wall may be
+    // in between.
     using There = std::function<bool(bool at_end)>;
     Said tick(
         const Vec3& feet_m, const DistanceWords& how, const There& there = [](bool at_end) { return at_end; });
@@ -59,7 +60,7 @@ private:
     std::vector<RouteNode> nodes_;
     std::vector<bool> announced_, reached_;
     double along_m_ = 0.0;
-    double word_at_m_ = 0.0;  // where along the route something was said last
+    double word_at_m_ = 0.0;  // where along the route the last announcement was
 };
 
 inline constexpr double kAnnounceAhead_m = 6.0, kReassureEvery_m = 10.0, kLeftWay_m = 2.0, kThere_m = 0.8,

@@ -14,16 +14,18 @@
 namespace handrail {
 namespace {
 
-constexpr double kLookEvery_s = 0.1;  // along a way, for what stands between and shut doors
+constexpr double kLookEvery_s = 0.1;  // interval between checks for obstacles and shut doors along a route
 constexpr double kOverSteps_m = 0.35, kNarrow_m = 0.2,
-                 kNarrowHeight_m = 1.2;  // of a body that is looked ahead with along a way, stairs too
-constexpr double kBackOnWay_m = 1.0;     // ahead, for one who is off it
+                 kNarrowHeight_m = 1.2;  // size and height above the floor of the body for checks ahead, also on stairs
+constexpr double kBackOnWay_m = 1.0;     // distance ahead for a person who is off the route
 constexpr double kHardlyLonger = 1.25,
-                 kAllowance_m = 1.0;         // a way beside the straight line: the thing itself leads there
-constexpr double kDoorAhead_m = 1.0;         // along the way, to a door that is told: within reach
-constexpr double kPast = 0.1;                // as little nearer or farther is neither
-constexpr double kPitch = 0.5;               // a fifth higher straight to it
-constexpr double kBody_m_per_hand_m = 60.0;  // a body is as near as a hand would be at the scale of a room
+                 // Factor and allowance by which a route may be longer than the straight line, so that the thing itself
+                 // guides.
+    kAllowance_m = 1.0;
+constexpr double kDoorAhead_m = 1.0;         // along the route, to a door that is announced: within reach
+constexpr double kPast = 0.1;                // changes as small as this count as neither nearer nor farther
+constexpr double kPitch = 0.5;               // raises the pitch by a fifth when moving straight to it
+constexpr double kBody_m_per_hand_m = 60.0;  // the walker counts as near as a hand would be at the scale of a room
 
 std::string along_way_words(const SoughtWay& way, const DistanceWords& how) {
     return phrase("lead.along_way", {{"distance", distance_words(way.left_m(), how)}});
@@ -50,9 +52,7 @@ void Seek::start_warmer(const Goal& goal) {
     doors_.forget_told();
 }
 
-// ---- along the way ----
-
-// From where one is; again to the same place beside the thing, which saves looking for one.
+// Plans from the present place. A later plan uses the same place beside the thing, which saves searching for one.
 void Seek::plan(AlongWay& along, const Sought& sought, bool hand, double now_s) {
     SoughtWay& way = along.way;
     along.planned_in = context_.world.scene;
@@ -74,7 +74,7 @@ void Seek::plan(AlongWay& along, const Sought& sought, bool hand, double now_s) 
              now_s);
 }
 
-// Follows it, and plans it where that is due. True: it is known and wished for.
+// Follows the route, and plans it if necessary. Returns true if it is known and the person wants it.
 bool Seek::keep(AlongWay& along, const Sought& sought, bool hand, double now_s) {
     if (!context_.settings.guidance.along_way) return false;
     SoughtWay& way = along.way;
@@ -87,27 +87,28 @@ bool Seek::keep(AlongWay& along, const Sought& sought, bool hand, double now_s) 
     return way.known();
 }
 
-// Whence one looks.
+// The place from which the line of sight begins.
 Vec3 Seek::from_m(bool hand) const {
     return hand ? finding_place_m(context_) : context_.body.feet_m() + Vec3(0.0, 0.0, kWaist_m);
 }
 
-// Nothing stands between, and the way is hardly longer than the straight line: not one to the floor above that is seen
-// over the banister.
+// True if nothing is in between and the route is hardly longer than the straight line. A thing on the storey above,
+// seen over the banister, does not count.
 bool Seek::straight_before(const SoughtWay& way, const Sought& sought, bool hand) const {
     const Vec3 from = from_m(hand), place = place_on(sought.thing_m(), from);
     return way.left_m() <= kHardlyLonger * glm::length(place - from) + kAllowance_m &&
            free_line(*context_.world.solids, from, place, sought.feature()) && (hand || body_gets_to(sought));
 }
 
-// What a narrow body meets that goes straight there.
+// What a narrow body meets on the straight line to that place.
 TraceHit Seek::met_on_way(const Vec3& soles_m) const {
     const Vec3 over(0.0, 0.0, kOverSteps_m);
     return context_.world.solids->trace(context_.body.feet_m() + over, soles_m + over,
                                         BodyShape{kNarrow_m, kNarrowHeight_m});
 }
 
-// Who walks straight to its middle comes to it, and not against the side of a doorway through which it is seen.
+// True if a person who walks straight to its middle reaches it, and does not hit the side of a doorway through which it
+// is seen.
 bool Seek::body_gets_to(const Sought& sought) const {
     const Vec3 middle = sought.thing_m().centre_m();
     const TraceHit met = met_on_way({middle.x, middle.y, context_.body.feet_m().z});
@@ -131,7 +132,7 @@ void Seek::tell_way(const AlongWay& along, double now_s) {
 
 // ---- every tick ----
 
-// Where the beacon calls from as long as one has to go there first; none: from the thing.
+// The place from which the beacon calls while the person must go there first; no value: it calls from the thing.
 std::optional<Vec3> Seek::beacon_turning(double now_s) {
     AlongWay& along = beacon_along_;
     const bool tried = along.way.tried();
@@ -141,7 +142,7 @@ std::optional<Vec3> Seek::beacon_turning(double now_s) {
         along.looked_s = now_s;
         doors_.tell_ahead(along.way.ahead_m(kDoorAhead_m), now_s);
         turning_first_ = along.way.left_m() > Beacon::kArrived_m && !straight_before(along.way, beacon_, false);
-        // Whoever has come off the way a little is led back onto it, round what stands between.
+        // A person slightly off the route is guided back onto it, round the obstacle.
         const Vec3 turning = along.way.next_turning_m();
         const TraceHit met = met_on_way(turning);
         const Feature* thing = met.hit ? context_.world.scene->find(met.feature) : nullptr;
@@ -170,7 +171,7 @@ void Seek::tick_warmer(double now_s) {
     const bool known = keep(along, warmer_, hand, now_s);
     if (known && !tried) tell_way(along, now_s);
     const double straight_m = glm::length(thing - place), per_m = hand ? scale(context_) : kBody_m_per_hand_m;
-    // What is beyond a wall is not found by coming near.
+    // Being near does not count if a wall is in between.
     bool found = straight_m <= (hand ? Warmer::kFound_hand_m * per_m : Beacon::kArrived_m) &&
                  (!known || (!hand && along.way.left_m() <= Beacon::kArrived_m) ||
                   free_line(*context_.world.solids, place, place_on(warmer_.thing_m(), place), warmer_.feature()));

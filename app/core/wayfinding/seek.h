@@ -1,4 +1,4 @@
-// Looking for a thing by sounds: the beacon that calls from it and "warmer", each along a planned way where one is
+// Finding a thing by sounds: the beacon that calls from it, and "warmer". Each works along a planned route if one is
 // known. Metres, world. App thread only.
 #pragma once
 
@@ -14,12 +14,12 @@
 
 namespace handrail {
 
-// The way along which a tool leads.
+// The route along which a tool guides.
 struct AlongWay {
     SoughtWay way;
-    std::shared_ptr<const Scene> planned_in;  // as the world was then
-    std::uint32_t jump = 0;                   // of the workspace, then
-    double looked_s = -1e9;                   // when it was last looked at what stands between, and for shut doors
+    std::shared_ptr<const Scene> planned_in;  // the scene at that time
+    std::uint32_t jump = 0;                   // of the workspace, at that time
+    double looked_s = -1e9;                   // last check for obstacles and shut doors
 };
 
 class Seek : SessionPart {
@@ -28,16 +28,17 @@ public:
         : SessionPart(context), rooms_(rooms), plans_(plans), doors_(doors) {}
 
     void enter_world();
-    // Without a word.
+    // Both start silently, without an announcement.
     void start_beacon(const Goal& goal);
     void start_warmer(const Goal& goal);
     void silence_beacon() { beacon_.clear(); }
     void silence_warmer() { warmer_.clear(); }
-    // Whether it leads along the way or straight, and why; nothing where both are the same.
+    // Whether it guides along the route or straight, and why; empty if both are the same.
     std::string beacon_words(double now_s) { return words(beacon_along_, beacon_, false, now_s); }
     std::string warmer_words(double now_s) { return words(warmer_along_, warmer_, context_.hands.known(), now_s); }
 
-    // Each sounds when it is due, while it is on, and ends by itself. True: the beacon has just been reached.
+    // Each plays its sound when due, while it is on, and ends automatically. tick_beacon returns true if the beacon has
+    // just been reached.
     bool tick_beacon(double now_s);
     void tick_warmer(double now_s);
 
@@ -62,10 +63,10 @@ private:
     Doors& doors_;
     Beacon beacon_;
     Warmer warmer_;
-    AlongWay beacon_along_, warmer_along_;  // of the body; of the hand where there is one
-    // Of the way that is gone by ear.
+    AlongWay beacon_along_, warmer_along_;  // for the walker; for the hand if there is one
+    // For a route that is walked by ear:
     bool turning_first_ = false;  // the beacon calls from a turning
-    Vec3 turning_m_{0.0};         // which one, soles
+    Vec3 turning_m_{0.0};         // which one, at floor level
 };
 
 }  // namespace handrail

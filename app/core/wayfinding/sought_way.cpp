@@ -8,7 +8,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kJump_m = 2.0;  // in one look: set down elsewhere
+constexpr double kJump_m = 2.0;  // more than this in one update means placed elsewhere
 
 double turn_between(const Vec3& before, const Vec3& after) {
     const double lengths = glm::length(before) * glm::length(after);
@@ -60,7 +60,7 @@ void SoughtWay::follow(const Vec3& at_m, double height_counts, const std::functi
     along_m_ = place.along_m;
     off_m_ = place.distance_m;
     at_m_ = at_m;
-    // No faster than one goes, so that whoever comes nearer is never told the contrary.
+    // The correction shrinks no faster than the person moves, so a person who approaches never hears the contrary.
     if (went_m > kJump_m) eased_m_ = 0.0;
     else eased_m_ = std::copysign(std::max(0.0, std::abs(eased_m_) - kEasing * went_m), eased_m_);
 }

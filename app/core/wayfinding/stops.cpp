@@ -12,7 +12,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kGoesOn_m = 3.0;  // a way planned from so near the end of the one before goes on with it
+constexpr double kGoesOn_m = 3.0;  // a route planned this near to the end of the previous one continues it
 
 void add(std::vector<Stop>& stops, const Stop& stop) {
     if (stops.back().name == stop.name && near_stop(stops.back(), stop.place_m, kAtStop_m)) return;

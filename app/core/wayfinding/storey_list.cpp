@@ -12,7 +12,7 @@ namespace handrail {
 namespace {
 
 constexpr std::size_t kMostRoomsTold = 8;
-constexpr double kUnreached_m = 1e6;  // farther than all that can be reached
+constexpr double kUnreached_m = 1e6;  // larger than any distance on foot
 
 // "You are on Level 1. Its rooms: hall, kitchen and 3 more."
 std::string own_storey_words(const RoomGraph& graph, const std::vector<StoreyOfRooms>& storeys, std::size_t own) {

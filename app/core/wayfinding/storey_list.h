@@ -1,4 +1,4 @@
-// The storeys of the world as a list, each with how many rooms it has. App thread only.
+// The storeys of the world as a list, each with its number of rooms. App thread only.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@
 
 namespace handrail {
 
-// From the lowest up; one begins at one's own, which is told to be that, or says that the rooms are not known yet.
-// Chosen, one's own is told with its rooms. To another one the lift goes that one stands on, where it stops there; else
-// `to_room` is told which room of it is the nearest on foot.
+// From the lowest up, beginning at the present storey, which is marked; announces if the rooms are not known yet.
+// Choosing the present storey announces its rooms. For another one, the lift under the walker goes there if it stops
+// there; otherwise `to_room` gets that storey's nearest room on foot.
 void open_storey_list(const SessionContext& context, Rooms& rooms, Doors& doors,
                       std::function<void(std::uint32_t room, double now_s)> to_room, double now_s);
 

@@ -11,9 +11,9 @@
 namespace handrail {
 namespace {
 
-constexpr double kPassed_m = 0.6;                    // of a hand that is led past a stop
-constexpr double kPassedEar_m = 0.3;                 // along the route, before a stop counts as passed
-constexpr double kLowest_m = 0.3, kHighest_m = 1.6;  // of a led hand over the floor: over door sills, under lintels
+constexpr double kPassed_m = 0.6;     // distance at which a guided hand counts as past a stop
+constexpr double kPassedEar_m = 0.3;  // distance along the route before a stop at which it counts as passed
+constexpr double kLowest_m = 0.3, kHighest_m = 1.6;  // height of a guided hand: above door sills, under lintels
 
 }  // namespace
 
@@ -60,7 +60,7 @@ WayForHand WayPlans::for_hand(const Goal& goal, std::size_t most_points) {
     const BodyWorld& solids = *context_.world.solids;
     const Vec3 from = finding_place_m(context_), on_thing = place_on(goal.box_m, from);
     const std::vector<Vec3> straight{from, nearest_place(goal.box_m, from)};
-    const bool along_kept = runs_to(goal.name) && by_hand();  // the way that was kept, and not the nearest one
+    const bool along_kept = runs_to(goal.name) && by_hand();  // along the saved route, not the nearest one
     const bool stops_first = along_kept && run_->next < run_->goal();
     if (!stops_first && ball_passes(solids, from, on_thing, goal.feature)) {
         way.points_m = straight;

@@ -1,5 +1,5 @@
-// The way that is gone now, along the stops of a kept way or straight to one goal: where it leads on from a place, for
-// the feet and for a hand. Plans and says nothing; a plan takes milliseconds. Metres, world. App thread only.
+// The present route, along the stops of a saved route or straight to one goal: how it continues from a place, for the
+// walker and for a hand. It plans and announces nothing; a plan takes milliseconds. Metres, world. App thread only.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace handrail {
 
-// From the hand to a thing.
+// A path from the hand to a thing.
 struct WayForHand {
     std::vector<Vec3> points_m;  // none: `problem` says why
     std::string problem;
@@ -28,24 +28,24 @@ public:
 
     void enter_world();
 
-    // ---- a kept way that is gone along ----
-    // At least one stop. If the first one is passed already, the way begins at the second, if there is one.
+    // ---- following a saved route ----
     void begin(const std::vector<Stop>& stops, bool first_passed, bool by_hand);
     void end() { run_.reset(); }
     bool running() const { return run_.has_value(); }
     bool by_hand() const { return run_ && run_->by_hand; }
     void go_on_by_ear() { run_->by_hand = false; }
-    // The stop whose reaching is told; only while one is gone along.
+    // The next stop whose arrival is announced; valid only while a saved route is followed.
     const Stop& stop() const { return run_->stops[run_->goal()]; }
     bool runs_to(const std::string& goal) const { return run_ && stop().name == goal; }
-    // The rest of the way from there to that stop, which is followed from now on.
+    // The rest of the route from there to that stop; it is followed from now on.
     Route on(const Vec3& from_m);
-    // The same, only looked at.
+    // The same without following it.
     Route looked_at(const Vec3& from_m) const { return plan_through(rooms_.navigation(), from_m, run_->places()); }
-    // The stops without a name that lie behind: by where the hand is, or by how far one is along the way of on().
+    // Skips stops without a name that have been passed, by the place of the hand, or by the distance along the route of
+    // on().
     void pass(const Vec3& hand_m);
     void pass(double along_m);
-    // That stop is reached. False: it was the last one, and the way is over.
+    // That stop is reached. Returns false if it was the last one; the route is then over.
     bool next();
 
     // ---- to a thing ----
@@ -54,7 +54,7 @@ public:
     WayForHand for_hand(const Goal& goal, std::size_t most_points);
     std::string why_none() const;
 
-    // The way planned last, soles; empty: none. It is another one where `changes` has risen.
+    // The last planned route, at floor level; empty: none. `changes` increases when it is replaced.
     void know(std::vector<Vec3> soles_m);
     const std::vector<Vec3>& last_m() const { return last_m_; }
     unsigned changes() const { return changes_; }

@@ -58,7 +58,7 @@ std::string whole_way_words(const SessionContext& context, const Rooms& rooms, c
     WayRun along{{stops.begin(), stops.end()}, 1, false, {}, 0};
     Vec3 from = stops.front().place_m;
     double heading_rad = context.body.heading_rad, all_m = 0.0;
-    // Who stands elsewhere does not know what right and left would be.
+    // A person who stands elsewhere cannot know what left and right would be.
     bool first = !near_stop(stops.front(), context.body.feet_m(), kAtStop_m);
     std::string legs;
     while (along.next < stops.size()) {

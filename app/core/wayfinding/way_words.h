@@ -1,5 +1,5 @@
-// Planned ways in words: what is met on one as it stands there by now, and a whole way with its stops. Functions of
-// what the context holds; planning costs a way of Navigation for each leg. App thread only.
+// Planned routes in words: what is met on one in its present state, and a whole route with its stops. Functions of what
+// the context contains; planning costs one Navigation plan for each leg. App thread only.
 #pragma once
 
 #include <span>
@@ -13,13 +13,14 @@
 
 namespace handrail {
 
-// With what is in the way there by now.
+// Includes the present obstacles at passages.
 std::vector<RouteNode> nodes_to(const SessionContext& context, const Route& route, const std::string& goal);
 
-// "28 steps in all, through Hall and Study.": how long a way is and through which rooms it leads. The rooms are found.
+// "28 steps in all, through Hall and Study.": the length of a route and the rooms on it. Requires that the rooms are
+// found.
 std::string overview_words(const SessionContext& context, const Rooms& rooms, const Route& route);
 
-// All of it from its first stop on, each stop with the way to it. The rooms are found.
+// The whole route from its first stop on, each stop with the route to it. Requires that the rooms are found.
 std::string whole_way_words(const SessionContext& context, const Rooms& rooms, const std::string& name,
                             std::span<const Stop> stops);
 

@@ -10,7 +10,7 @@ void WordGround::enter_world() {
 }
 
 void WordGround::tick() {
-    // Whoever has given their steps another length since is told as many as they are by now.
+    // If the person has changed the step length, steps are counted with the new one.
     if (floor_ && floor_->step_m != context_.settings.walk.step_length_m) floor_.reset();
     (void)floor();
 }
@@ -31,7 +31,7 @@ std::shared_ptr<const WordFloor> WordGround::floor() {
 DoorsOpen WordGround::open_now(const WordFloor& floor) const {
     DoorsOpen open;
     for (const WordDoor& door : floor.ground.doors())
-        // One that shuts is shut by the time that somebody comes there.
+        // A door that is shutting will be shut when a person arrives.
         open.push_back(
             !(context_.world.movers.at_goal(door.mover) == context_.world.scene->movers[door.mover].at(0.0)));
     return open;

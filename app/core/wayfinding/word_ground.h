@@ -1,6 +1,6 @@
-// The floor of the world one is in as somebody finds it who walks by words, and what plans routes on it: made once the
-// rooms are known, in the background. App
-// thread only; what it hands out is immutable and for any thread. World metres.
+// The floor of the present world as a person finds it who walks by words, and the planner for routes on it. A
+// background task makes it once the rooms are known. App thread only; what it returns is immutable and may be used on
+// any thread. World metres.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct WordFloor {
           ground(ways->space(), std::move(doors)),
           planner(ground, step),
           step_m(step) {}
-    WordFloor(const WordFloor&) = delete;  // its parts know each other by their places
+    WordFloor(const WordFloor&) = delete;  // its parts keep each other's addresses
     WordFloor& operator=(const WordFloor&) = delete;
 
     std::shared_ptr<const Navigation> ways;
@@ -39,13 +39,13 @@ public:
 
     void enter_world();
     void tick();
-    // Null: not yet, or there are no rooms.
+    // Null: not yet made, or there are no rooms.
     std::shared_ptr<const WordFloor> floor();
-    // It is on its way, or the rooms are.
+    // True while it is being made, or the rooms are being found.
     bool awaited() const { return rooms_.awaited() || making_.busy(); }
-    // Which of its doors stand open by now, or are about to.
+    // Which of its doors are open now, or about to be.
     DoorsOpen open_now(const WordFloor& floor) const;
-    // BlindGround::line_up_m where the body stands; none where the floor is not known.
+    // BlindGround::line_up_m at the walker's place; no value if the floor is not known.
     std::optional<double> line_up_m(const Vec3& feet_m, double heading_rad);
 
 private:

@@ -12,14 +12,15 @@
 namespace handrail {
 namespace {
 
-// Farther from the legs than this one has left the way: twice as far apart as its plan lets bodies come.
+// Farther from the legs than this, the walker has left the route. This is twice the spread that a plan permits.
 constexpr double kLeft_m = 3.5;
 constexpr double kLooked_m = 0.05;
-// Of so many bodies with errors that go on from where one is, as many come there where the rest of the way is kept,
-// as there came when it was planned, but for this part of all.
+// A route still holds if enough trial walks with errors arrive from the present place: at least the share that arrived
+// when it was planned, minus kFewer.
 constexpr int kTried = 24;
 constexpr double kFewer = 0.25, kUnmoved_m = 0.1;
-// Places that the planner looks at before its first legs are told. Routes in a house need fewer for all their legs.
+// Number of places that the planner examines before its first legs are announced. Routes in a house need fewer for all
+// their legs.
 constexpr int kPlacesForFirst = 150;
 
 double distance_to_stretch(const Vec3& at, const Vec3& a, const Vec3& b) {
@@ -78,7 +79,7 @@ void WordWay::plan(bool in_parts) {
     });
 }
 
-// Behind the first legs, while they are walked.
+// Plans the legs after the first ones while those are walked.
 void WordWay::plan_rest() {
     planning_.begin([planned = way_](const std::stop_token& stop) {
         Planned made = planned;
@@ -96,7 +97,8 @@ void WordWay::take(Planned planned) {
     if (state_ == State::Known && !way_.route->whole) plan_rest();
 }
 
-// True: it was awaited. If no rest leads on behind the first legs, the route is planned anew from where the body is.
+// Returns true if it was awaited. If the first legs have no continuation, the route is planned again from the walker's
+// place.
 bool WordWay::take_rest(Planned planned) {
     if (!planned.route || planned.route->legs.size() <= way_.route->legs.size()) {
         plan(false);
@@ -134,7 +136,7 @@ WordWay::News WordWay::tick() {
     return news;
 }
 
-// A place of the goal may be as wide as a step, and lie half outside of the room.
+// A place of the goal may be as wide as a step and lie half outside the room.
 bool WordWay::in_outline(const Vec3& feet_m) const {
     const StatedRoom* const outline = stated_room_at(*rooms_.file_scene(), rooms_.graph().rooms[room_].middle_m);
     return !outline || handrail::holds(*outline, feet_m);
@@ -153,8 +155,8 @@ LegAt WordWay::leg_at(std::size_t which) const {
     return at;
 }
 
-// From where one is the legs that are left still lead there, for bodies with errors too. Of first legs that is not
-// known before the rest is.
+// True if the remaining legs still lead to the goal from here, even for trial walks with errors. For first legs that is
+// unknown until the rest is planned.
 bool WordWay::holds() const {
     if (!way_.route->whole) return true;
     const LegAt first = leg_at(at_);
@@ -179,8 +181,8 @@ std::string WordWay::tell() {
     if (state_ != State::Known) return {};
     const LegAt leg = leg_at(at_);
     SpokenLeg told = spoken_leg(context_, *way_.floor, leg, open_now());
-    // Legs are planned on a grid coarser than the body. On it a body may slide past what stops the real one, and the
-    // same leg would be told for ever.
+    // Legs are planned on a grid coarser than the walker. There, a walker may slide past what stops the real one, and
+    // the same leg would be announced for ever.
     if (stopped_on(leg) && told.leaf.empty() && !begin_with_door(told)) {
         stop();
         state_ = State::NoWay;
@@ -198,11 +200,11 @@ void WordWay::note_stop(FeatureId by) {
     stopped_ = stop;
 }
 
-// From here the leg says what to do with the door that stopped the body: a shut one is opened, and the leaf of an open
-// one is shut. False: no door did that a person opens, or it goes on stopping the body.
+// Makes the leg begin with the door that stopped the walker: a shut door is opened, the leaf of an open one is shut.
+// Returns false if no door that a person opens did that, or it still stops the walker.
 bool WordWay::begin_with_door(SpokenLeg& leg) const {
     constexpr int kMostTimes = 4;
-    if (leg.open || leg.by_itself) return true;  // it does so already
+    if (leg.open || leg.by_itself) return true;  // it says so already
     const int mover = stopped_->door ? mover_of(context_.world, stopped_->door) : -1;
     if (mover < 0 || stopped_->times > kMostTimes ||
         !context_.world.scene->movers[static_cast<std::size_t>(mover)].by_hand)

@@ -1,5 +1,5 @@
-// The route to a room that is followed by words: planned for words in the background, its first legs first; told leg by
-// leg from where one is, and planned anew where the rest of it would not lead there any more. Says nothing itself. App
+// The route to a room, followed by words. A background task plans it, its first legs first. It is announced leg by leg
+// from the person's place, and planned again if the rest would no longer lead there. It announces nothing itself. App
 // thread only; world metres.
 #pragma once
 
@@ -18,40 +18,42 @@ class WordWay : SessionPart {
 public:
     WordWay(const SessionContext& context, Rooms& rooms, WordGround& ground);
 
-    // From where the body stands; `goal` is what its end is called. In place of what was followed before.
+    // Begins a route from the walker's place, which replaces the previous one; `goal`: name of its end.
     void begin(std::uint32_t room, std::string goal);
     void stop();
 
-    // None: nothing is followed. Planned: it is being planned. Known: its first legs can be told, at least. NoWay:
-    // there is none for words.
+    // - None: nothing is followed.
+    // - Planned: it is being planned.
+    // - Known: at least its first legs can be announced.
+    // - NoWay: there is no route in words.
     enum class State : std::uint8_t { None, Planned, Known, NoWay };
     State state() const { return state_; }
     bool at_work() const { return state_ == State::Planned || state_ == State::Known; }
-    // A leg or the rest that was requested is being planned: News::planned says when it is there.
+    // True while a requested leg or the rest is being planned; News::planned reports when it is ready.
     bool awaited() const {
         return state_ == State::Planned || (state_ == State::Known && awaited_ != Awaited::Nothing);
     }
-    // All its legs are known, or it has none.
+    // True if all its legs are known, or it has none.
     bool whole() const { return state_ != State::Planned && (state_ != State::Known || way_.route->whole); }
 
     struct News {
-        bool planned = false;  // what was awaited is there to be told, or there is none
+        bool planned = false;  // what was awaited is ready, or does not exist
         bool arrived = false, left = false;
     };
-    // Costs a look at the grid where the body has moved.
+    // Costs a look at the grid if the walker has moved.
     News tick();
 
-    // As a sentence each; empty: it is being planned anew, and news() tells when it is there, or there is none. The leg
-    // one is on from where one is, or the one after where it is over;
+    // The legs as sentences. Empty: it is being planned again, and tick() reports when it is ready, or there is none.
+    // leg(): the present leg from the present place, or the next one if it is over.
     std::string leg();
-    // the one after the leg told last;
+    // The leg after the last announced one.
     std::string next_leg();
-    // and all that are left, one after the other.
+    // All remaining legs, one after the other.
     std::vector<std::string> rest();
-    // The body was stopped by that part where it stands, in the direction that it faces. If a leg would go on there, it
-    // is told with the door that stopped the body. If no door did, there is no way for words any more.
+    // That feature stopped the walker at its present place and heading. If a leg would continue there, it is announced
+    // with the door that stopped the walker. If no door did, there is no route in words any more.
     void note_stop(FeatureId by);
-    // Where the leg that was told last leads; none: nothing is told.
+    // Direction of the last announced leg; no value: none was announced.
     std::optional<double> heading_rad() const;
 
 private:
@@ -61,7 +63,7 @@ private:
         std::optional<WordRoute> route;
         Vec3 from_m{0.0};
         int notch = 0;
-        DoorsOpen open;  // as the doors stood then
+        DoorsOpen open;  // state of the doors at that time
     };
     enum class Awaited : std::uint8_t { Nothing, NextLeg, Rest };
     void plan(bool in_parts = true);
@@ -82,16 +84,16 @@ private:
     State state_ = State::None;
     std::uint32_t room_ = kNothing;
     std::string goal_;
-    bool wanted_ = false;                 // a plan, once there is a floor
-    Awaited awaited_ = Awaited::Nothing;  // of the legs that are not known yet
+    bool wanted_ = false;                 // a plan is wanted as soon as there is a floor
+    Awaited awaited_ = Awaited::Nothing;  // among the legs that are not known yet
     Planned way_;
-    std::size_t at_ = 0;  // the leg that is walked
+    std::size_t at_ = 0;  // the leg that is being walked
     Vec3 looked_m_{0.0};
     struct Stop {
         Vec3 at_m{0.0};
         double heading_rad = 0.0;
         FeatureId door = kNoFeature;  // kNoFeature: no door stopped it
-        int times = 1;                // by the same door one after the other
+        int times = 1;                // consecutive stops by the same door
     };
     std::optional<Stop> stopped_;
     BackgroundTask<Planned> planning_{context_.executor, "word-route"};

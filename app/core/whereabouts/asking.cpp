@@ -14,11 +14,11 @@
 namespace handrail {
 namespace {
 
-constexpr std::size_t kMostWaysFirst = 2;                  // out of a room, before what is ahead
-constexpr std::size_t kMostThingsTold = 4;                 // by "where am I" asked again
-constexpr std::size_t kMostThings = 24;                    // looked at
-constexpr double kHandPoints_m = 0.3;                      // a hand nearer to the body points nowhere
-constexpr int kTellName = 2, kTellMore = 3, kTellAll = 4;  // verbosity
+constexpr std::size_t kMostWaysFirst = 2;                  // exits named before what is ahead
+constexpr std::size_t kMostThingsTold = 4;                 // when "where am I" is asked again
+constexpr std::size_t kMostThings = 24;                    // examined
+constexpr double kHandPoints_m = 0.3;                      // a hand nearer to the walker does not point anywhere
+constexpr int kTellName = 2, kTellMore = 3, kTellAll = 4;  // levels of verbosity
 constexpr double kSamePlace_m = 0.05, kSameTurn_rad = 0.02;
 constexpr double kOpen = 0.95, kShut = 0.05;
 
@@ -60,7 +60,7 @@ Asker Asking::asker() const {
     return asker;
 }
 
-// What can change about a thing, and how a door hangs as one sees it from here.
+// The state of a thing that can change, and for a door its hinge and handle side as seen from here.
 std::string Asking::state_of(const Sight& sight) const {
     const Feature* feature = context_.world.scene->find(sight.seen.feature);
     if (!feature) return {};
@@ -92,7 +92,7 @@ std::string Asking::tell_sights(std::span<const Sight> sights) const {
     return text;
 }
 
-// "table, 2 steps; north wall, plaster, 5 steps", where the direction has been told.
+// "table, 2 steps; north wall, plaster, 5 steps", for a direction that has been announced already.
 std::string Asking::tell_there(std::span<const Sight> sights) const {
     std::string text;
     for (const Sight& sight : sights)
@@ -113,13 +113,13 @@ std::string Asking::place_and_heading() const {
                   {{"place", sentence_case(place)}, {"compass", fine_compass_word(context_.body.heading_goal_rad)}});
 }
 
-// Where rooms are known by now and there is more than one of them.
+// kNothing if rooms are not known yet or there is only one.
 std::uint32_t Asking::room_here() const {
     if (!rooms_.found() || rooms_.graph().rooms.size() < 2) return kNothing;
     return room_at(rooms_.graph(), rooms_.space(), context_.body.feet_m());
 }
 
-// The nearest first; where rooms are not known, the doors in sight.
+// Exits, nearest first; if rooms are not known, the doors in sight.
 std::vector<std::string> Asking::ways_out() const {
     if (const std::uint32_t room = room_here(); room != kNothing)
         return exit_sentences(context_, rooms_.graph(), room, ExitOrder::Nearest);
@@ -156,7 +156,7 @@ std::string Asking::side_sentence(int quarter) const {
                   {{"side", side}, {"what", handrail::tell_there(*seen, state_of(*seen), telling())}});
 }
 
-// Landmarks first, then right, behind and left, then what else is near.
+// Landmarks first, then right, behind and left, then everything else nearby.
 std::string Asking::what_else() const {
     std::vector<Sight> things = in_sight(asker(), kMostThings);
     const auto is_landmark = [&](const Sight& thing) {
@@ -175,14 +175,14 @@ std::string Asking::what_else() const {
         const auto seen = sight_along(asker(), context_.body.heading_rad + quarter * kPi / 2.0);
         if (seen && std::any_of(things.begin(), things.end(),
                                 [&](const Sight& thing) { return thing.seen.feature == seen->seen.feature; }))
-            continue;  // told by itself
+            continue;  // mentioned separately
         text += (text.empty() ? "" : " ") + side_sentence(quarter);
     }
     const std::string rest = tell_sights(std::span(others, things.end()));
     return rest.empty() ? text : text + (text.empty() ? "" : " ") + rest;
 }
 
-// Again at the same place: what the first answer left out.
+// If asked again at the same place: what the first answer left out.
 std::string Asking::where_words_now(double now_s) {
     if (rooms_.known()) rooms_.notice(now_s, true);
     const Stood here{context_.body.feet_m(), context_.body.heading_goal_rad};
@@ -269,7 +269,7 @@ void Asking::describe_touched(double now_s) {
                     now_s);
 }
 
-// A person who asks is told the name at every verbosity, and everything there is to tell on asking again.
+// The answer gives the name at every verbosity, and everything known if the person asks again.
 std::string Asking::touched_words(const ToolState& tool) {
     FeatureId& described = &tool == &context_.hands.tool ? described_ : left_described_;
     if (!tool.touches()) {

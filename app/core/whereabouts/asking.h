@@ -1,5 +1,5 @@
-// What the person asks of the place: where am I, what is around, ahead, in one direction, under the hand; heading,
-// place, scale. App thread only.
+// Answers questions about the place: where am I, what is around, ahead, in one direction, under the hand; heading,
+// coordinates, scale. App thread only.
 #pragma once
 
 #include <optional>
@@ -20,14 +20,14 @@ public:
 
     Asking(const SessionContext& context, Rooms& rooms) : SessionPart(context), rooms_(rooms) {}
 
-    // The questions. False: it is another's.
+    // Handles the questions. Returns false for other commands.
     bool act(Command command, double now_s);
-    // The answer to "where am I": place, which way one faces, ways out, what is ahead; at most kMostWords of it at the
-    // default level, all there is from level 3 on.
+    // The answer to "where am I": place, direction, exits, and what is ahead. At most `most_words` of it at the default
+    // level; everything from level 3 on.
     std::string where_am_i(std::size_t most_words = kMostWords) const;
-    // The thing that was last asked about, once: under the hand, or ahead. kNoFeature: none.
+    // The thing that was last asked about, under the hand or ahead; returned once. kNoFeature: none.
     FeatureId take_asked_about() { return std::exchange(asked_about_, kNoFeature); }
-    // What of it is left out there: the other sides and what else is near.
+    // What that answer leaves out: the other sides and what else is near.
     std::string what_else() const;
 
 private:
@@ -59,8 +59,8 @@ private:
         Vec3 feet_m{0.0};
         double heading_rad = 0.0;
     };
-    std::optional<Stood> asked_at_;                                   // "where am I", and answered in brief
-    FeatureId described_ = kNoFeature, left_described_ = kNoFeature;  // what "what is this" last told of
+    std::optional<Stood> asked_at_;                                   // place of the last short answer to "where am I"
+    FeatureId described_ = kNoFeature, left_described_ = kNoFeature;  // last described by "what is this"
 };
 
 }  // namespace handrail

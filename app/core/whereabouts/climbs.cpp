@@ -11,8 +11,8 @@ namespace handrail {
 namespace {
 
 constexpr double kOneFloor_m = 0.5;
-constexpr double kGoneAway_m = 1.5;       // farther from an end one has gone away from it
-constexpr double kToWhatIsFaced_m = 1.2;  // to a door or button that one faces
+constexpr double kGoneAway_m = 1.5;       // beyond this distance from an end, the person has left it
+constexpr double kToWhatIsFaced_m = 1.2;  // to a door or button that the person faces
 
 }  // namespace
 
@@ -37,7 +37,8 @@ std::optional<Climbs::End> Climbs::end_here(double within_m, const RoutePassage*
     return nearest;
 }
 
-// What the hand touches is meant, and where no way leads over the stairs what stands straight ahead.
+// True if the hand touches something else that can be used or, unless the route uses the stairs, something else is
+// straight ahead.
 bool Climbs::something_else(bool wanted) const {
     if (context_.hands.tool.touches() && mover_of(context_.world, context_.hands.tool.touched()) >= 0) return true;
     if (wanted) return false;

@@ -1,5 +1,5 @@
-// Stairs on which nobody walks and that are taken in one go: told of to who comes to one of their ends, and taken by
-// the key that uses things. App thread only.
+// Stairs that cannot be walked and are climbed in one go. They are announced to a person who comes to one of their
+// ends, and the Use key climbs them. App thread only.
 #pragma once
 
 #include <functional>
@@ -13,24 +13,25 @@ namespace handrail {
 
 class Climbs : SessionPart {
 public:
-    static constexpr double kAtEnd_m = 1.0;  // so near to an end one stands at them
+    static constexpr double kAtEnd_m = 1.0;  // distance from an end at which the person can climb
 
     Climbs(const SessionContext& context, Rooms& rooms, const Asking& asking)
         : SessionPart(context), rooms_(rooms), asking_(asking) {}
 
     void enter_world() { told_.reset(); }
-    // Use, at an end of such stairs: those that the way one follows leads over, in its direction; else the nearest,
-    // where one touches and faces nothing else that is used. False: it is another's.
+    // Handles Use at an end of such stairs. Stairs on the followed route come first, in its direction. Otherwise the
+    // nearest, if the person neither touches nor faces anything else that can be used. Returns false if the command
+    // belongs to another feature.
     bool act(Command command, double now_s);
-    // Once a tick, after the rooms.
+    // Call it once a tick, after the rooms.
     void tick(double now_s);
 
-    // Set by the session: the next stairs on the way that is followed, if one stands at them.
+    // Set by the session: the next stairs on the followed route, if the person stands before them.
     std::function<std::optional<RoutePassage>()> on_way;
 
 private:
     struct End {
-        std::uint32_t link = 0;  // of WalkSpace::links
+        std::uint32_t link = 0;  // index in WalkSpace::links
         Vec3 here_m{0.0}, there_m{0.0};
         FeatureId feature = kNoFeature;
     };
@@ -39,7 +40,7 @@ private:
 
     Rooms& rooms_;
     const Asking& asking_;
-    std::optional<std::uint32_t> told_;  // the link that one stands at an end of
+    std::optional<std::uint32_t> told_;  // the announced link, at whose end the person stands
 };
 
 }  // namespace handrail

@@ -40,7 +40,7 @@ std::string exit_sentence(const SessionContext& context, const RoomGraph& graph,
                           const Portal& portal) {
     const std::string what = passage_name(context, portal.kind, portal.feature, 0.0),
                       to = graph.rooms[beyond(portal, room)].name;
-    // A locked one says so first: it belongs to the name.
+    // A lock is mentioned first, because it belongs to the name.
     const std::string lock = lock_words(context, portal.feature);
     const std::string exit =
         sentence_case(lock.empty() ? what : phrase("rooms.locked_exit", {{"exit", what}, {"lock", lock}}));

@@ -14,8 +14,8 @@ namespace handrail {
 namespace {
 
 constexpr double kWallReach_m = 30.0;
-constexpr double kElsewhere_m = 2.0;   // nearer places are where one is
-constexpr double kDoorBeside_m = 2.0;  // of a doorway that one has just gone through
+constexpr double kElsewhere_m = 2.0;   // nearer places count as the present one
+constexpr double kDoorBeside_m = 2.0;  // distance to a doorway that counts as just passed
 constexpr std::size_t kMostKnown = 32;
 
 }  // namespace
@@ -129,7 +129,7 @@ void FarPlaces::find_bearings(double now_s) {
     context_.answer(text + " " + way_back(), now_s);
 }
 
-// The room one is in first, then the others from the nearest on.
+// The present room first, then the others, nearest first.
 void FarPlaces::choose_room(double now_s) {
     if (!rooms_.have(now_s)) return;
     const RoomGraph& graph = rooms_.graph();

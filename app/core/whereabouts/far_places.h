@@ -1,5 +1,5 @@
-// For who is lost, and for who wants to know a place before going there: "I am lost", a room described from afar, the
-// building in three sentences. App thread only.
+// For a person who is lost, or who wants to know a place before going there: "I am lost", a description of a distant
+// room, and the building in three sentences. App thread only.
 #pragma once
 
 #include <deque>
@@ -12,23 +12,23 @@ namespace handrail {
 
 class FarPlaces : SessionPart {
 public:
-    // "I am lost" turns `body`.
+    // `body`: turned by "I am lost".
     FarPlaces(const SessionContext& context, BodyState& body, Rooms& rooms);
 
     void enter_world();
-    // The three questions. False: it is another's.
+    // Handles the three questions. Returns false for other commands.
     bool act(Command command, double now_s);
-    // Told of every command that is carried out: where one has been told where one is, one knows the place.
+    // Call it with every command that was carried out: a place where the person was told the location is a known place.
     void note(Command command);
-    // Once a tick, after the rooms: a doorway that one goes through is a place that one knows.
+    // Call it once a tick, after the rooms: a doorway that the person passes is a known place.
     void tick();
 
 private:
-    // A place where the person knew where they were.
+    // A place where the person knew their location.
     struct Known {
         Vec3 feet_m{0.0};
-        FeatureId door = kNoFeature;                   // gone through there
-        std::uint32_t from = kNothing, to = kNothing;  // the rooms it joins
+        FeatureId door = kNoFeature;                   // passed there
+        std::uint32_t from = kNothing, to = kNothing;  // the rooms that it joins
     };
     void know(Known place);
     std::string name_of_place(const Known& place) const;
@@ -39,7 +39,7 @@ private:
 
     BodyState& body_;
     Rooms& rooms_;
-    std::deque<Known> known_;  // the newest last
+    std::deque<Known> known_;  // newest last
     std::uint32_t room_ = kNothing;
 };
 

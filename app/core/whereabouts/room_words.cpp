@@ -25,11 +25,11 @@ namespace {
 constexpr double kThingAtWall_m = 0.8;
 constexpr std::size_t kMostAtWall = 5, kMostNeighbours = 5, kMostHubs = 4;
 constexpr std::size_t kMostWordsOfExits = 38;
-constexpr std::size_t kMostWordsOfNeighbours = 40;  // fewer rooms are told where their names are long
+constexpr std::size_t kMostWordsOfNeighbours = 40;  // fewer rooms are named if their names are long
 constexpr std::array kWalls{"kind.north_wall", "kind.east_wall", "kind.south_wall", "kind.west_wall"};
 constexpr std::size_t kMiddle = kWalls.size();
 
-// Which wall of the room a box is at, and how far along it, clockwise; kMiddle: none.
+// The wall of the room next to a box, and the distance along it, clockwise; kMiddle: no wall.
 struct AtWall {
     std::size_t wall = kMiddle;
     double along_m = 0.0;
@@ -59,7 +59,7 @@ bool is_furniture(const Feature& feature) {
     }
 }
 
-// "shelf; table, 4 times; and 3 more": in the order in which they stand.
+// "shelf; table, 4 times; and 3 more", in the order along the wall.
 std::string things_words(std::vector<std::pair<double, std::string>> things) {
     std::stable_sort(things.begin(), things.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<std::pair<std::string, int>> kinds;
@@ -92,7 +92,7 @@ std::string exits_words(const SessionContext& context, const RoomGraph& graph, s
         exits.emplace_back(1e6 * static_cast<double>(at.wall) + at.along_m, joined(exit, phrase(kWalls[at.wall])));
     }
     std::stable_sort(exits.begin(), exits.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    // One sentence, of which nobody remembers more than so many words.
+    // Nobody remembers more words of one sentence.
     std::vector<std::string> told;
     std::size_t words = 0;
     for (auto& [order, exit] : exits) {
@@ -107,8 +107,8 @@ std::string exits_words(const SessionContext& context, const RoomGraph& graph, s
                          : phrase("describe.exits", {{"count", exits.size()}, {"exits", list}});
 }
 
-// The outline that the file states, if this is all of that room: the floor to stand on ends before the walls, and at
-// whatever stands in front of them.
+// The outline stated in the file, if this is the only room in it. The walkable floor would be too small: it ends before
+// the walls, and before things along them.
 Vec2 room_size_m(const Scene& scene, const RoomGraph& graph, std::uint32_t room) {
     const Vec2 floor_m(graph.rooms[room].bounds_m.size_m());
     if (!scene.stated) return floor_m;
@@ -216,7 +216,7 @@ std::string room_words(const SessionContext& context, const Rooms& rooms, std::u
     const Room& told = graph.rooms[room];
     const Vec2 size = room_size_m(*context.world.scene, graph, room);
     const std::string name = sentence_case(told.name);
-    // One that is called by its size is not told its size again.
+    // A name that consists of the size makes the size superfluous.
     const bool by_size = !told.given && told.map_name.empty() && told.made.thing.empty() && told.kind == RoomKind::Room;
     std::string text =
         by_size ? name + "."
@@ -252,8 +252,8 @@ std::string building_words(const SessionContext& context, const Rooms& rooms) {
 
 Outline outline_of(const std::vector<Aabb>& boxes_m) {
     contract_pre(!boxes_m.empty());
-    constexpr int kCells = 24;                                 // each way over all of it
-    constexpr double kWhole = 0.8, kGone = 0.35, kFull = 0.7;  // shares of a quarter, or of all, that is covered
+    constexpr int kCells = 24;                                 // in each direction
+    constexpr double kWhole = 0.8, kGone = 0.35, kFull = 0.7;  // shares of a quarter, or of the whole, that is covered
     Aabb whole;
     for (const Aabb& box : boxes_m) whole.include(box);
     const Vec3 size = whole.size_m();

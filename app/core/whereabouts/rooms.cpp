@@ -18,7 +18,7 @@ namespace handrail {
 std::shared_ptr<RoomsOfWorld> Rooms::enter_world(std::shared_ptr<const Scene> scene, WaysKeeper keeper) {
     const BodySize size = body_size(*scene, context_.settings.walk.body_radius_m);
     std::shared_ptr<RoomsOfWorld> left = std::move(of_world_);
-    if (left) left->give_up();  // before the next begins
+    if (left) left->give_up();  // before the next search begins
     const WalkBody body = walk_body(*scene, size.radius_m, size.height_m, size.step_up_m);
     of_world_ = std::make_shared<RoomsOfWorld>(std::move(scene), body, context_.executor, std::move(keeper));
     leaves_of_.reset();
@@ -56,7 +56,8 @@ void Rooms::tick(double now_s) {
     tell_that_it_takes_long(now_s);
 }
 
-// Once while they are looked for, and then that they are there: who explores meanwhile is not disturbed more than that.
+// Announces once that rooms are being searched for, and then that they are known; an exploring person is not disturbed
+// more often.
 void Rooms::tell_that_it_takes_long(double now_s) {
     if (!of_world_) return;
     if (looked_for_) {
@@ -76,7 +77,7 @@ bool Rooms::known() {
     return known;
 }
 
-// Ways lead round the leaves of doors that stand open, as of when everything came to rest last.
+// Routes avoid the leaves of open doors, as they were when everything last came to rest.
 void Rooms::know_leaves() {
     if (!found() || leaves_of_ == context_.world.scene) return;
     leaves_of_ = context_.world.scene;
@@ -86,18 +87,17 @@ void Rooms::know_leaves() {
         if (context_.world.thing_of_mover[i] < 0 ||
             context_.world.scene->features[mover.feature.value].kind != FeatureKind::Door)
             continue;
-        if (context_.world.movers.at(i) == mover.at(0.0))
-            continue;  // as the file has it: shut, also where it rests open
+        if (context_.world.movers.at(i) == mover.at(0.0)) continue;  // shut as in the file, even if it rests open
         const auto thing = static_cast<std::size_t>(context_.world.thing_of_mover[i]);
         const Aabb& own = context_.world.scene->placed[thing].model->bounds_m;
         const Vec3 size = own.size_m();
-        if (size.z < std::min(size.x, size.y)) continue;  // a bridge or trap door, which one walks over
+        if (size.z < std::min(size.x, size.y)) continue;  // a bridge or trapdoor, which can be walked over
         leaves.push_back({own, context_.world.things.at(thing)});
     }
     navigation().know_leaves(leaves);
 }
 
-// True when rooms are there to speak of; else says why not.
+// Returns true if rooms are known; otherwise announces why not.
 bool Rooms::have(double now_s) {
     if (!looked_for_) {
         context_.answer(phrase("rooms.not_yet"), now_s);
@@ -113,7 +113,7 @@ bool Rooms::have(double now_s) {
     return false;
 }
 
-// Which room one is in now; `quietly`: without a word about it.
+// Determines the present room; `quietly`: without announcing it.
 void Rooms::notice(double now_s, bool quietly) {
     if (!found()) return;
     RoomGraph& graph = of_world_->graph();
@@ -137,7 +137,8 @@ void Rooms::notice(double now_s, bool quietly) {
         context_.say(storey + sentence_case(graph.rooms[here_].name), SpeechClass::Ambient, now_s);
 }
 
-// "House, storey 2 of 2: 5 rooms. " in the first room that one comes into of another storey, where that may be told.
+// "House, storey 2 of 2: 5 rooms. " in the first room that the walker enters on another storey, if that may be
+// announced.
 std::string Rooms::storey_news(bool told) {
     const std::vector<StoreyOfRooms> storeys = storeys_of(*file_scene(), graph());
     const std::size_t now_on = storey_of_room(storeys, graph(), here_);
@@ -149,7 +150,7 @@ std::string Rooms::storey_news(bool told) {
     return first || !told ? std::string() : storey_sentence(*file_scene(), storeys, now_on) + " ";
 }
 
-// For the plan: once, and again where a name has changed.
+// For the plan: once, and again after a name has changed.
 void Rooms::draw() {
     const RoomGraph& graph = of_world_->graph();
     if (drawing_ && drawn_language_ == graph.language) return;
@@ -178,9 +179,7 @@ void Rooms::tell_exits(bool unvisited_only, double now_s) {
         now_s);
 }
 
-// ---- names that the person gives ----
-
-// Once the rooms are known.
+// Call it once the rooms are known.
 void Rooms::lay_given_names(double now_s) {
     RoomGraph& graph = of_world_->graph();
     std::vector<Error> faults;
@@ -214,7 +213,7 @@ void Rooms::give_name(std::uint32_t room, const std::string& typed, double now_s
     const std::uint32_t known = name_of_room(graph, navigation().space(), names_, room);
     if (known != kNothing) names_.erase(names_.begin() + known);
     const std::string before = known_as(graph.rooms[room]);
-    // Its own name again takes the given one away.
+    // If the person types the room's own name, the given one is removed.
     graph.rooms[room].given = *name != own_name(graph.rooms[room]);
     if (graph.rooms[room].given)
         names_.push_back({*name,
@@ -231,10 +230,10 @@ void Rooms::give_name(std::uint32_t room, const std::string& typed, double now_s
 }
 
 void Rooms::take_names_again() {
-    std::vector<Error> faults;  // told on entering
+    std::vector<Error> faults;  // announced on entering
     names_ = read_room_names(context_.additions, faults);
     drawing_.reset();
-    if (!found()) return;  // they are laid once the rooms are known
+    if (!found()) return;  // they are applied once the rooms are known
     for (Room& room : graph().rooms)
         if (std::exchange(room.given, false)) room.name = own_name(room);
     lay_room_names(graph(), space(), context_.additions, names_);

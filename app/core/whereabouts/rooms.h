@@ -1,5 +1,5 @@
-// The rooms of the world one is in: which one the body is in, where they lead, and what the person calls them. Knows
-// nothing of ways that are gone. App thread only; RoomsOfWorld finds them in the background.
+// The rooms of the present world: which one the walker is in, where they lead, and the person's names for them. It
+// knows nothing of followed routes. App thread only; RoomsOfWorld finds them in a background task.
 #pragma once
 
 #include <functional>
@@ -21,51 +21,51 @@ class Rooms : SessionPart {
 public:
     explicit Rooms(const SessionContext& context) : SessionPart(context) {}
 
-    // scene: as its file has it. keeper: see RoomsOfWorld. What is known of the world one leaves comes back, to be let
-    // go of beside everything else: that may wait for its thread and for a disk.
+    // scene: as in its file. keeper: see RoomsOfWorld. Returns the rooms of the previous world, to be freed in a
+    // background task, because that may wait for a thread and for a disk.
     std::shared_ptr<RoomsOfWorld> enter_world(std::shared_ptr<const Scene> scene, WaysKeeper keeper = {});
-    // Exits, those not taken yet, and naming a room. False: it is another's.
+    // Handles exits, unvisited exits, and naming a room. Returns false for other commands.
     bool act(Command command, double now_s);
     void tick(double now_s);
 
-    // There are rooms and routes to be used.
+    // True if there are rooms and routes to use.
     bool known();
-    // The same, noticing which room one is in; else says why not.
+    // The same, and determines the present room; if false, announces why.
     bool have(double now_s);
-    // have() was asked before they were known, since this was asked last.
+    // True if have() was called before the rooms were known, since the last call.
     bool take_refused() { return std::exchange(refused_, false); }
-    // The same, before the world's doors are where they will be: no leaf is noticed.
+    // The same before the world's doors are in place: leaves are not considered.
     bool found() const { return looked_for_ && of_world_->found(); }
-    // The search is over, with or without a result, as of the last tick.
+    // True once the search is over, with or without a result, as of the last tick.
     bool looked_for() const { return looked_for_; }
     bool awaited() const { return of_world_ && !looked_for_; }
     const std::string& problem() const { return of_world_->problem(); }
-    // Only where they are found.
+    // Valid only if they are found.
     RoomGraph& graph() const { return of_world_->graph(); }
     Navigation& navigation() const { return of_world_->navigation(); }
     const WalkSpace& space() const { return navigation().space(); }
-    // The world as its file has it.
+    // The world as in its file.
     const std::shared_ptr<const Scene>& file_scene() const { return of_world_->scene(); }
     std::shared_ptr<const Navigation> navigation_kept() const { return of_world_->navigation_kept(); }
 
-    // The last one the body was in; kNothing: none.
+    // The last room that the walker was in; kNothing: none.
     std::uint32_t here() const { return here_; }
-    // Which one that is now; quietly: without a word about it.
+    // Determines the present room; quietly: without announcing it.
     void notice(double now_s, bool quietly);
 
-    // Asks what a room is to be called, `then` once it is; names it and keeps that.
+    // Asks for a name for a room, stores it and then calls `then`.
     void ask_name(std::uint32_t room, std::function<void(double now_s)> then, double now_s);
     // The names that the person gave have been changed in their file.
     void take_names_again();
 
-    // For the plan, while it is shown.
+    // For the plan while it is shown.
     void show_plan(bool shown) { drawn_ = shown; }
     const std::shared_ptr<const std::vector<DrawnRoom>>& drawing() const { return drawing_; }
 
-    // Set by the session, for whoever keeps something by the rooms.
+    // Set by the session, for features that store things by room.
     std::function<void(double now_s)> on_known;  // once for each world
     std::function<void(const std::string& before, const std::string& name)>
-        on_renamed;  // as files know a room; empty: they do not
+        on_renamed;  // names as in files; empty: it has none
 
 private:
     void know_leaves();
@@ -80,12 +80,12 @@ private:
     std::shared_ptr<RoomsOfWorld> of_world_;
     std::optional<Patience> patience_;  // since the first tick in this world; none: not begun, or over
     std::uint32_t here_ = kNothing;
-    std::optional<std::size_t> storey_;  // the last one that the body was in a room of
+    std::optional<std::size_t> storey_;  // the last storey on which the walker was in a room
     std::vector<bool> visited_;          // since this world was entered
     std::vector<RoomNameGiven> names_;
     std::shared_ptr<const std::vector<DrawnRoom>> drawing_;  // for the plan
     std::string drawn_language_;
-    std::shared_ptr<const Scene> leaves_of_;  // the world as it was when ways were told where leaves stand
+    std::shared_ptr<const Scene> leaves_of_;  // the scene in which the navigation last learnt of open leaves
 };
 
 }  // namespace handrail

@@ -29,7 +29,7 @@ RoomsOfWorld::~RoomsOfWorld() {
     if (worker_.joinable()) worker_.join();
 }
 
-// What was found of the same scene before.
+// Takes the earlier result for the same scene.
 bool RoomsOfWorld::take_from(const RoomsKept& shared) {
     const RoomsKept::Found* before = shared.of(scene_, body_);
     if (!before) return false;
@@ -63,7 +63,7 @@ void RoomsOfWorld::find_or_take(const std::string& key, const std::stop_token& s
 void RoomsOfWorld::find(const std::stop_token& stop) {
     std::string key;
     std::shared_ptr<const Navigation> to_keep;
-    RoomGraph graph;  // as it is now: the person's names come later
+    RoomGraph graph;  // a copy without the person's names, which come later
     try {
         if (keeper_) key = ways_key(*scene_, body_);
         find_or_take(key, stop);
@@ -73,7 +73,7 @@ void RoomsOfWorld::find(const std::stop_token& stop) {
             to_keep = navigation_;
         }
     } catch (const std::bad_alloc&) {
-        // The session goes on without rooms and ways.
+        // The session continues without rooms and routes.
         navigation_.reset();
         graph_ = {};
         out_of_reach_.clear();

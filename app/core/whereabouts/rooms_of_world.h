@@ -1,5 +1,5 @@
-// The rooms and routes of the current world, found in the background, so that entering a world does not wait for them.
-// Owned by the session and used on the app thread only.
+// The rooms and routes of the present world. A background task finds them, so that entering a world does not wait for
+// them. Owned by the session and used on the app thread only.
 #pragma once
 
 #include <atomic>
@@ -20,27 +20,27 @@ class RoomsKept;
 
 class RoomsOfWorld {
 public:
-    // keeper: takes what was kept for this scene and body, and keeps what was found anew, after ready(). Without one
-    // the RoomsKept of this thread does so, if there is one.
+    // keeper: returns what was stored for this scene and walker size, and stores a new result after ready(). Without a
+    // keeper, the RoomsKept of this thread does so, if there is one.
     RoomsOfWorld(std::shared_ptr<const Scene> scene, const WalkBody& body, const Executor& executor,
                  WaysKeeper keeper = {});
-    ~RoomsOfWorld();  // gives up what is not done yet, and waits for that
+    ~RoomsOfWorld();  // cancels what is not done yet, and waits for that
     RoomsOfWorld(const RoomsOfWorld&) = delete;
     RoomsOfWorld& operator=(const RoomsOfWorld&) = delete;
 
-    // True when it is done, well or not; the rest is looked at only then.
+    // True once it is done, with or without success; the other functions are valid only then.
     bool ready();
     bool found() const { return navigation_ != nullptr; }
-    bool kept() const { return kept_; }                      // taken from the keeper instead of being found
+    bool kept() const { return kept_; }                      // taken from the keeper instead of found
     const std::string& problem() const { return problem_; }  // a sentence; empty: none
-    // It is not wanted any more: ready() may never be true.
+    // It is not needed any more: ready() may never return true.
     void give_up() { stop_.request_stop(); }
     // See unreachable_rooms().
     const std::vector<std::string>& out_of_reach() const { return out_of_reach_; }
-    // As it was given.
+    // As it was passed in.
     const std::shared_ptr<const Scene>& scene() const { return scene_; }
     Navigation& navigation() { return *navigation_; }
-    // For what is planned beside while another world may be entered.
+    // For background tasks that may still plan while another world is entered.
     std::shared_ptr<const Navigation> navigation_kept() const { return navigation_; }
     RoomGraph& graph() { return graph_; }
 
@@ -58,7 +58,7 @@ private:
     std::vector<std::string> out_of_reach_;
     std::string problem_;
     std::atomic<bool> done_{false};
-    bool known_ = false;  // to the session
+    bool known_ = false;  // the session knows that it is done
     std::stop_source stop_;
     std::thread worker_;
 };

@@ -1,5 +1,5 @@
-// Which things a person visits: stands still and touches, asks about or faces. Told as ThingVisited, once for each stay
-// at a thing. Walls, floors and the like are no such things. App thread only.
+// Which things a person visits, that is, stands still and touches, asks about or faces. Reported as ThingVisited, once
+// for each stay at a thing. Walls, floors and the like do not count. App thread only.
 #pragma once
 
 #include "app/core/context/session_part.h"
@@ -8,15 +8,16 @@ namespace handrail {
 
 class Visits : SessionPart {
 public:
-    static constexpr double kStood_s = 0.5;  // so long one has stood before it is a visit
-    static constexpr double kFaced_s = 1.5;  // and so long before what is faced is meant
-    static constexpr double kFaced_m = 1.2;  // from the middle of the body
-    static constexpr double kLeft_m = 1.0;   // so far away a visit is over
+    static constexpr double kStood_s = 0.5;  // least time of standing for a visit
+    static constexpr double kFaced_s = 1.5;  // least time for a faced thing
+    static constexpr double kFaced_m = 1.2;  // from the walker's centre
+    static constexpr double kLeft_m = 1.0;   // at this distance a visit is over
 
     explicit Visits(const SessionContext& context) : SessionPart(context) {}
 
     void enter_world();
-    // Once a tick, when the context knows what the hands feel. asked_about: since the tick before; kNoFeature: nothing.
+    // Call it once a tick, after the context has the state of the hands. asked_about: since the last tick; kNoFeature:
+    // nothing.
     void tick(FeatureId asked_about, double now_s);
 
 private:
@@ -25,8 +26,8 @@ private:
     FeatureId faced() const;
 
     Vec3 stands_m_{0.0};
-    double stands_rad_ = 0.0, since_s_ = 0.0;  // where and which way, and since when
-    bool looked_ = false;                      // at what is faced, since then
+    double stands_rad_ = 0.0, since_s_ = 0.0;  // present heading, and since when place and heading are unchanged
+    bool looked_ = false;                      // the faced thing has been examined since then
     FeatureId last_ = kNoFeature;
     Vec3 last_m_{0.0};  // from where it was visited
 };

@@ -1,9 +1,9 @@
-// Heights of a body that many ask by. Plain numbers; any thread.
+// Heights of the walker's body that several features use. Plain numbers; any thread.
 #pragma once
 
 namespace handrail {
 
-// Metres above the soles from which is looked for doors, walls and things, and at which distances on foot begin.
+// Metres above the soles. Lines that look for doors, walls and things begin here, and distances on foot too.
 inline constexpr double kWaist_m = 1.0;
 
 }  // namespace handrail

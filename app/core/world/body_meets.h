@@ -1,4 +1,4 @@
-// What stands in the way of a body, as wide and as high as it is. Pure functions; app thread.
+// What blocks a walker of this width and height. Pure functions; app thread.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace handrail {
 
-// What a body that walks that way bumps into first, above what it steps over; none: nothing within range.
+// What a walker bumps into first in that direction, above what it steps over; no value: nothing within range.
 std::optional<Seen> body_meets(const BodyWorld& world, const Vec3& feet_m, const BodySize& size, double bearing_rad,
                                double range_m = kSightRange_m);
 

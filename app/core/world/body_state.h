@@ -1,4 +1,4 @@
-// The person's body: where it is, which way it faces, how it came there. Plain state; app thread only.
+// The walker: its place, direction and path. Plain state; app thread only.
 #pragma once
 
 #include <memory>
@@ -10,12 +10,12 @@ namespace handrail {
 
 struct BodyState {
     std::unique_ptr<Walker> walker;  // null: in no world yet
-    double heading_rad = 0.0;        // where it faces now
-    int times_put = 0;               // how often it was put somewhere else instead of walking there
-    // Where the last turn leads; reached at a bounded rate, so that the hand is not thrown.
+    double heading_rad = 0.0;        // present direction
+    int times_put = 0;               // how often it was placed elsewhere instead of walking
+    // The direction after the last turn. It is approached at a limited rate, so that the hand is not thrown.
     double heading_goal_rad = 0.0;
     FeatureId ground = kNoFeature;  // what it stands on
-    std::vector<Vec3> crumbs_m;     // places a quarter of a metre apart, the newest last, since it was last set down
+    std::vector<Vec3> crumbs_m;     // its path since it was last placed: points a quarter of a metre apart, newest last
 
     const Vec3& feet_m() const { return walker->state().feet_m; }
     Vec3 ears_m() const {

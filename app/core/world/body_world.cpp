@@ -11,22 +11,23 @@
 namespace handrail {
 namespace {
 
-constexpr double kAlong_m = 1e-7;  // of a way: no more than this nearer to a surface is rounding of a slide along it
+constexpr double kAlong_m = 1e-7;      // a smaller approach to a surface is a rounding error of sliding along it
 constexpr double kSameDepth_m = 1e-9;  // faces whose distances differ by less are equally near
 
-// How far the plane must be pushed out so that the body's reference point meets it just when the body meets the plane.
+// How far to push the plane out, so that the body's reference point meets it exactly when the body meets the original
+// plane.
 double support(const Vec3& normal, const BodyShape& body) {
     const double sideways =
         body.radius_m > 0.0 ? body.radius_m * std::sqrt(normal.x * normal.x + normal.y * normal.y) : 0.0;
     return sideways + std::max(0.0, -normal.z * body.height_m);
 }
 
-// What of the body meets such a piece.
+// The part of the body that can meet such a piece.
 BodyShape next_to(bool narrow, const BodyShape& body) {
     return narrow ? BodyShape{StairRule::reach_m(body.radius_m), StairRule::height_m(body.height_m)} : body;
 }
 
-// Does a piece come before another one in the order of all? Boxes, and numbers for equal ones.
+// True if piece `a` comes before piece `b` in the order of all pieces: by box, and by number for equal boxes.
 bool comes_before(const Aabb& a, std::uint32_t number_a, const Aabb& b, std::uint32_t number_b) {
     if (a.min_m.x != b.min_m.x) return a.min_m.x < b.min_m.x;
     if (a.min_m.y != b.min_m.y) return a.min_m.y < b.min_m.y;
@@ -66,7 +67,7 @@ std::shared_ptr<const BodyWorld::Building> BodyWorld::built(const Scene& scene) 
     made->stairs = StairRule(scene);
     made->pieces.add_scene(scene, nullptr, -1, &made->stairs);
     made->pieces.arrange();
-    // A name may be met anywhere on a solid that bears it on some face: see name_hit().
+    // Any face of a solid may bear the name, so its box includes the whole solid: see name_hit().
     std::vector<Aabb> boxes(scene.features.size());
     const auto include = [&](FeatureId feature, const Aabb& box) {
         if (feature.value < boxes.size()) boxes[feature.value].include(box);
@@ -122,8 +123,8 @@ void BodyWorld::set_down(std::span<const Placement> placed, const BodyWorld* bef
     placed_.arrange();
 }
 
-// Of pieces met at once the later one counts, and so on: the order is part of what is answered, and does not depend on
-// the tree.
+// If several pieces are met at once, the later one counts. The order is therefore part of the answer, and must not
+// depend on the tree.
 void BodyWorld::Pieces::arrange() {
     std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
         return a.bounds_m.min_m.x != b.bounds_m.min_m.x ? a.bounds_m.min_m.x < b.bounds_m.min_m.x
@@ -135,13 +136,13 @@ void BodyWorld::Pieces::arrange() {
     tree = BoxIndex(boxes);
 }
 
-// The pieces of a scene, or of a model that stands in the frame.
+// Adds the pieces of a scene, or of a model placed in the frame.
 void BodyWorld::Pieces::add_scene(const Scene& scene, const PlacedFrame* frame, std::int32_t placed,
                                   const StairRule* stairs) {
     const auto at = [frame](const Vec3& p) { return frame ? frame->to_world(p) : p; };
     std::vector<Bound> of_piece;
     const auto add_bevels = [&of_piece](const Aabb& box) {
-        // Without the six axis planes the sum of a slanted solid and a wide body would stick out far at sharp edges.
+        // Without the six axis planes, the sum of a slanted solid and a wide body would stick out far at sharp edges.
         for (int axis = 0; axis < 3; ++axis)
             for (const double sign : {1.0, -1.0}) {
                 Vec3 normal{0.0};
@@ -241,10 +242,10 @@ TraceHit BodyWorld::trace(const Vec3& from_m, const Vec3& to_m, const BodyShape&
     TraceHit best;
     const Piece* met = nullptr;
     std::int32_t met_face = -1;
-    std::uint32_t number = 0;  // of the first piece of these
-    // Of a piece that the body overlaps from the start: it would walk farther into it. The face that is the shortest
-    // way out tells, or of several equally near ones the one that the way leaves most. Up and down it is free, or what
-    // has come to overlap it would hold it above the ground.
+    std::uint32_t number = 0;  // of the first piece in `some`
+    // True if a body that overlaps the piece from the start would walk farther into it. The face with the shortest way
+    // out decides, or, of several equally near ones, the one from which the path leads away most. Vertical movement is
+    // free, or an overlapping piece would hold the body above the ground.
     const Vec3 level_step(step.x, step.y, 0.0);
     const auto goes_deeper = [&](const Pieces& some, const Piece& piece, const BodyShape& body_there, Vec3& normal,
                                  std::int32_t& face) {
@@ -282,9 +283,9 @@ TraceHit BodyWorld::trace(const Vec3& from_m, const Vec3& to_m, const BodyShape&
             const double d0 = signed_distance(bound.plane, from_m) - grow;
             const double d1 = signed_distance(bound.plane, to_m) - grow;
             if (d0 > 0.0) starts_outside = true;
-            if (d0 > 0.0 && d1 > 0.0 && d1 >= d0 - kAlong_m) return;  // outside and not coming nearer
-            if (d0 <= 0.0 && d1 <= 0.0) continue;                     // inside this plane all the way
-            if (d0 > d1) {                                            // comes in: stop a little before
+            if (d0 > 0.0 && d1 > 0.0 && d1 >= d0 - kAlong_m) return;  // outside and not approaching
+            if (d0 <= 0.0 && d1 <= 0.0) continue;                     // inside this plane all along
+            if (d0 > d1) {                                            // enters: stop slightly before it
                 const double t = std::max(0.0, (d0 - kContactGap_m) / (d0 - d1));
                 if (d1 > kContactGap_m) return;  // never reaches it
                 if (t > enter) {
@@ -301,7 +302,7 @@ TraceHit BodyWorld::trace(const Vec3& from_m, const Vec3& to_m, const BodyShape&
             enter = 0.0;
         }
         if (enter < 0.0 || enter > leave || enter > best.fraction) return;
-        // Of pieces met at once the later one counts: the eastern, then the northern, then what was set down.
+        // If several pieces are met at once, the later one counts: the eastern, then the northern, then a placed thing.
         if (met && enter == best.fraction && comes_before(piece.bounds_m, number + i, met->bounds_m, best.piece))
             return;
         best.fraction = reach = enter;
@@ -311,8 +312,7 @@ TraceHit BodyWorld::trace(const Vec3& from_m, const Vec3& to_m, const BodyShape&
         met = &piece;
         met_face = enter_face;
     };
-    // Wider than anything that rounding does to where a way enters a piece: what lies behind what was met is left out
-    // by this alone.
+    // Larger than any rounding error of an entry point, so that this alone excludes pieces behind the hit.
     constexpr double kSlack_m = 1e-3;
     const Vec3 low(body.radius_m + kSlack_m, body.radius_m + kSlack_m, body.height_m + kSlack_m);
     const Vec3 high(body.radius_m + kSlack_m, body.radius_m + kSlack_m, kSlack_m);
@@ -342,7 +342,7 @@ void BodyWorld::name_hit(const Piece& piece, std::int32_t face, const Vec3& norm
         return;
     }
     const Solid& solid = scene_->solids[piece.solid];
-    // A bevel has no face of its own: the visible face that looks most its way names it. So does a hidden face.
+    // A bevel has no face: the visible face most like it in direction gives the name. The same holds for a hidden face.
     double most = -2.0;
     for (std::size_t i = 0; i < solid.shape.planes.size(); ++i) {
         const bool named = i < solid.face_features.size() && solid.face_features[i];
@@ -423,10 +423,10 @@ std::vector<FeatureId> BodyWorld::volumes_at(const Vec3& feet_m, double height_m
     return found;
 }
 
-// What is convex and crosses the lines to all corners of a box crosses every line into the box, no farther than its
-// end: the places where it is crossed on the way to the corners, weighed rightly, are one on that line. Apart from the
-// box, it is crossed before anything in there. Told from the piece drawn in by a little, so that no rounding of a trace
-// misses it.
+// A convex piece that crosses the lines from the eye to all corners of a box also crosses every line into the box, no
+// farther than its end. For such a line, a suitable weighted mean of the crossing points on the corner lines lies on
+// it. If the piece is apart from the box, it is crossed before anything inside. The test uses a slightly smaller piece,
+// so that rounding in a trace cannot miss it.
 bool BodyWorld::hides(std::uint32_t number, const Vec3& eye_m, const Aabb& box) const {
     constexpr double kDrawnIn_m = 2e-3, kApart_m = 1e-2;
     const Piece& one = piece(number);
@@ -434,7 +434,7 @@ bool BodyWorld::hides(std::uint32_t number, const Vec3& eye_m, const Aabb& box) 
     if (one.clip_only || BoxIndex::meets(one.bounds_m, around)) return false;
     const std::vector<Bound>& bounds =
         number < building_->pieces.pieces.size() ? building_->pieces.bounds : placed_.bounds;
-    // A sheet has no inside: it is crossed from one side to the other.
+    // A sheet has no inside: a line crosses it from one side to the other.
     const std::uint32_t sides = one.triangle ? 2 : 0;
     bool outside = false;
     for (std::uint32_t k = 0; k < one.plane_count; ++k)

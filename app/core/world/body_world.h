@@ -1,8 +1,8 @@
-// What a body bumps into: the scene's solids as convex pieces, swept by an upright box-like body or a point. Immutable
-// after it is built; any thread. A trace is exact: the body's Minkowski sum with each convex piece is met by a moving
-// point, so nothing is tunnelled at any speed. Only pieces whose box the way goes through before it has met something
-// are looked at. What stands still of a building is made once and shared by all worlds in which only things stand
-// elsewhere.
+// What a walker bumps into: the scene's solids as convex pieces, swept by an upright cylinder or a point. Immutable
+// after construction; any thread. A trace is exact: a moving point is tested against the Minkowski sum of the body and
+// each convex piece, so nothing is tunnelled at any speed. It examines only pieces whose box the path crosses before
+// the first hit. The fixed part of a building is made once and shared by all worlds that differ only in the places of
+// things.
 #pragma once
 
 #include <cstdint>
@@ -16,70 +16,73 @@
 
 namespace handrail {
 
-// An upright cylinder standing on its reference point; radius 0 and height 0 is a ray.
+// An upright cylinder that stands on its reference point; radius 0 and height 0 make a ray.
 struct BodyShape {
     double radius_m = 0.0;
     double height_m = 0.0;
 };
 
 struct TraceHit {
-    double fraction = 1.0;  // of the way, 1 when nothing was met
+    double fraction = 1.0;  // of the path; 1 if nothing was met
     Vec3 end_m{0.0};        // where the reference point stops, kContactGap_m before the surface
     Vec3 normal{0.0};       // of the surface that was met
     FeatureId feature = kNoFeature;
     MaterialId material = kDefaultMaterial;
     bool hit = false;
-    std::uint32_t piece = 0xFFFFFFFFU;  // which was met, for BodyWorld::hides()
+    std::uint32_t piece = 0xFFFFFFFFU;  // the piece that was met, for BodyWorld::hides()
 };
 
-// A stretch of a straight way that lies in something solid, from its start.
+// A stretch of a straight line inside a solid; distances from the start of the line.
 struct Crossing {
     double enter_m = 0.0, leave_m = 0.0;
     FeatureId feature = kNoFeature;
     MaterialId material = kDefaultMaterial;
 };
 
-// Doors, landmarks, clues, liquids and things: what an answer to "what is around" may name. A bare wall is not.
+// Doors, landmarks, clues, liquids and things: what an answer to "what is around" may name. A bare wall is not among
+// them.
 bool told_when_seen(const Feature& feature);
 
 class BodyWorld {
 public:
-    // placed: where the scene's placed things stand, in their order; left out, where the scene has them.
+    // placed: places of the scene's placed things, in their order; omitted: as in the scene.
     explicit BodyWorld(std::shared_ptr<const Scene> scene, std::span<const Placement> placed = {});
-    // The same building with its things elsewhere, or other things: `scene` has the solids and triangles of the one
-    // before. What stands as before is taken over: the cheaper the fewer of its things have moved.
+    // The same building with its things elsewhere, or with other things: `scene` has the solids and triangles of the
+    // previous one. Unmoved things are taken over, so the fewer have moved, the less it costs.
     BodyWorld(const BodyWorld& before, std::shared_ptr<const Scene> scene, std::span<const Placement> placed = {});
 
     const Scene& scene() const { return *scene_; }
-    // Moves the body from one place towards another and stops at the first solid. A piece that the body already
-    // overlaps at the start lets it out, up and down, and never farther in; one that its middle is in is ignored, so
-    // that one can always walk out of it. So is what a ray starts in. `through_clips`: rays look through what only
-    // stops bodies. `but_placed`: this placed thing is not there.
+    // Moves the body from one place towards another and stops at the first solid.
+    // - A piece that the body overlaps at the start lets it move out, up and down, but never farther in.
+    // - A piece that contains the body's middle is ignored, so that a walker can always leave it. So is a piece in
+    //   which a ray starts.
+    // - `through_clips`: rays pass solids that only stop bodies.
+    // - `but_placed`: ignores this placed thing.
     TraceHit trace(const Vec3& from_m, const Vec3& to_m, const BodyShape& body, bool through_clips = false,
                    std::int32_t but_placed = kNoPlaced) const;
-    // Everything solid on a straight way, in no order; what only stops bodies and what holds either end is left out.
+    // All solids on a straight line, in no particular order. Solids that only stop bodies, and those that contain
+    // either end, are left out.
     std::vector<Crossing> crossings(const Vec3& from_m, const Vec3& to_m) const;
-    // Is this piece (TraceHit::piece) part of stairs? From and to them a body climbs steps of StairRule::step_m().
+    // True if this piece (TraceHit::piece) is part of stairs. There a walker climbs steps of StairRule::step_m().
     bool is_stairs(std::uint32_t piece) const;
     bool has_stairs() const { return building_->stairs.any(); }
-    // True when a solid overlaps the body standing there.
+    // True if a solid overlaps a body that stands there.
     bool blocked(const Vec3& feet_m, const BodyShape& body) const;
-    // Volumes of that role (Liquid, Trigger, Teleport) which the upright line feet..feet+height meets; feature ids in
+    // Volumes of that role (Liquid, Trigger, Teleport) that the upright line feet..feet+height crosses; feature ids in
     // file order.
     std::vector<FeatureId> volumes_at(const Vec3& feet_m, double height_m, SolidRole role) const;
 
-    // Does this piece alone (TraceHit::piece) lie before everything in the box, seen from there? Never wrongly: a line
-    // of sight to any place in the box meets it, and meets it before anything that lies in the box.
+    // True if this piece alone (TraceHit::piece) hides the whole box from the eye. It is never wrong: every line of
+    // sight into the box meets the piece before anything in the box.
     bool hides(std::uint32_t piece, const Vec3& eye_m, const Aabb& box) const;
-    // Features that stand still and may be told of when they are in sight, each with the box of all that goes by its
-    // name.
+    // Fixed features that may be announced when in sight, each with the box of everything with its name.
     struct Sights {
         std::vector<FeatureId> features;
         std::vector<Aabb> boxes;
         BoxIndex tree;
     };
     const Sights& standing() const { return building_->sights; }
-    // The box of all that goes by a thing's name where it stands now. Index of Scene::placed.
+    // The box of everything with the name of a thing, at its present place. Index of Scene::placed.
     const Aabb& box_of_placed(std::size_t thing) const { return things_[thing]->box_m; }
 
     static constexpr std::int32_t kNoPlaced = -2;
@@ -91,10 +94,10 @@ private:
         std::uint32_t first_plane = 0, plane_count = 0;
         Aabb bounds_m;
         bool clip_only = false;
-        bool narrow = false;      // met as stairs are: see StairRule
-        std::uint32_t solid = 0;  // index of Scene::solids, or of triangles when `triangle`
+        bool narrow = false;      // handled as part of stairs: see StairRule
+        std::uint32_t solid = 0;  // index in Scene::solids, or in its triangles if `triangle`
         bool triangle = false;
-        std::int32_t placed = -1;  // index of Scene::placed, whose name it goes by; -1: of the building itself
+        std::int32_t placed = -1;  // index in Scene::placed, whose name it has; -1: part of the building
     };
     struct Bound {
         Plane plane;
@@ -104,7 +107,7 @@ private:
         std::vector<Bound> bounds;
         std::vector<Piece> pieces;  // sorted by bounds_m.min_m.x, then y
         BoxIndex tree;
-        // `stairs`: null for what is set down, which is never part of stairs.
+        // `stairs`: null for placed things, which are never part of stairs.
         void add_scene(const Scene& scene, const PlacedFrame* frame, std::int32_t placed, const StairRule* stairs);
         void add_piece(const std::vector<Bound>& of_piece, Piece piece);
         void arrange();
@@ -112,10 +115,10 @@ private:
     struct Building {
         StairRule stairs;
         Pieces pieces;
-        std::vector<std::uint32_t> volumes;  // of Scene::solids: what one can be in
+        std::vector<std::uint32_t> volumes;  // indices in Scene::solids of volumes that a walker can be in
         Sights sights;
     };
-    // A placed thing where it stands. Its pieces count their planes from zero.
+    // A placed thing at its place. Its pieces number their planes from zero.
     struct Thing {
         std::shared_ptr<const Scene> model;
         Placement at;
@@ -134,7 +137,7 @@ private:
     std::shared_ptr<const Scene> scene_;
     std::shared_ptr<const Building> building_;
     std::vector<std::shared_ptr<const Thing>> things_;  // in the order of Scene::placed
-    Pieces placed_;                                     // of all of them
+    Pieces placed_;                                     // of all things
 };
 
 }  // namespace handrail

@@ -10,7 +10,7 @@
 namespace handrail {
 namespace {
 
-// The door that stands nearest to where one starts is the base's.
+// Marks the door nearest to the start as the base's door.
 void mark_base_door(Scene& scene, const Vec3& feet_m) {
     Feature* nearest = nullptr;
     double nearest_m = 1.2;
@@ -26,7 +26,7 @@ void mark_base_door(Scene& scene, const Vec3& feet_m) {
     if (nearest) nearest->base = true;
 }
 
-// Null where nothing is free.
+// Null if nothing is movable.
 std::shared_ptr<const DynamicsScene> moves_freely(const Scene& scene, std::span<const int> thing_of_body) {
     std::vector<FreeThing> free;
     for (std::size_t i = 0; i < thing_of_body.size(); ++i) {
@@ -72,7 +72,7 @@ EnteringWorld make_ready(std::shared_ptr<const Scene> scene) {
         feet = scene->starts.front().feet_m;
         heading = scene->starts.front().heading_rad;
     } else if (!scene->bounds_m.empty()) {
-        // No start in the file: in front of the south side's middle, on the ground, looking in.
+        // The file has no start: in front of the middle of the south side, on the ground, facing the building.
         const Vec3 centre = scene->bounds_m.centre_m();
         feet = Vec3(centre.x, scene->bounds_m.min_m.y - 1.0, scene->bounds_m.min_m.z);
     }

@@ -1,5 +1,5 @@
-// A world made ready to be entered, away from the app thread: what moves set apart, what a body meets, what a hand
-// feels first. Pure; any thread.
+// Prepares a world for entering, away from the app thread: separates moving things, and makes the solids for walking
+// and the first haptic scene. Pure functions; any thread.
 #pragma once
 
 #include <memory>
@@ -14,24 +14,23 @@
 namespace handrail {
 
 struct EnteringWorld {
-    std::shared_ptr<const Scene> file;                  // as it was read
-    std::shared_ptr<const Scene> scene;                 // what moves stands in it as things
-    std::vector<int> thing_of_mover;                    // place among the things, -1: part of the building
-    std::shared_ptr<const DynamicsScene> moves_freely;  // null: nothing in it is free to move
-    Vec3 feet_m{0.0};                                   // where one begins
+    std::shared_ptr<const Scene> file;                  // as read from the file
+    std::shared_ptr<const Scene> scene;                 // movable parts are in it as placed things
+    std::vector<int> thing_of_mover;                    // index among the things; -1: part of the building
+    std::shared_ptr<const DynamicsScene> moves_freely;  // null: nothing in it is movable
+    Vec3 feet_m{0.0};                                   // where the walker begins
     double heading_rad = 0.0;
     std::unique_ptr<BodyWorld> body;
     std::shared_ptr<const HapticScene>
-        sharp;        // felt until it has been rounded and simplified; null: that is done on entering
-    WaysKeeper ways;  // keeps its ways and rooms for the next start
+        sharp;        // felt until the rounded and simplified scene is ready; null: made on entering
+    WaysKeeper ways;  // stores its routes and rooms for the next start
 };
 
-// At the base (or first) start of the scene.
+// Starts at the base of the scene, or at its first start.
 EnteringWorld make_ready(std::shared_ptr<const Scene> scene);
-// The same, at a place and heading of the caller's choice.
+// The same, at a place and heading chosen by the caller.
 EnteringWorld make_ready_at(std::shared_ptr<const Scene> scene, const Vec3& feet_m, double heading_rad);
-// The same with something to touch at once. Ask `stop` from another thread where it is not wanted any more: `sharp` is
-// null then.
+// The same with a haptic scene to touch at once. Request `stop` from another thread to cancel; `sharp` is then null.
 EnteringWorld make_ready_to_touch(std::shared_ptr<const Scene> scene, const std::stop_token& stop = {});
 
 }  // namespace handrail

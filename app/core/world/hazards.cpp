@@ -14,21 +14,21 @@ constexpr double kAboveStep_m = 0.01;
 constexpr double kLeastRiser_m = 0.08;
 constexpr double kMostTread_m = 0.9;
 constexpr int kLeastRisers = 3, kMostRisers = 99;
-constexpr double kHeadroom_m = 1.2;  // of the way that is looked along, above a step
+constexpr double kHeadroom_m = 1.2;  // free height above a step on the examined path
 
-// Ground under a point, from a step above `z_m` to `depth_m` below it.
+// Ground under a point, searched from a step above `z_m` to `depth_m` below it.
 std::optional<double> ground_z(const BodyWorld& world, double x, double y, double z_m, double step_m, double depth_m) {
     const TraceHit hit = world.trace({x, y, z_m + step_m + kAboveStep_m}, {x, y, z_m - depth_m}, BodyShape{});
     if (!hit.hit) return std::nullopt;
     return hit.end_m.z;
 }
 
-// The body stands on an edge with its middle beyond it: would it stand on what lies a body's width further on?
+// The walker is on an edge with its centre beyond it. True if it would stand on what is one body width farther on.
 bool spanned(const BodyWorld& world, const Vec3& edge_m, const Vec3& way, const GroundRules& rules) {
     const BodyShape body{rules.body.radius_m, rules.body.height_m};
     const Vec3 high = edge_m + Vec3(0.0, 0.0, 0.02);
     const TraceHit along = world.trace(high, high + way * (rules.body.radius_m + 2.0 * kSample_m), body);
-    if (along.hit) return true;  // something in the way before it can fall
+    if (along.hit) return true;  // something stops it before it can fall
     return world.trace(along.end_m, along.end_m - Vec3(0.0, 0.0, rules.drop_m), body).hit;
 }
 
@@ -59,7 +59,7 @@ GroundAhead ground_ahead(const BodyWorld& world, const Vec3& feet_m, double bear
             if (found.stairs || at > range_m) break;
         }
         const Vec3 before = feet_m + way * (at - kSample_m), here = feet_m + way * at;
-        // As high as the look at the ground begins, so that what is not met is stood on.
+        // At the height at which the search for ground begins, so whatever is not hit here is found as ground.
         const double eye_z = z + step_m + kAboveStep_m;
         if (world.trace({before.x, before.y, eye_z}, {here.x, here.y, eye_z}, BodyShape{0.0, kHeadroom_m}).hit) {
             run.whole = false;
@@ -70,12 +70,12 @@ GroundAhead ground_ahead(const BodyWorld& world, const Vec3& feet_m, double bear
         if (rise < -rules.drop_m) {
             const Vec3 edge(before.x, before.y, z);
             if (!spanned(world, edge, way, rules)) {
-                run = {};  // looked across them, past their side
+                run = {};  // the line of sight passed the side of the stairs
                 if (at <= range_m + kSample_m)
                     found.drop = DropAhead{at - kSample_m, next ? std::optional(-rise) : std::nullopt, edge};
                 break;
             }
-            continue;  // a gap that is stepped over: the ground goes on as it was
+            continue;  // a gap that is stepped over: the ground continues as before
         }
         if (std::abs(rise) >= kLeastRiser_m) {
             const bool up = rise > 0.0;

@@ -1,5 +1,5 @@
-// What the ground does around a walking body: stairs, drops and ramps. Pure functions over an immutable world, world
-// metres; app thread. A look ahead costs two rays for every five centimetres.
+// The ground around a walker: stairs, drops and ramps. Pure functions over an immutable world, world metres; app
+// thread. Looking ahead costs two rays for every five centimetres.
 #pragma once
 
 #include <optional>
@@ -8,24 +8,24 @@
 
 namespace handrail {
 
-// What counts as what, for a body of this size: in games people jump down what would be a fall in a building.
+// Limits for a walker of this size. In games, people jump down what would be a fall in a building.
 struct GroundRules {
     BodySize body;
-    double drop_m = 0.4;  // more than this down is a drop
+    double drop_m = 0.4;  // a larger step down is a drop
 };
 GroundRules ground_rules(const Scene& scene, const BodySize& body);
 
-// Stairs: at least three risers that follow each other.
+// Stairs: at least three consecutive risers.
 struct StairsAhead {
     bool up = true;
-    int risers = 0;           // in all, or as many as can be seen
+    int risers = 0;           // total, or as many as can be seen
     bool whole = true;        // they end at a landing, not at a wall
-    double distance_m = 0.0;  // from the middle of the body to the first riser
-    double height_m = 0.0;    // of all of them
-    Vec3 place_m{0.0};        // of the first riser's edge
+    double distance_m = 0.0;  // from the walker's centre to the first riser
+    double height_m = 0.0;    // of all risers
+    Vec3 place_m{0.0};        // edge of the first riser
 };
 struct DropAhead {
-    double distance_m = 0.0;        // from the middle of the body to the edge
+    double distance_m = 0.0;        // from the walker's centre to the edge
     std::optional<double> depth_m;  // none: no ground within thirty metres
     Vec3 place_m{0.0};              // of the edge
 };
@@ -34,19 +34,20 @@ struct GroundAhead {
     std::optional<DropAhead> drop;
 };
 
-// The ground straight ahead as far as `range_m`, or until something stands in the way. A gap that the body spans is no
+// Examines the ground straight ahead up to `range_m`, or until something blocks. A gap that the walker spans is not a
 // drop.
 GroundAhead ground_ahead(const BodyWorld& world, const Vec3& feet_m, double bearing_rad, const GroundRules& rules,
                          double range_m);
 
-// True where the ground under the middle of the body is gone, and will be gone for all of it when it goes on this way.
+// Returns a value if there is no ground under the walker's centre, nor for the rest of it as it goes on in this
+// direction.
 std::optional<DropAhead> over_drop(const BodyWorld& world, const Vec3& feet_m, double bearing_rad,
                                    const GroundRules& rules);
 
-// How much the ground under the middle of the body rises per metre of this way; 0 where there is none.
+// Rise of the ground under the walker's centre per metre in this direction; 0 if there is no ground.
 double ground_slope(const BodyWorld& world, const Vec3& feet_m, double bearing_rad);
 
-// Between two beats of the warning, for one who is so far from the edge; the warning begins at kDropWarning_m.
+// Seconds between two beats of the warning at this distance from the edge; the warning begins at kDropWarning_m.
 inline constexpr double kDropWarning_m = 2.0, kStairsCallout_m = 6.0;
 double drop_beat_s(double distance_m);
 

@@ -10,10 +10,10 @@ namespace {
 
 constexpr double kTick_s = 0.05, kLongestFall_s = 30.0;
 constexpr int kGrid = 16;                 // places along each side of the world
-constexpr std::size_t kMostThings = 400;  // whose tops are tried as well
+constexpr std::size_t kMostThings = 400;  // number of things whose tops are tried too
 constexpr double kAbove_m = 0.1;
 
-// Lets a body fall from there, as Walking would. Nothing: it falls out of the world, or slides for ever.
+// Lets a walker fall from there, as Walking would. No value: it falls out of the world, or slides for ever.
 std::optional<Vec3> rest_below(const Aabb& bounds_m, const BodyWorld& world, const BodySize& size, const Vec3& from_m) {
     const double lowest_m = bounds_m.min_m.z - kOutOfWorld_m;
     Walker walker(world, size);
@@ -26,7 +26,7 @@ std::optional<Vec3> rest_below(const Aabb& bounds_m, const BodyWorld& world, con
     return walker.state().feet_m;
 }
 
-// Over the ground and the things of the world: at the height of the wish, then from above all.
+// Places above the ground and the things of the world: at the height of the wish, then from above everything.
 std::vector<Vec3> places_over(const Scene& scene, const Vec3& wish_m) {
     std::vector<Vec3> places;
     const Aabb& box = scene.bounds_m;

@@ -1,5 +1,5 @@
-// Where a body that is set down stays in the world instead of falling out of it. A pure function; app thread. It traces
-// up to about 700 columns, so it is for rare events only.
+// Finds a place where a walker stays in the world instead of falling out of it. A pure function; app thread. It traces
+// up to about 700 columns, so use it only for rare events.
 #pragma once
 
 #include <optional>
@@ -10,11 +10,11 @@
 
 namespace handrail {
 
-inline constexpr double kOutOfWorld_m = 20.0;  // a body that far below the lowest place has fallen out of the world
+inline constexpr double kOutOfWorld_m = 20.0;  // a walker this far below the lowest place has fallen out of the world
 
-// Where the body comes to rest if it is set down at the first of `wishes` that holds it, the most wanted first. If none
-// does, the place nearest to the first wish: on the ground of a grid over the world, or on top of one of its things.
-// Nothing: no ground of this world holds a body.
+// Where the walker comes to rest if placed at the first of `wishes` that holds it, in order of preference. If none
+// does, the nearest place to the first wish that does, on the ground of a grid over the world or on top of a thing. No
+// value: no ground of this world holds a walker.
 std::optional<Vec3> place_that_holds(const Scene& scene, const BodyWorld& world, const BodySize& size,
                                      std::span<const Vec3> wishes);
 

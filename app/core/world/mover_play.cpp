@@ -7,7 +7,7 @@
 namespace handrail {
 namespace {
 
-constexpr int kDeepestChain = 8;  // buttons that press buttons: a ring of them must end
+constexpr int kDeepestChain = 8;  // buttons that press buttons: limits rings of them
 
 }  // namespace
 
@@ -61,13 +61,13 @@ void MoverPlay::hold_shut(std::uint32_t mover, bool held) {
         Part& part = parts_[i];
         if (part.held_shut == held) continue;
         part.held_shut = held;
-        const double goal = held ? 0.0 : rest(i);  // where the file has it, it is shut, also where it rests open
+        const double goal = held ? 0.0 : rest(i);  // its place in the file is the shut one, even if it rests open
         part.told = part.told && part.goal == goal;
         part.goal = goal;
     }
 }
 
-// Where it stands already its doors open.
+// If the lift is there already, its doors open.
 void MoverPlay::send_lift(std::uint32_t lift, double part) {
     if (parts_[lift].part == part && parts_[lift].goal == part) return open_doors(lift);
     send(movers_[lift].group, part == rest(lift));
@@ -76,7 +76,7 @@ void MoverPlay::send_lift(std::uint32_t lift, double part) {
     parts_[lift].told = false;
 }
 
-// The next of its halts above the one it stands at or goes to, and from the highest the lowest.
+// The next halt above the present one or the goal; from the highest, the lowest.
 double MoverPlay::next_halt(std::uint32_t lift) const {
     const std::vector<double>& halts = movers_[lift].halts;
     const auto above =
@@ -149,7 +149,7 @@ bool MoverPlay::any_endless() const {
     return std::any_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.going; });
 }
 
-// The whole group, from where it has come to.
+// Turns the whole group back from its present place.
 void MoverPlay::turn_back(std::uint32_t mover) {
     const bool goes_out = parts_[mover].goal != rest(mover);
     send(movers_[mover].group, goes_out);
@@ -164,7 +164,7 @@ void MoverPlay::turn_back(std::uint32_t mover) {
 void MoverPlay::tick_ends(std::uint32_t i, double dt_s, const Meets& meets, std::vector<MoverEvent>& events) {
     Part& part = parts_[i];
     const Mover& mover = movers_[i];
-    // A lift's door shuts as soon as the lift is to leave; one that has met somebody tries again when it has waited.
+    // A lift's door shuts as soon as the lift is to leave. One that has met somebody tries again after a pause.
     if (mover.lift != kNoMover && part.goal != rest(i) && !lift_is_at(mover)) {
         part.held_s -= dt_s;
         if (part.held_s <= 0.0) send(mover.group, true);
@@ -211,7 +211,7 @@ void MoverPlay::tick_endless(std::uint32_t i, double dt_s, const Meets& meets, s
         next.turned_rad = std::remainder(part.turned_rad + mover.turn_rad_per_s * dt_s, 2.0 * kPi);
     } else {
         double left_s = dt_s;
-        // No more stops in one step than there are, so that a ring of stops in one place ends too.
+        // At most as many stops in one step as there are, so that a ring of stops in one place ends too.
         for (std::size_t stops = 0; stops < mover.stops.size() && left_s > 0.0; ++stops) {
             if (next.left_s > 0.0) {
                 const double waited_s = std::min(left_s, next.left_s);

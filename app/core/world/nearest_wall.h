@@ -1,4 +1,4 @@
-// The wall that is nearest to a body, by looking. A pure function over an immutable world; app thread; 32 rays.
+// Finds the wall nearest to a walker by rays. A pure function over an immutable world; app thread; 32 rays.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,11 @@ namespace handrail {
 
 struct NearestWall {
     FeatureId feature = kNoFeature;
-    double distance_m = 0.0;   // from the middle of the body, at the height of the waist
-    double bearing_rad = 0.0;  // square to it
+    double distance_m = 0.0;   // from the walker's centre, at waist height
+    double bearing_rad = 0.0;  // square to the wall
 };
 
-// What stands upright within `reach_m`; none: nothing does.
+// The nearest upright surface within `reach_m`; no value: there is none.
 std::optional<NearestWall> nearest_wall(const BodyWorld& world, const Vec3& feet_m, double reach_m);
 
 }  // namespace handrail

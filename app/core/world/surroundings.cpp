@@ -49,8 +49,8 @@ FreeSpace free_space(const BodyWorld& world, const Vec3& feet_m, double height_m
 
 namespace {
 
-// Where a thing in that box is looked for: its middle, its nearest point, the middles of its sides; all a little
-// inside.
+// Points at which a thing in that box is searched for: its middle, its nearest point, and the middles of its sides, all
+// slightly inside.
 std::array<Vec3, 8> points_of(const Aabb& box, const Vec3& eye) {
     const Vec3 middle = box.centre_m(), half = 0.5 * box.size_m();
     const auto inside = [&](const Vec3& point) { return middle + (point - middle) * 0.98; };
@@ -66,8 +66,8 @@ std::array<Vec3, 8> points_of(const Aabb& box, const Vec3& eye) {
 
 }  // namespace
 
-// Boxes of boxes nearest first, so that in a large world only what is near is looked at. What one wall or floor hides,
-// with all that is in it, is left out at once.
+// Visits a tree of boxes, nearest first, so that only near things are examined in a large world. Whatever one wall or
+// floor hides completely is skipped at once.
 std::vector<Seen> things_in_sight(const BodyWorld& world, const Vec3& feet_m, double height_m, std::size_t most,
                                   int* rays_taken) {
     contract_pre(is_finite(feet_m) && height_m >= 0.0);
@@ -82,8 +82,8 @@ std::vector<Seen> things_in_sight(const BodyWorld& world, const Vec3& feet_m, do
         double nearest_m;
         What what;
         std::uint32_t number;  // of the node or the feature
-        Aabb around;           // everything that goes by its name
-        std::uint32_t hider;   // the piece that hid a part of it, or what was beside it
+        Aabb around;           // everything with its name
+        std::uint32_t hider;   // the piece that hid a part of it, or of its neighbour
     };
     const auto farther = [](const Place& a, const Place& b) {
         if (a.nearest_m != b.nearest_m) return a.nearest_m > b.nearest_m;

@@ -8,14 +8,14 @@
 namespace handrail {
 namespace {
 
-constexpr double kSteepest = 0.7;        // what leans less than that is ground, not wall
-constexpr double kFarthest_m = 4.0;      // to a wall that is looked for
-constexpr double kArm_m = 0.8;           // within which the wanted side wins over a nearer wall
-constexpr double kWallGone_m = 0.35;     // beside the body, beyond which the wall is gone
+constexpr double kSteepest = 0.7;        // flatter surfaces are ground, not wall
+constexpr double kFarthest_m = 4.0;      // largest distance of a wall to search for
+constexpr double kArm_m = 0.8;           // within it, the requested side wins over a nearer wall
+constexpr double kWallGone_m = 0.35;     // beyond this distance from the side, the wall is gone
 constexpr double kStep_m = 0.05;         // between two probes past an opening
-constexpr double kLeastRecess_m = 0.06;  // a wall that falls back by more is looked past
+constexpr double kLeastRecess_m = 0.06;  // a wall that recedes by more counts as an opening
 constexpr double kCornerCosine = 0.87;   // 30 degrees
-constexpr double kProbe_m = 0.02;        // radius of what names the wall
+constexpr double kProbe_m = 0.02;        // radius of the probe that names the wall
 constexpr double kAlignedRad = 0.35;
 
 BodyShape shape_above_steps(const BodySize& body) { return {body.radius_m, body.height_m - body.step_up_m}; }
@@ -27,7 +27,7 @@ Vec3 level(const Vec3& normal) {
 }
 double heading_of(const Vec3& way) { return std::atan2(way.x, way.y); }
 
-// How far the body can go this way before it meets a wall; nothing within `reach_m`: none.
+// How far the walker can go in this direction before it meets a wall; no value: none within `reach_m`.
 struct Side {
     double distance_m = 0.0;
     Vec3 normal{0.0};
@@ -76,7 +76,7 @@ void Trail::turn_round() {
     bridge_m_ = round_m_ = 0.0;
 }
 
-// The thing at the side, at any height from a step to the shoulders: named when it is another one than before.
+// Names the thing at the side, at any height from a step to the shoulders, if it is different from the previous one.
 void Trail::name(const BodyWorld& world, const Vec3& feet_m, const BodySize& body, std::vector<TrailEvent>& events) {
     const Vec3 from = above_steps(feet_m, body);
     const BodyShape probe{kProbe_m, body.height_m - body.step_up_m - 0.3};
@@ -103,7 +103,7 @@ TrailWay Trail::tick(const BodyWorld& world, const Vec3& feet_m, double facing_r
     TrailWay way{Vec3(0.0), heading_of(along())};
     if (!active_) return way;
 
-    // 1. To the wall.
+    // 1. Go to the wall.
     if (!near_) {
         const auto wall = side_of(world, from, -normal_, kFarthest_m + kWallGone_m, shape);
         if (!wall) {
@@ -119,7 +119,7 @@ TrailWay Trail::tick(const BodyWorld& world, const Vec3& feet_m, double facing_r
         }
         near_ = true;
     }
-    // 2. Something ahead: an inner corner, or a thing at the wall.
+    // 2. Something is ahead: an inner corner, or a thing at the wall.
     if (const auto ahead = side_of(world, from, along(), stride + kGap_m, shape)) {
         if (glm::dot(ahead->normal, along()) < -0.2) {
             normal_ = ahead->normal;
@@ -134,13 +134,13 @@ TrailWay Trail::tick(const BodyWorld& world, const Vec3& feet_m, double facing_r
     const double off = std::remainder(heading_of(along()) - facing_rad, 2.0 * kPi);
     if (std::abs(off) > kAlignedRad) return way;  // turn first
 
-    // 3. Past an opening.
+    // 3. Go past an opening.
     if (bridge_m_ > 0.0) {
         bridge_m_ -= stride;
         way.wish_m_per_s = along() * speed_m_per_s;
         return way;
     }
-    // 4. Along the wall.
+    // 4. Follow the wall.
     const double reach = kGap_m + kWallGone_m;
     const auto beside = side_of(world, from, -normal_, reach, shape);
     const bool bends = beside && glm::dot(beside->normal, normal_) < 0.98;
@@ -164,7 +164,7 @@ TrailWay Trail::tick(const BodyWorld& world, const Vec3& feet_m, double facing_r
         }
         return way;
     }
-    // 5. The wall falls back: does it go on behind?
+    // 5. The wall recedes: does it continue behind?
     for (double further = kStep_m; further <= kWidestOpening_m - 2.0 * body.radius_m; further += kStep_m) {
         if (world.trace(from, from + along() * further, shape).hit) break;
         const auto again = side_of(world, from + along() * further, -normal_, reach, shape);
@@ -184,11 +184,11 @@ TrailWay Trail::tick(const BodyWorld& world, const Vec3& feet_m, double facing_r
         way.wish_m_per_s = along() * speed_m_per_s;
         return way;
     }
-    if (beside) {  // a niche too wide to be looked past: into it
+    if (beside) {  // a niche too wide to pass: enter it
         round_m_ = reach;
         return way;
     }
-    // 6. Round an outer corner: the end of the wall looks the way that was gone.
+    // 6. Go round an outer corner: the end of the wall faces in the direction of movement.
     normal_ = along();
     round_m_ = 2.0 * body.radius_m + kWallGone_m + 0.3;
     way.heading_rad = heading_of(along());

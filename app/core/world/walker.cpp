@@ -9,16 +9,16 @@
 namespace handrail {
 namespace {
 
-constexpr double kGroundReach_m = 0.02;  // ground nearer than this carries the body
+constexpr double kGroundReach_m = 0.02;  // nearer ground carries the walker
 constexpr double kTerminalSpeed_m_per_s = 50.0;
-constexpr double kLift_m = 0.02;  // a body that is put into something is lifted out by this, as often as
+constexpr double kLift_m = 0.02;  // a walker placed inside a solid is lifted by this, at most kLifts times
 constexpr int kLifts = 25;
 
 double horizontal_length(const Vec3& v) { return std::sqrt(v.x * v.x + v.y * v.y); }
 
-// A body that is too wide for its place overlaps what is at its sides, and walks out of that. Its middle must not be in
-// the ground as well, or it would fall through: what the middle is in lets it through. So the middle alone is lifted
-// out.
+// A walker that is too wide for its place overlaps solids at its sides, and can walk out of them. Its centre must not
+// also be inside the ground: a piece that contains the centre is ignored, so the walker would fall through. Therefore
+// only the centre is lifted out.
 Vec3 on_top_of_m(const BodyWorld& world, const Vec3& feet_m, double height_m) {
     const BodyShape middle{0.0, height_m};
     const Vec3 above = feet_m + Vec3(0.0, 0.0, 2.0 * BodyWorld::kContactGap_m);  // ground at the feet carries it
@@ -62,7 +62,8 @@ Walker::Slide Walker::slide(const Vec3& from_m, Vec3 motion_m) const {
         if (hit.normal.z < kWalkableNormalZ && !result.first_wall) result.first_wall = hit;
         normals[met++] = hit.normal;
         Vec3 rest = motion_m * (1.0 - hit.fraction);
-        // What is left must not go into any surface met so far: one surface, then the crease of two, then nothing.
+        // The remaining motion must not go into any surface met up to now: first along one surface, then along the
+        // crease of two, then no motion.
         Vec3 clipped{0.0};
         bool found = false;
         for (int i = met - 1; i >= 0 && !found; --i) {
@@ -114,8 +115,8 @@ WalkResult Walker::tick(const Vec3& wish_m_per_s, double dt_s) {
 
     Slide way = slide(start, motion);
     if (stood && way.first_wall && wished > 0.0) {
-        // One step higher, along, and down again: kept when it leads further and ends on ground one can stand on. Under
-        // a low lintel a high step would lift the head into it, so lower ones are tried after it.
+        // Tries one step higher, along, and down again. The result is kept if it leads farther and ends on walkable
+        // ground. Under a low lintel a high step would lift the head into it, so lower ones are tried afterwards.
         const bool stairs = world_.is_stairs(way.first_wall->piece) || stands_on_stairs(start);
         const double step_m = stairs ? StairRule::step_m(size_.step_up_m) : size_.step_up_m;
         for (const double part : {1.0, 0.75, 0.5, 0.25, 0.1}) {
@@ -140,7 +141,7 @@ WalkResult Walker::tick(const Vec3& wish_m_per_s, double dt_s) {
         if (into > 0.5 || result.walked_m < 0.5 * wished) result.bump = way.first_wall;
     }
 
-    // On stairs and slopes down the ground is followed for one step; past that one falls.
+    // Down stairs and slopes, the walker follows the ground for one step; a larger drop is a fall.
     const double reach = stood ? size_.step_up_m + kGroundReach_m : kGroundReach_m;
     TraceHit ground = ground_below(state_.feet_m, reach);
     if (stood && !ground.hit && world_.has_stairs()) {
@@ -150,7 +151,7 @@ WalkResult Walker::tick(const Vec3& wish_m_per_s, double dt_s) {
     const bool carries = ground.hit && ground.normal.z >= kWalkableNormalZ;
     if (carries && state_.fall_speed_m_per_s >= 0.0) {
         state_.feet_m = ground.end_m;
-        // What lies under the middle of the body names the ground; at a border the eastern or northern side (see
+        // The surface under the centre names the ground; at a border, the eastern or northern one (see
         // BodyWorld::trace).
         const TraceHit under =
             world_.trace(state_.feet_m + Vec3(0.0, 0.0, 0.05), state_.feet_m - Vec3(0.0, 0.0, 0.05), BodyShape{}, true);

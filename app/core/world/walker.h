@@ -1,6 +1,6 @@
-// A body that walks: gravity, steps, stairs, slopes, and what it bumps into. Plain state and one tick; app thread. The
-// solids are the same that the hand feels. Source of the slide-and-step scheme: the way walking games have moved boxes
-// since the 1990s (trace, clip the remaining motion to the surface, try again one step higher, keep the better).
+// A walking body: gravity, steps, stairs, slopes and collisions. Plain state and one tick; app thread. It uses the same
+// solids that the hand feels. The slide-and-step scheme is that of walking games since the 1990s: trace, clip the
+// remaining motion to the surface, try again one step higher, and keep the better result.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ struct BodySize {
     double step_up_m = 0.25;  // 0.57 in game maps
     double eye_height_m = 1.65;
 };
-// Building or game sizes, with the person's own radius.
+// Sizes for buildings or for games, with the person's own radius.
 BodySize body_size(const Scene& scene, double radius_m);
 
 struct WalkerState {
@@ -25,15 +25,15 @@ struct WalkerState {
     bool on_ground = false;
 };
 
-// What happened in one tick.
+// The result of one tick.
 struct WalkResult {
-    double walked_m = 0.0;          // horizontal way made
-    std::optional<TraceHit> met;    // the first surface in the way, brushed along or not
+    double walked_m = 0.0;          // horizontal distance
+    std::optional<TraceHit> met;    // first surface in the way, even if only brushed
     std::optional<TraceHit> bump;   // the surface that stopped most of the wished motion
-    double climbed_m = 0.0;         // height won by stepping up this tick
-    bool landed = false;            // touched ground after falling more than a step
+    double climbed_m = 0.0;         // height gained by stepping up
+    bool landed = false;            // touched the ground after falling more than a step
     double fell_m = 0.0;            // height of that fall
-    FeatureId ground = kNoFeature;  // what one stands on
+    FeatureId ground = kNoFeature;  // what the walker stands on
     MaterialId ground_material = kDefaultMaterial;
 };
 
@@ -41,10 +41,10 @@ class Walker {
 public:
     Walker(const BodyWorld& world, BodySize size) : world_(world), size_(size) {}
 
-    // Puts the body at `feet_m`, or as near above it as there is room (at most half a metre), and lets it drop to the
-    // ground.
+    // Places the walker at `feet_m`, or as near above it as there is room (at most half a metre), and lets it drop to
+    // the ground.
     void place(const Vec3& feet_m);
-    // Goes on where another walker stood, standing or falling.
+    // Continues from the state of another walker, standing or falling.
     void resume(const WalkerState& state) {
         state_ = state;
         fall_from_z_ = state.feet_m.z;

@@ -1,5 +1,5 @@
-// The world with its things where they are by now, and what a body meets of it made anew. Functions of plain state; app
-// thread, but with_things() on any.
+// The world with its things at their present places, and the solids for walking rebuilt from that. Functions of plain
+// state; app thread, except with_things(), which any thread may call.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace handrail {
 
-// Where the things of a world are now, and those that are doors' leaves at rest.
+// The present places of things, and the places at rest of door leaves.
 struct ThingsNow {
     std::vector<Placement> things, at_rest;  // the latter by mover
     std::vector<int> thing_of_mover;
@@ -19,7 +19,7 @@ ThingsNow things_now(const WorldState& world);
 Scene with_things(const Scene& scene, const ThingsNow& now);
 inline Scene world_now(const WorldState& world) { return with_things(*world.scene, things_now(world)); }
 
-// After anything of the world has moved: what a body bumps into is where it is now; the body goes on where it stood.
+// Rebuilds the solids after anything in the world has moved; the walker stays where it is.
 void rebuild_solids(WorldState& world, BodyState& body);
 
 }  // namespace handrail

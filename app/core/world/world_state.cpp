@@ -8,7 +8,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kShut = 0.5;  // a door that has come less of its way is shut
+constexpr double kShut = 0.5;  // share of its path; a door opened less counts as shut
 
 }  // namespace
 
