@@ -40,8 +40,8 @@ struct ViewState {
     bool show_hand = false;  // there is a device or a simulated hand
     Vec3 proxy_m{0.0};
     double ball_radius_m = 0.005;
-    bool touching = false;   // red, else green
-    bool plan_view = false;  // F3
+    bool touching = false;   // drawn red, otherwise green
+    bool plan_view = false;  // toggled with F3
     bool forces_on = true;
     bool north_up = true;  // Map frame
     std::shared_ptr<const std::vector<DrawnRoom>>

@@ -55,7 +55,7 @@ inline constexpr std::size_t kLongestTyped = 200;
 // What the window or a screen reader shows of the dialogue.
 struct DialogueView {
     enum class Kind { None, List, Text } kind = Kind::None;
-    std::string title;  // or the question
+    std::string title;  // of the list, or the question
     std::vector<ListItem> items;
     std::size_t at = 0;
     std::string text;   // typed up to now

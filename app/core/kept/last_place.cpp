@@ -148,7 +148,7 @@ struct SessionTrace::State {
         fs::file_time_type latest = fs::file_time_type::min();
         for (const fs::path& path : locks) {
             const Descriptor file(::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
-            if (!lock(file)) continue;  // that session runs
+            if (!lock(file)) continue;  // that session is still running
             crashed = true;
             if (fs::path kept_report = keep_report(path); kept_report > report) report = std::move(kept_report);
             fs::path place = path;

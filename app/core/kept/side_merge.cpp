@@ -30,7 +30,7 @@ std::vector<At> places_of(const std::vector<SideEntry>& base, const std::vector<
     const auto match = [&](const auto& fits) {
         for (std::size_t b = 0; b < base.size(); ++b) {
             if (places[b]) continue;
-            // A file that nobody changed has them in the same order.
+            // Start at the same index, because an unchanged file has the same order.
             for (std::size_t i = 0; i < now.size(); ++i) {
                 const std::size_t at = (b + i) % now.size();
                 if (used[at] || !fits(base[b], now[at])) continue;
@@ -80,8 +80,8 @@ MergedEntries merge_entries(const std::vector<SideEntry>& base, const std::vecto
         if (in_here[b]) base_of[*in_here[b]] = b;
     const auto conflict = [&](const SideEntry& entry) { merged.conflicts.push_back(text_of(entry, "name")); };
 
-    // If both changed an entry that has an alike one which neither changed, each has changed its own: the alike one is
-    // taken for the one that the other session has changed.
+    // Some entries of `base` may be equal. If both sessions changed such an entry and neither changed its equal twin,
+    // assume that each changed a different one: the twin counts as the one that the other session changed.
     const auto kept_here = [&](std::size_t b) { return in_here[b] && same(base[b], here[*in_here[b]]); };
     const auto kept_there = [&](std::size_t b) { return in_other[b] && same(base[b], other[*in_other[b]]); };
     std::vector<bool> stands_for_another(base.size(), false), each_its_own(base.size(), false);
@@ -94,7 +94,7 @@ MergedEntries merge_entries(const std::vector<SideEntry>& base, const std::vecto
 
     for (std::size_t i = 0; i < here.size(); ++i) {
         const SideEntry& mine = here[i];
-        if (!base_of[i]) {  // new here; the very same may be new there
+        if (!base_of[i]) {  // new here; an equal one may be new there
             if (alike == Alike::OneThing)
                 std::erase_if(new_there, [&, found = false](std::size_t at) mutable {
                     return !found && (found = same(other[at], mine));

@@ -66,7 +66,7 @@ FoundWay look_up(const SavedWay& way, const Scene& scene, const SideFile& file, 
 // "Desk is gone; no way on foot from Hall to Kitchen". Empty if everything fits.
 std::string fault_words(const FoundWay& found, const std::function<std::string(double)>& distance);
 
-// One route and then the other, which begins where it ends.
+// Joins two routes; the second begins where the first ends.
 Route joined(Route first, const Route& then);
 
 // Plans a route on foot through several places. It ends before the first place that cannot be reached. at_m, if given,

@@ -181,7 +181,7 @@ private:
     void ask_for_last_place(double now_s);
     void take_others_additions();
     std::string entering_text() const;
-    // Lessons of an instructor: session_teaching.cpp.
+    // An instructor's lessons: session_teaching.cpp.
     void teach(const TeacherActed& act, double now_s);
     void lead_in_lesson(const TeacherActed& act, double now_s);
     void lay_blocked();

@@ -28,7 +28,7 @@ public:
     void notice(Command command);
     // Returns false if the command belongs to another feature. times: number of steps along a wall or back.
     bool act(Command command, double now_s, int times = 1);
-    // Trailing or going back leads the body now.
+    // True while following a wall or going back moves the walker.
     bool leads() const;
     // The wished velocity of the walker, metres per second, level; no value: the person's own keys apply.
     std::optional<Vec3> lead(double now_s, double dt_s);

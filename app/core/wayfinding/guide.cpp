@@ -139,7 +139,7 @@ void Guide::call(double now_s) {
     seek_.tick_warmer(now_s);
 }
 
-// ---- going along a kept way ----
+// ---- following a saved route ----
 
 void Guide::go_along(const std::vector<Stop>& stops, bool by_hand, double now_s) {
     hand_.end();
@@ -330,7 +330,7 @@ void Guide::seek_warmer(const Goal& goal, double now_s) {
     context_.answer(phrase("guide.warmer_on", {{"name", goal.name}}) + (how.empty() ? how : ". " + how), now_s);
 }
 
-// ---- being led ----
+// ---- guidance ----
 
 void Guide::take_me(double now_s) {
     if (hand_.at_work()) {

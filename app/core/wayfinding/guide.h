@@ -42,6 +42,7 @@ public:
     void call(double now_s);
 
     // ---- for other features ----
+    // Follows the stops of a saved route, from the first one on or to it first, by the hand or by ear.
     void go_along(const std::vector<Stop>& stops, bool by_hand, double now_s);
     void go_to_room(std::uint32_t room, double now_s);
     // Follows the route from the walker to a place: to the room around it if `by_room`, otherwise to a thing with that
@@ -90,15 +91,15 @@ public:
     }
     void note_stop(FeatureId by) { ear_.note_stop(by); }
     std::optional<RoutePassage> climb_here() const { return ear_.climb_here(); }
-    // Set by the session: turns the body; tells why nobody comes to a room.
+    // Set by the session: turns the walker; explains why a room cannot be reached.
     std::function<void(double heading_rad, double now_s)> on_face;
     std::function<void(std::uint32_t room, double now_s)> on_no_way;
 
-    const std::optional<Goal>& goal() const { return goal_; }  // what "take me there" goes to
+    const std::optional<Goal>& goal() const { return goal_; }  // goal of "take me there"
     const Beacon& beacon() const { return seek_.beacon(); }
     const Seek& seek() const { return seek_; }
     const PlannedStops& planned() const { return planned_; }
-    const std::vector<Vec3>& way_m() const { return plans_.last_m(); }  // as the servo of the right hand has it
+    const std::vector<Vec3>& way_m() const { return plans_.last_m(); }  // of the last plan, at floor level
     const GuidancePath& path() const { return hand_.path(); }           // as the servo of the right hand has it
 
 private:

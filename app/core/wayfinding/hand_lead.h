@@ -26,7 +26,7 @@ public:
     void enter_world();
     // False for a hand that is simulated for lack of a device: such a person is guided by ear.
     bool may_lead() const;
-    // A sentence; empty: it may act.
+    // A sentence; empty: force may act.
     std::string why_no_force() const;
     bool force_may_act() const { return why_no_force().empty(); }
     // True while it guides, is about to, or will again when everything is at rest.
@@ -42,8 +42,8 @@ public:
     void end();
 
     // ---- every tick ----
-    // Who walks, turns or moves the workspace has not pulled the hand out of the lead: true once all is at rest, when a
-    // new way to `goal` is to be told.
+    // A person who walks, turns or moves the workspace has not pulled the hand out of the guidance. Returns true once
+    // everything is at rest and a new path to `goal` must be announced.
     bool wants_new_way(const std::optional<Goal>& goal, double now_s);
     // How often the hand left the path in this lap; a new path continues the count.
     int errors() const { return led_.errors; }

@@ -29,6 +29,7 @@ public:
     void enter_world();
 
     // ---- following a saved route ----
+    // At least one stop. If the first one has been passed already, the route begins at the second, if there is one.
     void begin(const std::vector<Stop>& stops, bool first_passed, bool by_hand);
     void end() { run_.reset(); }
     bool running() const { return run_.has_value(); }
@@ -49,8 +50,8 @@ public:
     bool next();
 
     // ---- to a thing ----
-    // Straight to it where the ball passes, else along the planned way; where none is known, straight as long as
-    // nothing stands between.
+    // Straight to it if a proxy passes, otherwise along the planned route. If no route is known, straight as long as
+    // nothing is in between.
     WayForHand for_hand(const Goal& goal, std::size_t most_points);
     std::string why_none() const;
 

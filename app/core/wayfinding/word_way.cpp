@@ -160,8 +160,8 @@ LegAt WordWay::leg_at(std::size_t which) const {
 bool WordWay::holds() const {
     if (!way_.route->whole) return true;
     const LegAt first = leg_at(at_);
-    // From the place where it was planned the route still holds, even if its first leg is walked already there. A new
-    // plan from here would be the same route again and again.
+    // At the place where it was planned, the route still holds even if its first leg has been walked already. A new
+    // plan from here would give the same route again and again.
     if (glm::length(first.from_m - way_.from_m) < kUnmoved_m && way_.open == open_now()) return true;
     WordRoute left;
     left.legs.assign(way_.route->legs.begin() + static_cast<std::ptrdiff_t>(at_), way_.route->legs.end());

@@ -55,7 +55,7 @@ public:
 
     // Asks for a name for a room, stores it and then calls `then`.
     void ask_name(std::uint32_t room, std::function<void(double now_s)> then, double now_s);
-    // The names that the person gave have been changed in their file.
+    // The person's names have changed in their file.
     void take_names_again();
 
     // For the plan while it is shown.

@@ -33,7 +33,7 @@ public:
 
     // Starts with all movers at rest. The movers must outlive this object.
     void enter(std::span<const Mover> movers);
-    // Goes on with the same movers, which lie elsewhere in memory now.
+    // Continues with the same movers at a new address.
     void follow(std::span<const Mover> movers) { movers_ = movers; }
     // Sends a mover and its whole group to the other end, or back to rest from there; what it sets going goes to the
     // other end. A lift's door and a lift's button call the lift, or open its door if the lift is there. A lift with

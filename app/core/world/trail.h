@@ -39,7 +39,7 @@ public:
     bool active() const { return active_; }
     void stop() { active_ = false; }
     TrailSide side() const { return side_; }
-    // The same wall the other way, with the other side to it.
+    // Follows the same wall in the opposite direction, with the other side to it.
     void turn_round();
     // Call it while the walker is on the ground and should continue. `facing_rad`: its present direction. Adds to
     // `events`.
