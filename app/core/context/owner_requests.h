@@ -23,8 +23,8 @@ struct OwnerRequests {
     bool take_devices() { return std::exchange(devices, false); }
     // A world to read and enter.
     std::optional<WorldRequest> take_world() { return std::exchange(world, std::nullopt); }
-    // The present world was mended by a person and must be read again. The session then continues at the same place, or
-    // begins anew if no place in it is where it was.
+    // A person has corrected the present world, so it must be read again. The session then continues at the same place,
+    // or starts again if no place in it is where it was.
     bool take_read_again() { return std::exchange(read_again, false); }
     bool take_begin_anew() { return std::exchange(begin_anew, false); }
     // The place to continue at. The owner reads its world if that is another one.

@@ -67,7 +67,7 @@ public:
     std::string step(std::size_t control, int by);
     // The quantity that a control shows, itself or through the knob. An empty knob has an empty range.
     std::optional<ItemNumber> number(std::size_t control) const;
-    // Moves to the position whose number is nearest. NaN changes nothing.
+    // Moves to the position whose number is nearest. A number that is not finite changes nothing.
     std::string put_number(std::size_t control, double number);
     // Presses the control as a button; returns what to announce. A control with a value announces the value.
     std::string press(std::size_t control);

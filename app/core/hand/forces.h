@@ -18,7 +18,7 @@ public:
     // Handles the force key. Returns false if the command belongs to another feature.
     bool act(Command command, double now_s);
     // Stops everything: force, sounds, speech. The switch and the window both report the same press. The second report
-    // must not silence what the first one announced, so it returns false.
+    // does nothing and returns false, because it must not silence what the first one announced.
     bool stop(double now_s);
     // stops: presses of the stop key up to now, as the servo's switches count them. Returns true if the session has not
     // yet stopped.

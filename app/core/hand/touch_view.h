@@ -50,8 +50,8 @@ public:
     ServoTuning left_tuning() const;
     // The sentence on simplifications if it differs from the last one announced; otherwise empty.
     std::string news();
-    // How far the hands must move so that the proxy fits at its place, since it may have grown with the scale, or walls
-    // may have returned. left_m counts only if there is a left hand.
+    // How far the hands must move so that the proxy fits at its place. It may have grown with the scale, or walls may
+    // have returned. left_m counts only if there is a left hand.
     Vec3 out_of_solids_m(const Vec3& right_m, const Vec3& left_m) const;
     // An upper bound for the distance of anything from a hand in this world.
     double farthest_m() const;

@@ -1,6 +1,6 @@
-// How the progress of learning a world's places is stored between sessions, as lists in the world's side file. `learnt`
-// has one entry, which exists if the person wants progress to be remembered: a reduced set of touched stretches of wall
-// and walked floor. `learnt_room` has one entry for each room. Pure functions; app thread; world metres, seconds.
+// How the progress of learning a world's places is stored between sessions, as lists in the world's side file. If the
+// person wants progress to be remembered, `learnt` has one entry: a reduced set of touched stretches of wall and walked
+// floor. `learnt_room` has one entry for each room. Pure functions; app thread; world metres, seconds.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// Learning a place: notes what hand and walker touch and walk on, announces how much of a room is known and what is
-// left, and in the guided mode leads from wall to wall and from lane to lane. App thread only; learning.h does the
+// Learning a place: notes what hand and walker touch and walk on, and announces how much of a room is known and what is
+// left. In the guided mode it leads from wall to wall and from lane to lane. App thread only; learning.h does the
 // measuring.
 #pragma once
 

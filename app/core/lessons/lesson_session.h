@@ -45,7 +45,7 @@ public:
     bool idle() const;
 
     // Set by the session.
-    std::function<bool()> beacon_calls, at_beacon;    // the walker is, or was, where the beacon is
+    std::function<bool()> beacon_calls, at_beacon;    // the beacon sounds; the walker is where it sounds or sounded
     std::function<std::string()> world_greeting;      // for the present world
     std::function<void(double now_s)> on_begin_here;  // the workspace is to be placed where the hand is now
     std::function<void(double now_s)> on_hunt;        // begins a hunt in a larger building

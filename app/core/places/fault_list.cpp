@@ -183,7 +183,7 @@ void FaultList::make_door(const MadeDoor& door, double now_s) {
     context_.answer(phrase("faults.door_made", {{"between", one_line(door.name)}}), now_s);
 }
 
-// With another unit every position changes, so the world begins anew.
+// With another unit every position changes, so the session starts again in this world.
 void FaultList::take_unit(double metres, double now_s) {
     keep_unit(context_.additions, metres);
     if (!context_.asks.save_additions(now_s)) return;

@@ -27,7 +27,7 @@ public:
     void tell_unreadable(double now_s) const;
     // The landmarks have changed in their file.
     void take_again();
-    // Opens the list, now or once the faults are found; announces why it cannot.
+    // Opens the list, now or once the faults are found, or announces why it cannot.
     void open(double now_s);
     void tick(double now_s);
     // True if no list is being prepared.

@@ -85,7 +85,7 @@ private:
     std::uint32_t room_ = kNothing;
     std::string goal_;
     bool wanted_ = false;                 // a plan is wanted as soon as there is a floor
-    Awaited awaited_ = Awaited::Nothing;  // among the legs that are not known yet
+    Awaited awaited_ = Awaited::Nothing;  // what was requested of legs that are not known yet
     Planned way_;
     std::size_t at_ = 0;  // the leg that is being walked
     Vec3 looked_m_{0.0};

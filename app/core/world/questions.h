@@ -1,8 +1,8 @@
 // What a person asks about a place, and the answers: what is around, ahead, in one direction. Line of sight only: what
 // is behind a wall or a closed door is not mentioned. Pure functions over an immutable world; metres and radians; app
 // thread.
-// Settings::Speech::verbosity sets how much is said about a thing. A person who asks always gets a name, so 0 acts as
-// 1:
+// Settings::Speech::verbosity sets how much is said about a thing; 0 acts as 1, because a person who asks always gets a
+// name:
 //   1 "Door"   2 "Door, 4 steps ahead"; a surface with its material   3 "Door, wood, shut, hinged left, 4 steps ahead"
 //   4 "Door: it is 4 steps ahead. It is made of wood. It is shut, hinged left."
 // Directions use sixteenths of a circle, as for exits; if distances are exact, they use degrees.
