@@ -104,7 +104,7 @@ private:
     HandGrip hand_grip_;
     std::array<std::shared_ptr<HandEngine>, 2> hand_engines_;
     std::vector<Placement> driven_;  // as last sent to the engine
-    Vec3 walker_m_{0.0};             // also as last sent
+    Vec3 walker_m_{0.0};             // as last sent to the engine
     bool walker_lifted_ = false;
     double moved_s_ = -1e9;
     bool moving_ = false, rested_ = false;

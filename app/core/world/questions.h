@@ -31,7 +31,7 @@ struct Asker {
     const BodyWorld& world;
     Vec3 feet_m{0.0};
     double heading_rad = 0.0;
-    BodySize size{};  // a ray is blocked if this whole body would be
+    BodySize size{};  // an obstacle to any part of this body counts
     // Of doors announced by their doorway, as exits are; other doors by what is seen of them.
     std::vector<Doorway> doorways{};
 };
