@@ -1,5 +1,5 @@
-// Google Benchmark of one touch tick on small worlds and, where it is present, in a real map. Times are reported, never
-// asserted.
+// Google Benchmark of one touch tick in small worlds and, if it is installed, in a real map. It reports times and never
+// asserts them.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -30,9 +30,9 @@ void replay_ticks(benchmark::State& bench, const HapticScene& scene, const std::
     }
 }
 
-// One closest point of an obstacle of each kind, from random places near it.
+// Measures one closest-point query for each kind of obstacle, from random places near it.
 void register_closest_points() {
-    constexpr std::size_t kOurKinds = static_cast<std::size_t>(ObstacleKind::Custom);  // all but those of one's own
+    constexpr std::size_t kOurKinds = static_cast<std::size_t>(ObstacleKind::Custom);  // without custom obstacles
     TouchWorld worlds[kOurKinds];
     const auto of = [&](ObstacleKind kind) -> TouchWorld& { return worlds[static_cast<std::size_t>(kind)]; };
     const Vec3 low(-.1, -.1, -.1), high(.1, .1, .1);
@@ -60,8 +60,8 @@ void register_closest_points() {
             });
 }
 
-// A world as it is compiled when somebody changes to a scale: truly, and with what is too small to feel simplified; and
-// the looking alone.
+// Measures how long a world takes to compile when somebody changes the scale: exactly, and with details simplified that
+// are too small to feel. Also measures the search for such details alone.
 void register_simplifying() {
     constexpr double kReach_m = 0.075, kRim = 0.8, kRounding_hand_m = 1.5e-3, kBall_hand_m = 1e-3;
     for (const char* name : {"house.map", "school.map", "quake-e1m1.map"}) {

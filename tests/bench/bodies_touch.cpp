@@ -1,6 +1,6 @@
-// What bodies cost: a hand that feels its way over a floor of boxes, 3 mm deep at 0.25 m/s, with a number of crates as
-// bodies around it that stand still, move afar, or of which one pushes the ball. Under callgrind, instructions.sh
-// counts touch_tick.
+// Measures what bodies cost. A hand feels its way over a floor of boxes, 3 mm deep at 0.25 m/s. Around it are crates as
+// bodies: they stand still, move far away, or one of them pushes the proxy. Under callgrind, instructions.sh counts
+// touch_tick.
 //   bodies_touch TICKS none|still|far|pushing [BODIES]
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@
 namespace handrail::test {
 namespace {
 
-constexpr std::size_t kTicksOfFrame = 16;  // the app says sixty times a second where things are
+constexpr std::size_t kTicksOfFrame = 16;  // the app reports poses sixty times a second
 
 [[gnu::noinline]] double measured_ticks(TouchState& state, const HapticScene& scene, const TouchTuning& tuning,
                                         const std::vector<Vec3>& goals, const std::vector<BodyFrame>& frames,
@@ -57,7 +57,7 @@ int run(int ticks, const std::string& mode, int bodies) {
         goals.emplace_back(pushing ? 0.0 : 0.4 * std::sin(6e-4 * i), pushing ? 0.0 : 0.4 * std::cos(5e-4 * i), 0.002);
     TouchTuning tuning;
     tuning.default_friction_static = tuning.default_friction_kinetic = 0.3;
-    // The frame that is newest on a tick; every one holds the moments before it.
+    // Each frame holds its own poses and those of the moments before it, as the newest frame does in the program.
     std::vector<BodyFrame> frames(1);
     frames[0].push(scene->generation, 0.0, poses);
     for (std::size_t tick = kTicksOfFrame; !steps.empty() && tick < goals.size() + 2 * kTicksOfFrame;

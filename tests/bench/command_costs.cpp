@@ -1,6 +1,6 @@
-// How long each command holds up the app thread: the worst of carrying it out and of the ticks after it, in
-// milliseconds of that thread's own time. By hand: build/release/bin/command_costs [BRUSHES... or worlds' files], which
-// prints the table of docs/results/commands.md.
+// Measures how long each command occupies the app thread: the longest of its execution and the ticks after it, in
+// milliseconds of that thread's processor time. Run by hand: build/release/bin/command_costs [BRUSHES... or worlds'
+// files]. It prints the table of docs/results/commands.md.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ Result<Scene> scene_of(const std::string& world) {
     return read_quake_map(test::office_world(test::office_size(brushes)).map, "office.map");
 }
 
-// Of one world, the milliseconds of each command.
+// Measures the milliseconds of each command in one world.
 class Visit {
 public:
     explicit Visit(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) { begin(); }
@@ -50,7 +50,7 @@ public:
         });
         for (int i = 0; i < 30; ++i) worst_ms = std::max(worst_ms, tick());
         for (int i = 0; i < 5 && app_->dialogue().is_open(); ++i) app_->apply(KeyTapped{"Escape"}, now_s_);
-        // A desk, or a list that stays open, would take what follows.
+        // An open desk or list would take the next command.
         if (app_->dialogue().is_open() || app_->at_desk()) begin();
         (void)app_->take_cues();
         settle();

@@ -1,6 +1,6 @@
-// One kind of effect, liquid or soft patch, and a hand that moves about in it: how much a tick costs. Under callgrind,
-// effect_costs.sh counts instructions; alone it prints nanoseconds. `effect_costs` without a name runs each kind once,
-// shortly.
+// Measures what a tick costs while a hand moves about in one kind of effect, liquid or soft patch. Under callgrind,
+// effect_costs.sh counts instructions; otherwise the program prints nanoseconds. `effect_costs` without a name runs
+// each kind once, briefly.
 #include <chrono>
 #include <iostream>
 
@@ -81,7 +81,7 @@ constexpr std::array kKinds{
          }},
 };
 
-// The name that callgrind is told to count from and to: nothing else is in it.
+// callgrind counts from and to this function by its name; it contains nothing else.
 [[gnu::noinline]] double measured_ticks(const HapticScene& scene, TouchState& state, const std::vector<Vec3>& goals) {
     double checksum = 0.0;
     for (const Vec3& goal : goals) checksum += touch_tick(state, scene, TouchTuning{}, goal, 1e-3).force_n.x;

@@ -1,7 +1,8 @@
-// A ball of 5 mm slides over spheres of radius 0.5 m made of 1e3 to 1e6 triangles, pressed 2 to 5 mm deep at 0.2 m/s:
-// what the density of triangles costs. One line per sphere: build time, memory, time per tick.  mesh_touch [TICKS
-// [FREQUENCY [count]]]; a frequency of n gives 20 n^2 triangles. Under callgrind, instructions.sh counts what
-// measured_ticks() does; "count" leaves the timing out.
+// Measures what the density of triangles costs. A proxy of 5 mm slides at 0.2 m/s, pressed 2 to 5 mm deep, over spheres
+// of radius 0.5 m made of 1e3 to 1e6 triangles. Prints one line per sphere: build time, memory, time per tick.
+//   mesh_touch [TICKS [FREQUENCY [count]]]
+// A frequency of n gives 20 n^2 triangles. Under callgrind, instructions.sh counts measured_ticks(); "count" omits the
+// timing.
 #include <fmt/format.h>
 
 #include <malloc.h>
@@ -36,7 +37,7 @@ struct Tally {
     long iterations = 0, most_iterations = 0;
 };
 
-// The name that callgrind is told to count from and to: nothing else is in it.
+// callgrind counts from and to this function by its name; it contains nothing else.
 [[gnu::noinline]] Tally measured_ticks(const HapticScene& scene, const TouchTuning& tuning,
                                        const std::vector<Vec3>& goals, TouchState& state) {
     Tally tally;
@@ -51,8 +52,7 @@ struct Tally {
     return tally;
 }
 
-// The shortest of several passes for each tick, so that what other programs do to the machine is left out and what a
-// tick needs is not.
+// For each tick, the shortest time of several passes, which leaves out the load of other programs.
 std::vector<double> tick_times_ns(const HapticScene& scene, const TouchTuning& tuning, const std::vector<Vec3>& goals) {
     constexpr int kPasses = 5;
     std::vector<double> best(goals.size(), 1e18);

@@ -1,4 +1,5 @@
-// Writes an office building as an IFC file to standard output, to be read, measured and attacked:
+// Writes an office building as an IFC file to standard output, as input for the reader, for measurements and for
+// fuzzing:
 //   build/release/bin/office_ifc_file [storeys] [corridors] [rooms along each side] [facets in each room] > office.ifc
 #include <cstdio>
 #include <cstdlib>

@@ -1,6 +1,6 @@
-// Writes an office building as a .map to standard output, to be explored, measured and attacked:
-//   build/release/bin/office_map [brushes] [seed] > office.map      (50,000 brushes are 50,000 square metres on five
-//   storeys)
+// Writes an office building as a .map to standard output, to explore, for measurements and for fuzzing:
+//   build/release/bin/office_map [brushes] [seed] > office.map
+// 50,000 brushes are 50,000 square metres on five storeys.
 #include <cstdio>
 #include <cstdlib>
 

@@ -1,7 +1,8 @@
-// What finding rooms, exits and ways costs in office buildings of growing size, each in a process of its own so that
-// its memory is its own:
-//   build/release/bin/office_rooms [brushes] [seed]        by hand, without a number: 1,000, 3,000, 10,000 and 50,000
-//   build/release/bin/office_rooms WORLD...                the same of worlds in files
+// Measures what finding rooms, exits and routes costs in office buildings of growing size. Each building has a process
+// of
+// its own, so that its memory can be measured:
+//   build/release/bin/office_rooms [brushes] [seed]        by hand; without a number: 1,000, 3,000, 10,000 and 50,000
+//   build/release/bin/office_rooms WORLD...                measures worlds from files instead
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -27,14 +28,14 @@ double since(std::chrono::steady_clock::time_point from) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
 }
 
-// The most memory this process has held so far.
+// Peak memory of this process.
 double peak_mb() {
     rusage used{};
     getrusage(RUSAGE_SELF, &used);
     return static_cast<double>(used.ru_maxrss) / 1024.0;
 }
 
-// What finding ways and rooms of one world took and gave.
+// Costs and results of finding routes and rooms in one world.
 struct Found {
     double ways_s = 0.0, rooms_s = 0.0, most_mb = 0.0, cell_m = 0.0, farthest_m = 0.0, plan_s = 0.0;
     std::size_t places = 0, rooms = 0, exits = 0;
@@ -57,7 +58,7 @@ std::optional<Found> find(const Scene& scene) {
     found.places = space.spans.size();
     found.rooms = graph.rooms.size();
     found.exits = graph.portals.size();
-    // The way from the start to the farthest room.
+    // The route from the start to the farthest room.
     const Vec3 feet = scene.starts.front().feet_m;
     const auto far = std::max_element(graph.rooms.begin(), graph.rooms.end(), [&](const Room& a, const Room& b) {
         return glm::length(a.middle_m - feet) < glm::length(b.middle_m - feet);
@@ -89,7 +90,7 @@ int measure(int brushes, std::uint32_t seed) {
     return found->reaches ? 0 : 1;
 }
 
-// A world of a file; where its farthest room is not reached on foot, that is a fact and no failure.
+// Measures a world from a file. A farthest room that cannot be reached on foot is a result, not a failure.
 int measure_file(const char* file) {
     Result<Scene> scene = read_world(file);
     if (!scene) return std::fprintf(stderr, "%s\n", scene.error().sentence().c_str()), 1;
@@ -102,7 +103,7 @@ int measure_file(const char* file) {
     return 0;
 }
 
-// In a process of its own. False where that failed.
+// Runs the work in a process of its own. Returns false if that failed.
 bool apart(const std::function<int()>& work) {
     std::fflush(stdout);
     const pid_t child = fork();

@@ -1,4 +1,4 @@
-// What it costs to say something in the person's language, and to begin to speak one. By hand:
+// Measures what it costs to format a message in the person's language, and to start using a language. Run by hand:
 // build/release/bin/phrase_cost.
 #include <benchmark/benchmark.h>
 
@@ -33,7 +33,7 @@ void text_with_plural(benchmark::State& state) {
 }
 BENCHMARK(text_with_plural);
 
-// As each language is read when it is first spoken.
+// Reads each language, as the program does when it first speaks it.
 void read_bundled(benchmark::State& state) {
     const BundledLanguage& source = kBundledLanguages[static_cast<std::size_t>(state.range(0))];
     const std::string content(source.content);

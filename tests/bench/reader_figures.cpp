@@ -1,6 +1,7 @@
-// What reading costs: files of every format, made for it, each read as the program reads it (a .map at once, all others
-// by handrail-reader with its limits), with the time on the clock, the processor's and the most memory, as the kernel
-// counts them, as rows of a table:
+// Measures what reading costs. It generates files of every format and reads each as the program does: a .map directly,
+// all others by handrail-reader with its limits. It prints rows of a table with wall-clock time, processor time and
+// peak
+// memory, as the kernel counts them:
 //   build/release/bin/reader_figures [MB...]      (1 10 100)
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -27,7 +28,7 @@ namespace {
 
 using namespace handrail;
 
-// A table of 92 triangles at a place of a square field of tables, 2 m apart.
+// A table of 92 triangles, placed in a square field of tables that are 2 m apart.
 test::BlockMesh table_at(int number, int all) {
     static const std::set<test::Block> blocks{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2, 0}, {0, 0, 1},
                                               {1, 0, 1}, {2, 0, 1}, {0, 1, 1}, {1, 1, 1}, {2, 1, 1},
@@ -54,7 +55,7 @@ std::string ifc_of(int rooms) {
     return test::office_ifc({5, corridors, std::max(1, rooms / (10 * corridors)), 240}).text;
 }
 
-// Rooms of 6 by 5 m in rows of 40 along corridors, 600 to a level, each with a door.
+// Rooms of 6 by 5 m in rows of 40 along corridors, 600 on each level, each with a door.
 std::string osm_of(int rooms) {
     std::string nodes, ways;
     long id = 0;
@@ -177,7 +178,7 @@ std::string ply_of(int tables) {
            points + faces;
 }
 
-// A node for each table, y up.
+// One node for each table; y is up.
 std::string glb_of(int tables) {
     std::string bytes, views, accessors, meshes, nodes, roots;
     for (int i = 0; i < tables; ++i) {
@@ -235,7 +236,7 @@ struct Format {
     const char* name;
     const char* ending;
     std::string (*made)(int size);
-    int first;  // size of a sample
+    int first;  // size parameter of the sample
 };
 constexpr Format kFormats[] = {
     {"map", ".map", map_of, 2'000},        {"ifc", ".ifc", ifc_of, 400}, {"osm", ".osm", osm_of, 1'200},
@@ -248,7 +249,8 @@ struct Figures {
     char became[200] = {};
 };
 
-// In a process of its own, so that the kernel counts this alone. False where that ended early.
+// Runs the work in a process of its own, so that the kernel counts only this work. Returns false if the process ended
+// early.
 template <class Work>
 bool apart(const Work& work) {
     std::fflush(nullptr);
@@ -287,13 +289,13 @@ void read_and_tell(const std::filesystem::path& path, bool as_map, int fd) {
     if (::write(fd, &figures, sizeof figures) != sizeof figures) ::_exit(1);
 }
 
-// The size that makes a file of about so many bytes.
+// Returns the size parameter that makes a file of about this many bytes.
 int size_for(const Format& format, double bytes) {
     const double sample = static_cast<double>(format.made(format.first).size());
     return std::max(1, static_cast<int>(std::lround(format.first * bytes / sample)));
 }
 
-// A side file of so many marks: the median of several, read for the first time and again.
+// Reads a side file with this many marks: the median of several first reads, and of reading it again.
 void print_toml_figures(int marks) {
     std::string text;
     for (int i = 0; i < marks; ++i)

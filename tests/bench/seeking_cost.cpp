@@ -1,5 +1,5 @@
-// What the tools that lead along the way cost in our house: to plan a way when one is wished for, and to look at each
-// frame where on it one is. By hand: build/release/bin/seeking_cost.
+// Measures what the tools that guide along the route cost in our house: planning a route on request, and finding the
+// person's place on it in each frame. Run by hand: build/release/bin/seeking_cost.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kMostPoints = 64;
 constexpr double kHand_m = 1.0;
 
-// From the front door to a thing: near by, across a room, and on the other floor.
+// From the front door to an object: near by, across a room, and on the other storey.
 constexpr const char* kThings[] = {"Coat stand", "Dining table", "Piano"};
 
 struct House {
@@ -63,7 +63,7 @@ void plan_for_a_hand(benchmark::State& state) {
 }
 BENCHMARK(plan_for_a_hand)->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
 
-// Somebody who goes along it, half a metre beside it, and sees it or not.
+// Somebody walks along the route, half a metre to its side, with the route in sight or not.
 void look_where_on_it(benchmark::State& state) {
     const char* name = kThings[state.range(0)];
     state.SetLabel(name);

@@ -1,6 +1,6 @@
-// A session in office buildings of growing size: when one can hear, touch and find the way, and how long the app thread
-// is ever busy at a time, while one walks, opens doors, asks, and changes the scale. By hand:
-// build/release/bin/session_ticks [BRUSHES...], or worlds' files.
+// Measures a session in office buildings of growing size. It measures when the person can hear, touch and find routes.
+// It also measures how long the app thread is ever busy at a time while the person walks, opens doors, queries, and
+// changes the scale. Run by hand: build/release/bin/session_ticks [BRUSHES...], or with worlds' files.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 const SteadyClock kClock;
 
-// Of the thread that asks: what others do meanwhile on a machine of few cores is none of it.
+// Processor time of the calling thread. It excludes what other threads do meanwhile on a machine with few cores.
 double busy_ms() {
     timespec time{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -62,7 +62,7 @@ public:
                                     Command::ScaleDetail, Command::ScaleFloor})
             act(scale, scale_ms);
         const double walk_ms = worst_tick_;
-        // Every door within reach on a walk along the corridor is opened.
+        // Opens every door within reach on a walk along the corridor.
         worst_tick_ = 0.0;
         for (int step = 0; step < 60; ++step) {
             app.apply(CommandDown{Command::Forward}, now_s_);

@@ -1,7 +1,7 @@
-// What a first and a second start with a world cost, step by step, in seconds of the processor:
+// Measures what a first and a second start with a world cost, step by step, in seconds of processor time:
 //   build/release/bin/start_costs WORLD...
-// A second start takes the scene, the places where one can stand and the rooms from what was kept of them; what is felt
-// and the mesh are made anew each time. Keeping is done beside, when all is ready.
+// A second start takes the scene, the walkable area and the rooms from the cache. The haptic scene and the mesh are
+// built anew each time. A background task writes the cache when everything is ready.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -38,7 +38,7 @@ int measure(const char* file) {
     if (!scene) return std::fprintf(stderr, "%s\n", scene.error().sentence().c_str()), 1;
     const std::string kept = kept_scene({}, stored(*scene));
     bool whole = false;
-    // A .map is read again each time, so of one only the ways are kept.
+    // A .map is read again each time, so for a .map only the walkable area is cached.
     const bool scene_is_kept = std::filesystem::path(file).extension() != ".map";
     const double kept_s = cpu_s([&] {
         const auto again = scene_in(kept, [](const std::vector<BesideFile>&) { return true; });

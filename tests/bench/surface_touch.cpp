@@ -1,6 +1,8 @@
-// What each way to feel a surface costs: a ball slides over a floor that is plain (with friction), without friction,
-// with friction that weakens, damped, guarded, rounded at its edges, a sheet, a sheet of one side, or textured; or over
-// a tessellated sphere, faceted or shaded. Under callgrind, instructions.sh counts what measured_ticks() does.
+// Measures what each way to render a surface costs. The proxy slides over a floor that is plain (with friction),
+// without
+// friction, with friction that weakens, damped, guarded, rounded at its edges, a sheet, a sheet of one side, or
+// textured.
+// Or it slides over a tessellated sphere, faceted or shaded. Under callgrind, instructions.sh counts measured_ticks().
 //   surface_touch TICKS
 //   plain|slippery|weakening|damped|guarded|rounded|sheet|one-sided|friction|sine|square|picture|facets|shaded
 #include <array>
@@ -15,7 +17,7 @@
 namespace handrail::test {
 namespace {
 
-// The name that callgrind is told to count from and to: nothing else is in it.
+// callgrind counts from and to this function by its name; it contains nothing else.
 [[gnu::noinline]] double measured_ticks(const HapticScene& scene, const TouchTuning& tuning,
                                         const std::vector<Vec3>& goals, TouchState& state) {
     double checksum = 0.0;

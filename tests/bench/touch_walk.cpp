@@ -1,7 +1,8 @@
-// Walks and touches through quake-e1m1.map at a ball of 5 mm and scale 1. Under callgrind, instructions.sh counts the
-// whole servo_tick (sample checks, workspace, touch, events, limiter), or of touch_tick alone: as shipped (touch), with
-// every optional feature compiled out (plain), or with all compiled in, used or not (all). servo: nothing guides the
-// hand; pull and grooves: it is pulled, or among 32 grooves.
+// Walks and touches through quake-e1m1.map with a proxy of 5 mm at scale 1. Under callgrind, instructions.sh counts:
+// - the whole servo_tick (sample checks, workspace, touch, events, limiter): servo, without guidance; pull, where the
+//   hand is pulled; grooves, among 32 grooves
+// - only touch_tick: touch, as shipped; plain, with every optional feature compiled out; all, with all features
+//   compiled in, used or not
 //   touch_walk [TICKS [servo|pull|grooves|touch|plain|all]]
 #include <fmt/format.h>
 
@@ -25,7 +26,7 @@ struct Tally {
 using Tick = TouchResult(TouchState&, const HapticScene&, const TouchTuning&, const Vec3&, double, const Vec3&,
                          const BodyPoses&) noexcept;
 
-// The name that callgrind is told to count from and to: nothing else is in it.
+// callgrind counts from and to this function by its name; it contains nothing else.
 template <Tick tick>
 [[gnu::noinline]] Tally measured_ticks(const HapticScene& scene, const TouchTuning& tuning,
                                        const std::vector<Vec3>& goals, TouchState& state) {
@@ -39,12 +40,13 @@ template <Tick tick>
     return tally;
 }
 
-// To a place so far away that the pull lasts all the time; or in the middle of the most grooves that there can be.
+// The target of "pull" is so far away that the pull never ends. "grooves" puts the hand in the middle of the largest
+// number of grooves.
 GuidancePath led(const std::string& how, const std::vector<Vec3>& goals) {
     GuidancePath path;
     if (how == "servo") return path;
     path.number = 1;
-    if (how == "pull") path.strength = 0.0;  // all of the work, and no letting go
+    if (how == "pull") path.strength = 0.0;  // does all of the work, and never lets go
     path.kind = how == "pull" ? GuidanceKind::Pull : GuidanceKind::Grooves;
     path.count = GuidancePath::kMostPoints;
     for (std::uint32_t i = 0; i < path.count; ++i)
@@ -61,7 +63,7 @@ GuidancePath led(const std::string& how, const std::vector<Vec3>& goals) {
     const GuidancePath none;
     for (const Vec3& goal : goals) {
         DeviceSample sample;
-        sample.position_m = goal;  // scale 1 and a workspace at the origin: the hand is where the world is
+        sample.position_m = goal;  // at scale 1 with the workspace at the origin, hand and world coordinates are equal
         const ForceCommand command = servo_tick(state, {.scene = &scene,
                                                         .tuning = tuning,
                                                         .pose = WorkspacePose{},
@@ -82,7 +84,7 @@ int run(int ticks, const std::string& part) {
     const auto haptic = compile_haptic(*scene, MaterialSource::KeysOnly);
     TouchTuning tuning;
     tuning.damping_ns_per_m = 5.0;
-    tuning.passivity_guard = true;  // as the program has it; this damping leaves it nothing to do
+    tuning.passivity_guard = true;  // as in the program; this damping leaves the guard nothing to do
     tuning.default_friction_static = tuning.default_friction_kinetic = 0.3;
     const std::vector<Vec3> goals = record_walk(*haptic, tuning, scene->starts.front().feet_m + Vec3(0, 0, 1.0), ticks);
     TouchState touch_state;

@@ -1,6 +1,5 @@
-// A hand that walks through a building and feels its way along walls, floors and things: the path that instruction
-// counts and benchmarks are taken from. The recipe below is the recording: the same scene gives the same path on every
-// machine.
+// A hand that walks through a building and feels its way along walls, floors and objects. Instruction counts and
+// benchmarks use this path. The code below generates it: the same scene gives the same path on every machine.
 #pragma once
 
 #include <random>
@@ -9,9 +8,9 @@
 
 namespace handrail::test {
 
-// Goals at 1 kHz from `start_m`: at walking speed (1 m/s) straight on until something is met, then at 0.25 m/s and up
-// to 3 mm deep along it, in a new direction every 0.4 to 1.6 s or when the ball is stuck. Three directions of four keep
-// to the surface, the fourth may lead away from it.
+// Goals at 1 kHz from `start_m`. The hand moves straight at walking speed (1 m/s) until it meets something. Then it
+// follows the surface at 0.25 m/s and up to 3 mm deep. It takes a new direction every 0.4 to 1.6 s or when the proxy is
+// stuck. Three of four directions keep to the surface; the fourth may lead away from it.
 inline std::vector<Vec3> record_walk(const HapticScene& scene, const TouchTuning& tuning, const Vec3& start_m,
                                      int ticks, std::uint32_t seed = 1996) {
     constexpr double kDepth_m = 3e-3, kWalk_m = 1e-3, kFeel_m = 2.5e-4, kStuck_m = 2.5e-5;  // per tick
@@ -24,7 +23,7 @@ inline std::vector<Vec3> record_walk(const HapticScene& scene, const TouchTuning
     for (int i = 0; i < ticks; ++i) {
         if (left <= 0 || stuck > 100) {
             do {
-                // Not drawn as arguments: the order in which arguments are evaluated differs between compilers.
+                // Separate statements, because compilers evaluate arguments in different orders.
                 const double z = 2 * unit() - 1, y = 2 * unit() - 1, x = 2 * unit() - 1;
                 direction = {x, y, z};
             } while (glm::dot(direction, direction) < 0.1 || glm::dot(direction, direction) > 1.0);

@@ -1,4 +1,4 @@
-// The building that walks are made through.
+// The building that the benchmarks walk through.
 #pragma once
 
 #include <iostream>
@@ -9,8 +9,8 @@
 
 namespace handrail::test {
 
-// quake-e1m1.map with at least one start. Nothing where it cannot be had: said aloud, with the status to exit with (77:
-// skipped).
+// Reads quake-e1m1.map with at least one start. If it is not available, prints why, sets the exit status (77: skipped)
+// and returns nothing.
 inline std::optional<Scene> walked_scene(int& status) {
     const auto path = real_world("quake-e1m1.map");
     if (!path) {

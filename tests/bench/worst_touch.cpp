@@ -1,6 +1,6 @@
-// What the worst places cost that tests/support/worst_cases knows: time, counted work, and what had to wait.
-// worst_touch [TICKS [CASE [count]]] Under callgrind, instructions.sh counts what measured_ticks() does; "count" leaves
-// the timing out.
+// Measures the worst places that tests/support/worst_cases knows: time, counted work, and what had to wait.
+//   worst_touch [TICKS [CASE [count]]]
+// Under callgrind, instructions.sh counts measured_ticks(); "count" omits the timing.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #if __has_include(<valgrind/callgrind.h>)
@@ -43,7 +43,7 @@ struct Run {
     }
 };
 
-// The name that callgrind is told to count from and to: nothing else is in it.
+// callgrind counts from and to this function by its name; it contains nothing else.
 [[gnu::noinline]] double measured_ticks(Run& run, std::size_t i) { return run.tick(i).force_n.x; }
 
 void report(int number, int ticks, bool timed) {

@@ -1,8 +1,9 @@
-// Active-set god-object with exact time of impact: the planes of all obstacles the ball touches make a quadratic
-// programme whose active set (at most three, multipliers not negative) gives the next sub-goal; the ball is swept there
-// until it touches something new; and so on. The god-object of Zilles and Salisbury (A constraint-based god-object
-// method for haptic display, IROS 1995) with the finite ball of Ruspini et al. (1997) and the contact-set solution of
-// Ortega, Redon and Coquillart (A six degree-of-freedom god-object method, 2006) for three degrees of freedom.
+// Active-set god-object with exact time of impact. The planes of all obstacles that the proxy touches form a quadratic
+// programme. Its active set, at most three planes with non-negative multipliers, gives the next sub-goal. The proxy is
+// swept there until it touches something new, and this repeats.
+// Sources: the god-object of Zilles and Salisbury (A constraint-based god-object method for haptic display, IROS 1995),
+// the finite ball of Ruspini et al. (1997), and the contact-set solution of Ortega, Redon and Coquillart (A six
+// degree-of-freedom god-object method, 2006), here for three degrees of freedom.
 #include "tests/bench/compare/contestant.h"
 #include "tests/bench/compare/nearby.h"
 #include "tests/bench/compare/swept.h"
@@ -34,7 +35,7 @@ public:
             nearby_.within(ball_, radius_m_ + kTouched_m, [&](std::uint32_t obstacle) {
                 const ClosestPoint closest = scene_.closest(obstacle, ball_);
                 if (closest.distance_m - radius_m_ > kTouched_m) return;
-                // Relative to the ball: at its skin.
+                // Relative to the proxy's centre, offset by the skin.
                 walls_.push_back({closest.normal, kSkin_m - (closest.distance_m - radius_m_)});
             });
             touched = touched || !walls_.empty();

@@ -14,10 +14,11 @@
 namespace handrail::bench {
 namespace {
 
-constexpr const char* kWorst = "worst";    // the family that is no comparison
-constexpr const char* kBodies = "bodies";  // likewise: what a hand feels of things that move
+constexpr const char* kWorst = "worst";    // selects the worst places, which compare no renderers
+constexpr const char* kBodies = "bodies";  // selects moving objects, which compare no renderers either
 
-// A scene that is made when its turn comes and dropped after it: a million triangles are not kept beside the rest.
+// A scene that is built when its turn comes and freed afterwards, so that a million triangles do not stay in memory
+// meanwhile.
 struct Planned {
     std::string name;
     std::string family;
@@ -99,8 +100,8 @@ BenchReport run_bench(const BenchOptions& options) {
         report.scenes.push_back({world.name, world.family, world.scene->obstacles.size(), world.goals_m.size(),
                                  world.build_s, world.bytes_per_obstacle, !truth.reference_m.empty(),
                                  world.simplify_bound_m, world.simplify_measured_m});
-        // The knobs' curves come from the scenes as they stand and one random lie each; a quick run has the main
-        // renderers alone.
+        // The knobs' curves come from the original scenes and one random variant of each. A quick run has only the main
+        // renderers.
         for (const Contestant& contestant :
              options.quick || world.seed > 1 ? main_contestants() : knobbed_contestants()) {
             if (contestant.key == "handrail_uncapped" && !world.hard_case) continue;
@@ -113,7 +114,7 @@ BenchReport run_bench(const BenchOptions& options) {
     }
     if (options.only.empty() || lower_ascii(options.only) == kWorst)
         for (int number = 0; number < test::kWorstCases; ++number) {
-            // In a quick run those alone that are built at once.
+            // A quick run takes only the case that is built immediately.
             if (options.quick && number != 1) continue;
             at(fmt::format("hard case {} of {}", number + 1, test::kWorstCases));
             report.worst.push_back(run_worst_case(number, options.quick ? 200 : 2000, options.quick ? 1 : 3));

@@ -25,7 +25,7 @@ std::size_t heap_bytes() {
     return info.uordblks + info.hblkhd;
 }
 
-// Builds the scene and says what it cost.
+// Builds the scene and records its build time and memory.
 template <class Build>
 void build_scene(BenchWorld& world, Build&& build) {
     const SteadyClock clock;
@@ -45,7 +45,7 @@ void build_scene(BenchWorld& world, Build&& build) {
 double BenchWorld::judging_work() const {
     double work = 0.0;
     for (const test::BruteForce::Thing& t : judge.things()) work += test::judging_work(t);
-    // In a large scene most things are told to be far by one comparison.
+    // In a large scene, one comparison shows that most obstacles are far away.
     const double many = static_cast<double>(judge.things().size());
     return many > 100.0 ? many + work * 20.0 / many : work;
 }
@@ -111,9 +111,9 @@ BenchWorld sphere_world(int frequency, int ticks, std::uint32_t seed, double sim
         builder.add_mesh(mesh);
         return builder.build();
     });
-    // The lie of the mesh is what the seed changes; the hand starts at the same place in the world.
+    // The seed changes the orientation of the mesh. The hand starts at the same place in the world.
     world.goals_m = test::sphere_slide(kSphere_m, world.radius_m, kSpeed_m_per_s, ticks);
-    // Marks of a coarse grid along the path: triangles with a corner in a marked cell are near enough to matter.
+    // Marks cells of a coarse grid along the path. Triangles with a corner in a marked cell are near enough to matter.
     std::vector<std::uint64_t> marked;
     const auto cell = [](const Vec3& p) {
         std::uint64_t key = 0;
@@ -142,7 +142,7 @@ BenchWorld sphere_world(int frequency, int ticks, std::uint32_t seed, double sim
 
 BenchWorld pole_world(int sectors, int ticks) {
     constexpr double kSphere_m = 0.5, kSpeed_m_per_s = 0.2, kRing_m = 3e-3;
-    constexpr int kRings = 16;  // as far as the ball's 20 mm to either side need
+    constexpr int kRings = 16;  // enough for the proxy's 20 mm to either side
     BenchWorld world;
     world.family = world.name = fmt::format("pole of a sphere, {} triangles", sectors);
     world.sphere_radius_m = kSphere_m;

@@ -1,6 +1,6 @@
-// What renderers are compared on: a scene to touch, a path of the hand through it, and the same shapes once more as
-// plain numbers for those renderers and judges that must not see the scene's own structures. Immutable once built; any
-// thread.
+// A world on which renderers are compared: a scene to touch, a path of the hand through it, and the same shapes as
+// plain numbers. Renderers and judges that must not see the scene's own structures use the plain numbers. Immutable
+// after construction; any thread may use it.
 #pragma once
 
 #include <cstdint>
@@ -21,22 +21,23 @@ struct BenchWorld {
     std::string family;  // "T5", "sphere 1e4", "map first_room"
     std::uint32_t seed = 0;
     std::shared_ptr<const HapticScene> scene;
-    std::vector<Vec3> goals_m;  // 1 kHz, world
+    std::vector<Vec3> goals_m;  // 1 kHz, world coordinates
     double radius_m = 0.005;
-    // Every obstacle in the scene's order. Of a sphere mesh only those near the path; `thing_of` then tells where they
-    // are.
+    // Every obstacle in the scene's order. For a sphere mesh, only the triangles near the path; `thing_of` then maps
+    // obstacles to entries.
     test::BruteForce judge;
-    std::vector<std::int32_t> thing_of;  // by obstacle, -1: left out; empty: the same order
+    std::vector<std::int32_t> thing_of;  // by obstacle; -1: left out; empty: same order as the scene
     bool hard_case = false;              // a small world of the families T1 to T16
-    bool judged = true;                  // the judge knows everything that the scene holds
-    double sphere_radius_m = 0.0;        // a tessellated sphere around zero: the exact answer is known
+    bool judged = true;                  // the judge has every obstacle of the scene
+    double sphere_radius_m = 0.0;        // a tessellated sphere around the origin, whose exact answer is known
     double simplify_bound_m = 0.0,
-           simplify_measured_m = 0.0;  // of a mesh made coarser: asked for, and found (haptic/compile/simplify_mesh)
+           // For a simplified mesh: requested and measured distance (haptic/compile/simplify_mesh).
+        simplify_measured_m = 0.0;
     double build_s = 0.0;
-    double bytes_per_obstacle = 0.0;  // heap taken by building, all of it
+    double bytes_per_obstacle = 0.0;  // all heap memory that building the scene takes
 
-    // About how many comparisons one look of the judge at everything near a place costs: solids are judged by trying
-    // every three of their planes.
+    // Approximate number of comparisons when the judge examines everything near a place. It judges a solid by trying
+    // all triples of its planes.
     double judging_work() const;
     const test::BruteForce::Thing* thing(std::uint32_t obstacle) const {
         const std::int64_t at = thing_of.empty() ? static_cast<std::int64_t>(obstacle) : thing_of[obstacle];
@@ -44,17 +45,17 @@ struct BenchWorld {
     }
 };
 
-// Seed 0: the hard cases of tests/support/touch_worlds as they stand. Others: the families of
-// tests/support/random_families with everything drawn from the seed, and the cases that have none turned, shifted, with
-// a ball of 2 to 6 mm; the hand off by up to half a millimetre.
+// Seed 0 gives the hard cases of tests/support/touch_worlds unchanged. Other seeds give the families of
+// tests/support/random_families, drawn entirely from the seed. Cases without such a family are turned and shifted, with
+// a proxy of 2 to 6 mm and the hand displaced by up to half a millimetre.
 std::vector<BenchWorld> hard_case_worlds(std::uint32_t seed);
-// A hand that slides at 0.2 m/s, 2 to 5 mm deep, over a sphere of 0.5 m made of 20 frequency^2 triangles.
-// simplify_m > 0: made coarser within that distance first.
+// A hand slides at 0.2 m/s, 2 to 5 mm deep, over a sphere of 0.5 m made of 20 frequency^2 triangles. If simplify_m > 0,
+// the mesh is first simplified within that distance.
 BenchWorld sphere_world(int frequency, int ticks, std::uint32_t seed, double simplify_m = 0.0);
-// A hand that slides at 0.2 m/s, 3 mm deep, over the pole of a sphere of 0.5 m in which so many triangles meet,
-// parallels 3 mm apart.
+// A hand slides at 0.2 m/s, 3 mm deep, over the pole of a sphere of 0.5 m. `sectors` triangles meet at the pole; the
+// parallels are 3 mm apart.
 BenchWorld pole_world(int sectors, int ticks);
-// A hand that walks and feels its way through a map, from its first start.
+// A hand walks and feels its way through a map, beginning at the map's first start.
 Result<BenchWorld> map_world(const std::filesystem::path& map, int ticks, std::uint32_t seed);
 
 }  // namespace handrail::bench

@@ -1,7 +1,7 @@
-// What a hand feels of a thing that moves, in three ways: our model in the servo, poses of the engine interpolated, and
-// those with the force on the thing damped as by a virtual coupling (Colgate and others, "Issues in the haptic display
-// of tool use", 1995). A ball on a rubber string is pushed to and fro for ten loops by a hand that is led exactly; what
-// it should feel is known as a formula.
+// Measures what a hand feels of a moving object with three methods: our model in the servo, interpolated poses of the
+// engine, and interpolated poses with the force on the object damped as by a virtual coupling (Colgate and others,
+// "Issues in the haptic display of tool use", 1995). A hand that follows a prescribed path exactly pushes a ball on a
+// rubber string to and fro for ten loops. A formula gives what it should feel.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -19,9 +19,9 @@ namespace handrail::bench {
 namespace {
 
 constexpr double kScale = 20.0, kGain = 1.0 / 20.0;  // world metres per hand metre; hand newtons per world newton
-constexpr double kHand_n_per_m = 800.0;              // of the contact
+constexpr double kHand_n_per_m = 800.0;              // stiffness of the contact
 constexpr double kString_n_per_m = 50.0, kBall_m = 0.2;
-constexpr double kMiddle_m = 6e-3, kSwing_m = 3e-3, kLoop_s = 2.0;  // of the hand
+constexpr double kMiddle_m = 6e-3, kSwing_m = 3e-3, kLoop_s = 2.0;  // path of the hand
 constexpr int kLoops = 10, kSettling = 15;
 constexpr Vec3 kStart_m{0.0, 0.0, 0.2};
 
@@ -55,20 +55,20 @@ PushedWorld pushed_world(double kg) {
     return world;
 }
 
-// How far the hand is past where it met the ball at rest, hand metres.
+// How far the hand has moved beyond the point where it met the ball at rest, in hand metres.
 double hand_at_m(double t_s) {
     return kMiddle_m * std::min(1.0, t_s / kLoop_s) + kSwing_m * std::sin(2.0 * kPi * t_s / kLoop_s);
 }
 
-// The steady swing of a mass on a spring and a damper that is led through another spring, in the hand's units.
+// Steady oscillation of a mass on a spring and a damper, driven through another spring. In the hand's units.
 struct Swing {
     double middle_n = 0.0;
-    std::complex<double> swing_n;  // of sin(2 pi t / loop): its own and the quarter-turn part
+    std::complex<double> swing_n;  // coefficients of sin(2 pi t / loop) and, imaginary, of the cosine
     double at(double t_s) const {
         const double turn = 2.0 * kPi * t_s / kLoop_s;
         return middle_n + swing_n.real() * std::sin(turn) + swing_n.imag() * std::cos(turn);
     }
-    // On the hand in one loop: less than nothing, what the string's rubber takes.
+    // Energy given to the hand in one loop; negative, because the string's rubber absorbs energy.
     double given_j() const { return -kPi * kSwing_m * swing_n.imag(); }
 };
 Swing right_swing(const BodyNature& nature) {
@@ -126,7 +126,7 @@ BodiesMeasured measured(Way way, double kg) {
             force_n = touch.force_n;
             bodies.react(touch, 1.0, now_s, 1e-3, feel, pushes);
         } else {
-            // One step late, so that there is always one to go to.
+            // Plays back one step late, so that there is always a pose to interpolate towards.
             const double part = std::clamp((now_s - step_s - before.time_s) / step_s, 0.0, 1.0);
             poses[0].at.position_m =
                 before.things[0].position_m + part * (frame.things[0].position_m - before.things[0].position_m);
@@ -135,7 +135,7 @@ BodiesMeasured measured(Way way, double kg) {
             ++summed;
         }
         hand_s += seconds_since(begun);
-        const double f_n = -force_n.x;  // against the hand's way
+        const double f_n = -force_n.x;  // against the hand's motion
         if (tick >= ticks - static_cast<int>(kLoop_s * 1e3) * kLoops) {
             if (counted > 0) work_j += -0.5 * (f_n + last_n) * (x_m - last_x_m);
             squares += (f_n - right.at(t_s)) * (f_n - right.at(t_s));

@@ -1,4 +1,4 @@
-// How stiff a wall a hand can lean on with each renderer: the closed loop of haptic/loop around it.
+// Finds how stiff a wall a hand can lean on with each renderer, in the closed loop of haptic/loop.
 #include <memory>
 
 #include "haptic/loop/closed_loop.h"
@@ -8,7 +8,7 @@
 namespace handrail::bench {
 namespace {
 
-// Worlds that fill x < 0 near the origin for a ball that comes from +x.
+// Worlds that fill x < 0 near the origin, for a proxy that comes from +x.
 BenchWorld leaning_world(const std::string& wall) {
     test::TouchWorld world;
     if (wall == "flat wall" || wall == "three objects that overlap") {

@@ -1,5 +1,5 @@
-// A renderer as the comparison sees it: three plain functions and a knob. What a renderer keeps from tick to tick is
-// its own business.
+// A renderer as the comparison sees it: three plain functions and a knob. Each renderer manages its own state between
+// ticks.
 #pragma once
 
 #include <string>
@@ -8,16 +8,16 @@
 
 namespace handrail::bench {
 
-// All renderers speak with 1 kN/m: the force is kStiffness times (tool - goal).
+// All renderers use 1 kN/m: the force is kStiffness times (tool - goal).
 inline constexpr double kStiffness_n_per_m = 1000.0;
 
 struct TickOutcome {
-    Vec3 tool_m{0.0};  // world; equal to the goal in free space
-    int rounds = 0;    // of whatever the renderer repeats within a tick
+    Vec3 tool_m{0.0};  // world coordinates; equal to the goal in free space
+    int rounds = 0;    // number of repetitions of the renderer's inner loop in this tick
 };
 
 struct Contestant {
-    std::string key;    // "handrail", as JSON names it
+    std::string key;    // key in JSON, such as "handrail"
     std::string title;  // "Handrail, the whole touch tick"
     std::string knob;   // "rounds", "margin_m"; empty: none
     double knob_value = 0.0;
@@ -27,7 +27,7 @@ struct Contestant {
     void (*drop)(void* state) = nullptr;
 };
 
-// From a class with State(const BenchWorld&, double) and tick(goal).
+// Makes a contestant from a class with State(const BenchWorld&, double) and tick(goal).
 template <class State>
 Contestant contestant(std::string key, std::string title, std::string knob = {}, double knob_value = 0.0,
                       bool has_ball = true) {
@@ -41,16 +41,16 @@ Contestant contestant(std::string key, std::string title, std::string knob = {},
             [](void* state) { delete static_cast<State*>(state); }};
 }
 
-Contestant handrail_touch();                  // touch_tick as the program calls it
-Contestant handrail_uncapped();               // with no slide cap to speak of, like the rivals: hard cases only
-Contestant handrail_rounds(int most_rounds);  // the solver alone
-Contestant handrail_margin(double margin_m);  // the solver alone
+Contestant handrail_touch();     // touch_tick as the program calls it
+Contestant handrail_uncapped();  // practically without slide cap, like the other renderers: hard cases only
+Contestant handrail_rounds(int most_rounds);  // only the solver
+Contestant handrail_margin(double margin_m);  // only the solver
 Contestant penalty_sum();
 Contestant sequential_planes();
 Contestant active_set(int most_rounds);
 Contestant single_precision();
 
-// Those that every scene is run with, and these with all their knobs.
+// The renderers that run on every scene, and the same ones with all values of their knobs.
 std::vector<Contestant> main_contestants();
 std::vector<Contestant> knobbed_contestants();
 

@@ -1,4 +1,4 @@
-// Our own renderer, as the program uses it and with its knobs turned.
+// Our own renderer: as the program uses it, and with other values of its knobs.
 #include "haptic/render/proxy_solver.h"
 #include "haptic/render/touch.h"
 #include "tests/bench/compare/contestant.h"
@@ -29,8 +29,8 @@ private:
     TouchState state_;
 };
 
-// On hard cases as good as none, so that the knobs' curves show the knobs and not slip-offs; on large worlds the
-// program's own, or candidates would have to be gathered for a way that no hand makes.
+// On hard cases there is practically no cap, so that the knobs' curves show the knobs and not slip-offs. Large worlds
+// use the program's own cap; otherwise candidates would have to be gathered along a path that no hand takes.
 constexpr double kNoCap_m = 0.1;
 double path_cap_m(const BenchWorld& world) { return world.hard_case ? kNoCap_m : TouchTuning{}.slide_cap_hand_m; }
 

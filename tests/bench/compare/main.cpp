@@ -1,4 +1,4 @@
-// `./run bench --compare`: our renderer and others on the same scenes, speed against error.
+// `./run bench --compare`: compares our renderer and others on the same scenes, speed against error.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The worlds that ship with the program, in the order of their names.
+// The worlds that ship with the program, sorted by name.
 std::vector<fs::path> bundled_maps() {
     std::vector<fs::path> maps;
     for (const fs::directory_entry& entry : fs::directory_iterator(test::project_root() / "worlds/maps"))
@@ -28,7 +28,7 @@ int refuse(const Error& error) {
     return 1;
 }
 
-// False, and a sentence on stderr, if it could not be written.
+// Prints the error on stderr and returns false if writing failed.
 bool told(const Result<void>& written) { return written || refuse(written.error()) == 0; }
 
 int run(int argc, char** argv) {

@@ -18,7 +18,7 @@ double thread_s() {
 
 namespace {
 
-// A clock read in some 10 ns, or 25 where the processor has no counter that can be read so.
+// A clock that takes some 10 ns to read, or 25 ns on a processor without such a counter.
 #if defined(__x86_64__)
 std::uint64_t counter() { return __builtin_ia32_rdtsc(); }
 #else
@@ -37,7 +37,7 @@ double seconds_per_count() {
     return seconds;
 }
 
-// What reading the counter itself takes.
+// Time to read the counter itself.
 std::uint64_t counter_cost() {
     static const std::uint64_t cost = [] {
         std::uint64_t least = ~0ULL;
@@ -64,14 +64,14 @@ private:
     void* state_;
 };
 
-// Name that callgrind is told to count from and to.
+// callgrind counts from and to this function by its name.
 [[gnu::noinline]] double measured_ticks(Playing& playing, const std::vector<Vec3>& goals_m) {
     double sum = 0.0;
     for (const Vec3& goal : goals_m) sum += playing.tick(goal).tool_m.x;
     return sum;
 }
 
-double kept = 0.0;  // results go somewhere, or the compiler would leave the work out
+double kept = 0.0;  // keeps the results, so that the compiler does not remove the work
 
 void time_it(const BenchWorld& world, const Contestant& contestant, int passes, Measured& out) {
     const std::size_t ticks = world.goals_m.size();
@@ -124,7 +124,7 @@ Measured measure(const BenchWorld& world, const Truth& truth, const Contestant& 
     if (ticks == 0) return out;
     time_it(world, contestant, passes, out);
 
-    // Once more, to be judged.
+    // Runs once more to record the outcomes that are judged.
     std::vector<TickOutcome> outcomes;
     outcomes.reserve(ticks);
     {

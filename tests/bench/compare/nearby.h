@@ -1,6 +1,6 @@
-// The broad phase that all rivals share, so that none is judged by the lack of one: the obstacles near a place,
-// gathered once from the scene's own hierarchy and kept, nearest first, until the place has moved by the margin; which
-// shrinks where they crowd, as ours does.
+// The broad phase that all rivals share, so that none is at a disadvantage without one. It gathers the obstacles near a
+// place from the scene's own hierarchy, nearest first, and keeps them until the place has moved by the margin. As in
+// our renderer, the margin shrinks where obstacles crowd.
 #pragma once
 
 #include <algorithm>
@@ -12,12 +12,15 @@ namespace handrail::bench {
 
 class Nearby {
 public:
-    static constexpr double kMargin_m = 0.02, kLeastMargin_m = 0.5e-3;  // the most as ours
-    static constexpr std::size_t kComfortable = 48;                     // and this
+    // Greatest margin, as in our renderer, and least margin.
+    static constexpr double kMargin_m = 0.02, kLeastMargin_m = 0.5e-3;
+    // Number of obstacles above which the margin shrinks, as in our renderer.
+    static constexpr std::size_t kComfortable = 48;
 
     explicit Nearby(const HapticScene& scene) : scene_(scene) {}
 
-    // visit(obstacle) for everything within reach_m of a place (scene coordinates), and some that is farther.
+    // Calls visit(obstacle) for everything within reach_m of a place (scene coordinates), and for some obstacles
+    // farther away.
     template <class Visit>
     void within(const Vec3& at, double reach_m, Visit&& visit) {
         double moved = glm::length(at - centre_);

@@ -1,6 +1,6 @@
-// Penalty: no memory. Each object pushes out along its deepest contact, K times the depth, and the objects are summed:
-// the way of the program that Handrail grew out of, and of many since. Solids are objects; triangles that share corners
-// are one.
+// Penalty method without memory. Each object pushes the hand out along its deepest contact with K times the depth, and
+// the forces of all objects are added. The program that Handrail grew out of did this, and so did many since. Each
+// solid is an object; triangles that share corners form one object.
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -11,7 +11,7 @@
 namespace handrail::bench {
 namespace {
 
-// Which obstacles are one object, by union of triangles with a common corner.
+// Groups obstacles into objects by union of triangles with a common corner.
 std::vector<std::uint32_t> objects_of(const BenchWorld& world) {
     std::vector<std::uint32_t> object(world.scene->obstacles.size());
     std::iota(object.begin(), object.end(), 0U);

@@ -1,5 +1,5 @@
-// Where the ball truly goes on every tick of a world: tests/support/reference_proxy, long double and brute force, which
-// shares nothing with any renderer.
+// Where the proxy truly goes on every tick of a world. Uses tests/support/reference_proxy: long double and brute force,
+// which shares no code with any renderer.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace handrail::bench {
 
-// By tick. Empty when the path does not begin in free space, or when it takes more than most_work comparisons.
+// One position for each tick. Empty if the path does not begin in free space or takes more than most_work comparisons.
 std::vector<Vec3> reference_walk(const BenchWorld& world, double most_work);
 
 }  // namespace handrail::bench

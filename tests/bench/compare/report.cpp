@@ -13,9 +13,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Error below which nothing can be told apart, a millionth of what any device resolves: where plots end.
+// Plots end at this error. It is a millionth of what any device resolves; smaller errors are indistinguishable.
 constexpr double kLeastError_m = 1e-12;
-// Families of spheres are named "sphere of N triangles"; made coarser, "simplified sphere of N triangles, within E mm".
+// Families of spheres are named "sphere of N triangles", or "simplified sphere of N triangles, within E mm".
 constexpr std::string_view kSphere = "sphere of ", kSimplified = "simplified ";
 
 bool hard_case(const std::string& family) {
@@ -82,7 +82,7 @@ bool is_main(const Summary& s) {
     return false;
 }
 
-// Numbers as people read them: three digits, no exponent where a prefix will do.
+// Formats numbers for reading: three digits, and no exponent if a prefix is enough.
 std::string time_words(double seconds) {
     if (seconds < 999.5e-9) return fmt::format("{:.0f} ns", seconds * 1e9);
     if (seconds < 999.5e-6) return fmt::format("{:.3g} us", seconds * 1e6);
@@ -102,7 +102,7 @@ std::string energy_words(double joules) {
     return std::abs(joules) < 0.9995 ? fmt::format("{:.3g} mJ", joules * 1e3) : fmt::format("{:.3g} J", joules);
 }
 
-// The cells of one row, for text and Markdown alike.
+// The columns of one row, both for text and for Markdown.
 const std::vector<std::string>& columns() {
     static const std::vector<std::string> names{
         "Renderer",          "Mean tick",   "99.9 %",      "Worst tick", "Error, rms", "Largest",
@@ -137,7 +137,7 @@ std::vector<std::string> families_of(const std::vector<Summary>& all) {
 void table(std::ostringstream& out, const std::vector<Summary>& rows, bool markdown) {
     std::vector<std::vector<std::string>> lines{columns()};
     for (const Summary& s : rows) lines.push_back(cells(s));
-    // Columns that say nothing in this table are left out.
+    // Leaves out columns that are empty in this table.
     std::vector<std::size_t> width(columns().size(), 0);
     std::vector<bool> says(columns().size(), false);
     for (std::size_t r = 0; r < lines.size(); ++r)
@@ -191,7 +191,7 @@ std::string direction_words(const std::vector<Summary>& rows) {
     return words.empty() ? words : words + ".\n";
 }
 
-// Those of the main renderers, or of the knobs; of one family, or of every where it is empty.
+// Selects the rows of the main renderers or of the knobs, and those of one family; an empty name means all families.
 std::vector<Summary> only(std::vector<Summary> rows, bool main, const std::string& family) {
     std::erase_if(rows,
                   [&](const Summary& s) { return is_main(s) != main || (!family.empty() && s.family != family); });
@@ -227,7 +227,7 @@ void family_tables(std::ostringstream& out, const BenchReport& report, bool mark
     }
 }
 
-// The worst ticks.
+// The table of the worst ticks.
 void worst_tick_table(std::ostringstream& out, const BenchReport& report, bool markdown) {
     const auto heading = [&](const std::string& words) { out << heading_of(words, markdown); };
     if (!report.worst.empty()) {
@@ -253,7 +253,7 @@ void worst_tick_table(std::ostringstream& out, const BenchReport& report, bool m
     }
 }
 
-// The stiffest walls, moving objects, and the servo thread.
+// The tables of the stiffest walls, moving objects and the servo thread.
 void loop_tables(std::ostringstream& out, const BenchReport& report, bool markdown) {
     const auto heading = [&](const std::string& words) { out << heading_of(words, markdown); };
     if (!report.stability.empty()) {
@@ -304,7 +304,7 @@ void loop_tables(std::ostringstream& out, const BenchReport& report, bool markdo
     }
 }
 
-// Every family in a row, every renderer in a column.
+// The overview: a row for each family, a column for each renderer.
 void at_a_glance(std::ostringstream& out, const BenchReport& report) {
     const std::vector<Summary> all = summaries(report);
     std::vector<Summary> titles;
@@ -347,7 +347,7 @@ void at_a_glance(std::ostringstream& out, const BenchReport& report) {
         });
 }
 
-// Points of the main renderers, and the curves that the knobs draw.
+// A plot with a point for each main renderer and a curve for each knob.
 Plot plot_of(const std::string& title, const std::vector<Summary>& rows, double Summary::*error,
              const std::string& error_title, double least) {
     Plot plot{title, "mean time of one tick, nanoseconds", error_title, 0.0, least, {}};
@@ -579,7 +579,7 @@ std::vector<std::pair<std::string, std::string>> plots_of(const BenchReport& rep
     Plot simplified{"What simplifying a mesh buys", "mean time of one tick, nanoseconds", direction, 0.0, 0.0, {}};
     for (const Summary& s : by_family) {
         if (s.direction_rms_rad < 0.0 || !is_main(s)) continue;
-        // "9680" of a sphere as it is, "0.3 mm" of one made coarser.
+        // The label is "9680" for an unchanged sphere and "0.3 mm" for a simplified one.
         const bool coarser = s.family.starts_with(kSimplified);
         const std::size_t digits = coarser ? s.family.find("within ") + 7 : kSphere.size();
         const std::string label =

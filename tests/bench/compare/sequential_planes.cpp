@@ -1,8 +1,9 @@
-// Sequential constraint planes: the sphere runs towards the goal until it touches, exactly; the plane of the contact is
-// added as an equality; the way goes on along one plane, along the line of two, and ends at three. Planes are released
-// only between ticks. A simplification of the virtual proxy of Ruspini, Kolarov and Khatib (The haptic display of
-// complex graphical environments, SIGGRAPH 1997), which solves a small quadratic programme for each sub-goal instead
-// and so lets go of planes that only press from behind.
+// Sequential constraint planes. The sphere moves towards the goal until its exact first contact, whose plane is added
+// as an equality. It then slides along one plane, or along the line where two meet, and stops at three. Planes are
+// released only between ticks.
+// This simplifies the virtual proxy of Ruspini, Kolarov and Khatib (The haptic display of complex graphical
+// environments, SIGGRAPH 1997). Theirs solves a small quadratic programme for each sub-goal and therefore releases
+// planes that only press from behind.
 #include <array>
 
 #include "tests/bench/compare/contestant.h"

@@ -1,4 +1,4 @@
-// The servo as it runs in the program: its thread, a simulated device with a hand that leans on walls, real time.
+// The servo as in the program: its own thread in real time, and a simulated device whose hand leans on walls.
 #include <cmath>
 
 #include "haptic/device/simulated_device.h"
@@ -24,7 +24,7 @@ ServoThread run_servo_thread(double seconds) {
     loop.set_scene(builder.build());
     const double begun_s = clock.now_s();
     loop.start();
-    // The hand goes round through both walls once a second.
+    // The hand circles through both walls once a second.
     while (clock.now_s() - begun_s < seconds) {
         const double turn = 2.0 * kPi * (clock.now_s() - begun_s);
         hand->command.publish({HandMode::Follow,

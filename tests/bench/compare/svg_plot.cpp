@@ -11,14 +11,14 @@ namespace {
 
 constexpr double kWidth = 960.0, kHeight = 640.0, kLeft = 110.0, kRight = 250.0, kTop = 60.0, kBottom = 80.0;
 
-// "1e-9" and such as people write them.
+// Formats powers of ten for reading, such as "1e-9".
 std::string power(int exponent) {
     return exponent >= 0 && exponent <= 3 ? fmt::format("{:g}", std::pow(10.0, exponent))
                                           : fmt::format("1e{}", exponent);
 }
 
 struct Axis {
-    int first = 0, last = 1;  // powers of ten
+    int first = 0, last = 1;  // exponents of ten
     double from = 0.0, to = 1.0;
     double at(double value) const {
         const double least = std::pow(10.0, first);
@@ -44,7 +44,7 @@ Axis axis_over(const Plot& plot, double least, double from, double to, Value&& v
     return axis;
 }
 
-// One of twelve shapes, 6 units in size.
+// Draws one of twelve marks, 6 units in size.
 std::string mark(std::size_t shape, double x, double y) {
     const bool filled = shape % 2 == 0;
     const std::string style =
@@ -123,7 +123,7 @@ std::string svg_of(const Plot& plot) {
                 out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"13\">{}</text>\n", x.at(p.x) + 10.0,
                                    y.at(p.y) - 8.0, markup_text(p.label));
         }
-        // The key: names broken into lines of a width that fits.
+        // The legend: names broken into lines that fit its width.
         out += mark(i, kWidth - kRight + 24.0, key_y) + "\n";
         std::string line;
         std::vector<std::string> lines;

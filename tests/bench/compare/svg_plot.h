@@ -1,6 +1,6 @@
-// A plot with two logarithmic axes as an SVG picture: black on white, a shape of its own for every series and its name
-// beside it, so that nothing hangs on colour; a title and a description in words for those who hear it. Plain text in,
-// plain text out.
+// A plot with two logarithmic axes as an SVG picture, black on white. Every series has its own mark with its name next
+// to it, so that nothing depends on colour. A title and a description in words serve people who listen to it. Takes and
+// returns plain text.
 #pragma once
 
 #include <string>
@@ -9,17 +9,17 @@
 namespace handrail::bench {
 
 struct PlotPoint {
-    double x = 0.0, y = 0.0;  // values of 0 or less stand at the axis
-    std::string label;        // of a knob; empty: none
+    double x = 0.0, y = 0.0;  // values of 0 or less are drawn at the axis
+    std::string label;        // value of a knob; empty: none
 };
 struct PlotSeries {
     std::string name;
     std::vector<PlotPoint> points;
-    bool line = false;  // joined in the order given
+    bool line = false;  // the points are joined in the given order
 };
 struct Plot {
     std::string title;
-    std::string x_title, y_title;         // with units
+    std::string x_title, y_title;         // axis titles with units
     double least_x = 0.0, least_y = 0.0;  // smaller values are drawn here, and the axis says so
     std::vector<PlotSeries> series;
 };

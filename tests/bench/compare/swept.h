@@ -1,6 +1,6 @@
-// When a moving sphere first touches a convex obstacle. The distance along a straight way is a convex function of it,
-// so Newton's method comes to the first root from before it, never steps over it, and doubles its digits each time: two
-// to four closest points, exact to rounding.
+// Computes when a moving sphere first touches a convex obstacle. Along a straight path the distance is a convex
+// function. Newton's method therefore approaches the first root from before, never steps over it and doubles its digits
+// each time. Two to four closest points give a result that is exact to rounding.
 #pragma once
 
 #include "tests/bench/compare/bench_world.h"
@@ -9,14 +9,15 @@ namespace handrail::bench {
 
 inline constexpr double kNoHit = 2.0;
 
-// Swept balls are kept this much farther out than their radius, or the edges of the next triangle of a plane would stop
-// them at every seam; what is within twice that counts as touched, and a way that leads into it by less than a
-// millionth of its length as a way along it.
+// Swept spheres keep this distance in addition to their radius; otherwise the edges of the next coplanar triangle would
+// stop them at every seam. An obstacle within twice this distance counts as touched. A path that leads into it by less
+// than a millionth of the path's length counts as a path along it.
 inline constexpr double kSkin_m = 1e-8;
 inline constexpr double kTouched_m = 2.0 * kSkin_m;
 inline constexpr double kAlong = 1e-6;
 
-// Part of the way (0 to 1) at which the sphere comes to its skin, or kNoHit. normal: of the contact.
+// Returns the fraction of the path (0 to 1) at which the sphere reaches the obstacle's skin, or kNoHit. `normal`
+// receives the contact's normal.
 inline double time_of_impact(const HapticScene& scene, std::uint32_t obstacle, const Vec3& from, const Vec3& way,
                              double radius_m, Vec3& normal) {
     constexpr double kReached_m = 1e-10;

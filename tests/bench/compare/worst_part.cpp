@@ -1,4 +1,4 @@
-// The worst places that are known for a tick: time, counted work, and how often ball or body had to wait.
+// Measures the worst known places for a tick: time, counted work, and how often the proxy or a body had to wait.
 #include <algorithm>
 
 #include "haptic/render/proxy_solver.h"
