@@ -1,4 +1,4 @@
-// Things that move, turn, grow, appear and vanish while they are touched. The judge is the brute-force one, in the
+// Bodies that move, turn, grow, appear and vanish while a hand touches them. The brute-force judge checks them in the
 // body's own frame.
 #include <algorithm>
 
@@ -10,7 +10,7 @@ namespace bodies_test {
 
 constexpr double kTick_s = 1e-3;
 
-// A scene with bodies, their poses now, and a hand: one tick at a time.
+// A scene with bodies, their current poses, and a hand; runs one tick at a time.
 struct Rig {
     std::shared_ptr<const HapticScene> scene;
     std::vector<BodyPose> poses;
@@ -26,7 +26,7 @@ struct Rig {
         if (something_moved) ++number;
         return last = touch_tick(state, *scene, tuning, goal, kTick_s, Vec3(0.0), {poses, number});
     }
-    // How far the ball's centre is from a shape that stands where this body is, and from the ball's skin.
+    // Distance of the proxy's centre from a shape in this body's pose, less the proxy's radius.
     double gap(const BruteForce& judge, std::size_t body) const {
         const PlacedFrame frame(poses[body].at);
         return static_cast<double>(judge.distance(frame.to_own(last.proxy_m), 10.0L)) * frame.scale - last.radius_m;
@@ -51,9 +51,9 @@ Rotation random_rotation(std::mt19937& random) {
     return normalized({normal(random), normal(random), normal(random), normal(random)});
 }
 
-// T18: a still hand is found by all six faces of a box, as a box and as a mesh, however it stands, at three speeds:
-// nothing gets behind the ball's skin, contact begins on the tick the box arrives, the ball goes exactly as the face
-// goes, and the force stands on the face.
+// Case T18: a box comes to a still hand with each of its six faces, as a box and as a mesh, in any orientation and at
+// several speeds. Nothing gets inside the proxy's surface. Contact begins on the tick at which the box arrives, the
+// proxy then moves exactly with the face, and the force is perpendicular to the face.
 TEST(Bodies, a_box_that_comes_to_a_still_hand_is_felt_on_every_face) {
     const auto seed = seed_of_run();
     std::mt19937 random(seed);
@@ -71,9 +71,9 @@ TEST(Bodies, a_box_that_comes_to_a_still_hand_is_felt_on_every_face) {
                     Placement at;
                     at.rotation = turned ? random_rotation(random) : Rotation{};
                     at.scale = turned ? 1.3 : 1.0;
-                    const Vec3 normal = PlacedFrame(at).turned(out);  // the face looks at the hand
+                    const Vec3 normal = PlacedFrame(at).turned(out);  // points towards the hand
                     const Vec3 hand(1.0, -2.0, 0.5);
-                    const double start = 0.02;  // between face and skin
+                    const double start = 0.02;  // distance between face and proxy surface
                     at.position_m = hand - normal * (0.25 * at.scale + 0.005 + start);
                     HapticSceneBuilder builder;
                     builder.add_body(FeatureId{3}, world.scene(), at);
@@ -102,7 +102,7 @@ TEST(Bodies, a_box_that_comes_to_a_still_hand_is_felt_on_every_face) {
                 }
 }
 
-// T18: a plate that turns about its middle once a second sweeps a held ball along and never passes it.
+// Case T18: a plate that turns about its middle once a second sweeps a held proxy along and never passes it.
 TEST(Bodies, a_turning_plate_never_passes_the_ball) {
     for (const double half_thickness : {0.01, 1e-4, 0.0}) {
         TouchWorld world;
@@ -127,8 +127,8 @@ TEST(Bodies, a_turning_plate_never_passes_the_ball) {
     }
 }
 
-// T19: two walls close on the ball to a fifth of a millimetre and open again: the ball is half the gap, exactly in the
-// middle, and never moves faster than the walls.
+// Case T19: two walls close on the proxy to a fifth of a millimetre and open again. The proxy shrinks to half the gap,
+// stays exactly in the middle, and never moves faster than the walls.
 TEST(Bodies, two_walls_that_close_leave_the_ball_in_the_middle) {
     for (const bool one_still : {false, true}) {
         HapticSceneBuilder builder;
@@ -162,14 +162,14 @@ TEST(Bodies, two_walls_that_close_leave_the_ball_in_the_middle) {
     }
 }
 
-// T20: a floor that appears 3 mm over the ball's underside pushes it up gently; a thing that appears around the hand is
-// not felt until the hand has left it.
+// Case T20: a floor that appears 3 mm above the proxy's underside pushes it up gently. A body that appears around the
+// hand is not felt until the hand has left it.
 TEST(Bodies, a_thing_that_appears_over_the_hand_comes_gently) {
     HapticSceneBuilder builder;
     builder.add_body(FeatureId{1}, box_shape({1, 1, 1}), {Vec3(0, 0, -0.998), {}, 1.0}, false);
     Rig rig(builder.build());
     for (int i = 0; i < 10; ++i) EXPECT_EQ(rig.tick({0, 0, 0.004}).contacts.count, 0);
-    rig.poses[0].present = true;  // its top at 2 mm: 3 mm of the ball are in it
+    rig.poses[0].present = true;  // its top is at 2 mm, 3 mm above the proxy's underside
     double before = 0.0;
     for (int i = 0; i < 400; ++i) {
         rig.tick({0, 0, 0.004}, i == 0);
@@ -189,7 +189,7 @@ TEST(Bodies, whoever_starts_inside_feels_nothing_until_out) {
     builder.add_body(FeatureId{1}, box_shape({0.1, 0.1, 0.1}), {});
     builder.add_box({{0.05, -0.1, -0.1}, {0.3, 0.1, 0.1}}, SurfaceLabel{FeatureId{2}, 0, false});
     Rig rig(builder.build());
-    EXPECT_EQ(rig.tick({0.07, 0, 0}).force_n, Vec3(0.0));  // in both
+    EXPECT_EQ(rig.tick({0.07, 0, 0}).force_n, Vec3(0.0));  // inside both boxes
     EXPECT_TRUE(rig.last.contacts.ghosted);
     for (double z = 0.0; z < 0.1; z += 2e-4) {
         rig.tick({0.07, 0, z});
@@ -202,8 +202,8 @@ TEST(Bodies, whoever_starts_inside_feels_nothing_until_out) {
     EXPECT_NEAR(rig.last.proxy_m.z, 0.105, 1e-9);
 }
 
-// One thousand times something appears or vanishes under the hand at random: never more than 0.02 N a tick on
-// appearing, nothing left 10 ms after vanishing.
+// A body appears or vanishes under the hand at random, a thousand times. The force never changes by more than 0.02 N in
+// a tick when the body appears, and is zero 10 ms after it vanishes.
 TEST(Bodies, a_thousand_things_that_come_and_go_never_knock) {
     const auto seed = seed_of_run();
     std::mt19937 random(seed);
@@ -233,7 +233,7 @@ TEST(Bodies, a_thousand_things_that_come_and_go_never_knock) {
             ASSERT_LE(glm::length(rig.last.force_n - before), 0.0201) << i;
             before = rig.last.force_n;
         }
-        // Pressed deeper from wherever it stands, then taken away.
+        // Presses deeper from wherever the hand is, then removes the body.
         Vec3 way(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
         for (int i = 0; i < 60; ++i) rig.tick(hand += way * 1e-4, false);
         rig.poses[0].present = false;
@@ -243,7 +243,7 @@ TEST(Bodies, a_thousand_things_that_come_and_go_never_knock) {
     }
 }
 
-// The same by building a new scene with and without the thing, as when an object is added to or removed from a world.
+// The same with new scenes that have or lack the object, as when an object is added to a world or removed.
 TEST(Bodies, adding_and_removing_still_things_while_they_are_touched_is_as_gentle) {
     HapticSceneBuilder with;
     with.add_box({{-1, -1, -1}, {1, 1, 0.002}}, SurfaceLabel{FeatureId{5}, 0, false});
@@ -268,8 +268,8 @@ TEST(Bodies, adding_and_removing_still_things_while_they_are_touched_is_as_gentl
     EXPECT_EQ(r.force_n, Vec3(0.0));
 }
 
-// A ball at rest on a moving floor goes with it by friction and stays behind without; the pull back never passes the
-// cone.
+// Friction carries a resting proxy along with a moving floor; without friction the proxy stays behind. The force that
+// pulls it back never leaves the friction cone.
 TEST(Bodies, friction_carries_the_ball_on_a_moving_floor) {
     for (const double mu : {0.0, 0.4}) {
         HapticSceneBuilder builder;
@@ -285,11 +285,12 @@ TEST(Bodies, friction_carries_the_ball_on_a_moving_floor) {
             ASSERT_LE(std::abs(f.x), mu * f.z * (1.0 + 1e-6) + 1e-9);
             drawn = std::max(drawn, f.x);
         }
-        EXPECT_NEAR(drawn, mu * 3.0, 0.02);  // 3 mm deep at 1 kN/m: it draws the hand along until it slips
+        EXPECT_NEAR(drawn, mu * 3.0, 0.02);  // 3 mm deep at 1 kN/m: the floor draws the proxy along until it slips
     }
 }
 
-// Scene shape, placement and motion at random, hand at random: never inside, and the same however the world is placed.
+// Random shapes, placements, motions and hands: the proxy never gets inside, and the result does not depend on where
+// the world is placed.
 TEST(Bodies, random_heaps_in_motion_let_nothing_in) {
     const auto seed0 = seed_of_run();
     int touched = 0;
@@ -351,8 +352,8 @@ TEST(Bodies, random_heaps_in_motion_let_nothing_in) {
     EXPECT_GT(3 * touched, rounds) << "seed " << seed0;
 }
 
-// What a still scene gives is what the same shapes give as bodies that stand still, moved by a placement: force turns
-// with the placement.
+// Still bodies give the same result as the same shapes in a still scene under a placement: the force turns with the
+// placement.
 TEST(Bodies, a_placed_body_feels_as_its_shape_turned) {
     const TouchCase c = hard_cases()[3];
     std::mt19937 random(77);

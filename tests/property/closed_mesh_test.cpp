@@ -1,4 +1,4 @@
-// Closed meshes that are not convex, under a hand: it never enters them, and one that begins inside comes out.
+// Closed meshes that are not convex, under a hand: the hand never enters them, and comes out if it begins inside.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -19,7 +19,7 @@ struct Mesh {
     std::shared_ptr<const HapticScene> haptic;
 };
 
-// With a crate far away, so that neither is alone.
+// Includes a crate far away, so that neither mesh is the only one.
 Mesh touched(const std::set<test::Block>& blocks, double turn) {
     Mesh made;
     made.mesh = test::block_mesh(blocks, [&](const Vec3& p) {
@@ -52,8 +52,9 @@ TEST(ClosedMeshes, are_never_entered_by_a_hand_that_presses_on_them) {
         const int ticks = test::scaled(20'000);
         for (int i = 0; i < ticks; ++i) {
             if (--left <= 0) {
-                // At a place of the mesh, or along what is touched and on it.
-                const double z = unit(), y = unit(), x = unit();  // in this order, whatever the compiler
+                // Aims at a random place of the mesh, or along the touched surface while pressing on it.
+                // Separate statements: compilers evaluate arguments in different orders.
+                const double z = unit(), y = unit(), x = unit();
                 const Vec3 aim = box.min_m + box.size_m() * Vec3(x, y, z);
                 direction = glm::normalize(aim - ball + Vec3(1e-6));
                 if (normal != Vec3(0.0) && random() % 3 != 0)
@@ -75,7 +76,7 @@ TEST(ClosedMeshes, are_never_entered_by_a_hand_that_presses_on_them) {
 
 TEST(ClosedMeshes, let_a_hand_out_that_began_inside_and_not_back_in) {
     for (const Mesh& world : meshes()) {
-        // In the middle of a first block, then out of it by the nearest side and far away.
+        // Starts in the middle of the first block and leaves through the nearest side, far away.
         const test::BlockMesh& mesh = world.mesh;
         Vec3 within(0.0);
         bool found = false;

@@ -1,4 +1,4 @@
-// "Bring me out": from wherever a hand may be, to a place outside everything.
+// "Bring me out": moves a hand from anywhere to a place outside everything.
 #include "haptic/render/free_place.h"
 
 #include "haptic/compile/compile_haptic.h"
@@ -11,7 +11,7 @@
 namespace handrail::test {
 namespace free_place_test {
 
-// Against the judge, in heaps of solids and sheets.
+// Checked by the judge in heaps of solids and sheets.
 TEST(FreePlace, a_thousand_random_starts_end_outside_every_solid) {
     const auto seed = seed_of_run();
     std::mt19937 random(seed);
@@ -34,7 +34,7 @@ TEST(FreePlace, a_thousand_random_starts_end_outside_every_solid) {
             const auto out = nearest_free_place(*scene, {}, from, 0.005, 5.0);
             ASSERT_TRUE(out);
             ASSERT_GE(judge.distance(*out), 0.005L - 1e-9L);
-            // A ball started there is whole and free, and feels nothing.
+            // A proxy that starts there has its full radius, is free and feels nothing.
             TouchState state;
             const TouchResult r = touch_tick(state, *scene, plain_tuning(0.005), *out, 1e-3);
             ASSERT_FALSE(r.contacts.ghosted);

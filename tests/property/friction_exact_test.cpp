@@ -1,7 +1,7 @@
-// Friction against the static answer, worked out by hand and true on every tick: the hand's straight way meets a
-// surface at one place, and from there the ball lags behind its resting place by the friction's share of the press, or
-// by the way along the surface where that is less. Nothing before that place counts: a straight press is felt as if
-// there were no friction, at any speed.
+// Compares friction with the static solution, worked out by hand, on every tick. The hand's straight path meets a
+// surface at one place. From there the proxy lags behind its resting place by the friction coefficient times the depth,
+// or by the path along the surface if that is shorter. What happened before that place does not count: at any speed, a
+// straight press feels as if there were no friction.
 #include <array>
 #include <random>
 
@@ -15,12 +15,12 @@ namespace handrail::test {
 namespace friction_exact_test {
 
 constexpr double kTick_s = 1e-3, kRadius_m = 0.005;
-// A solid's side is exact from anywhere; of triangles the ball counts as touching one from 1e-8 m on, so lag and place
-// may each be off by as much. No way here crosses the seam between two of them: there the rounds bend the ball's way a
-// little aside, by up to 0.03 mm, and friction keeps that.
+// Tolerance. A solid's side is exact from any distance. For triangles, the proxy counts as touching one from 1e-8 m on,
+// so lag and place may each differ by this much. No path here crosses the seam between two triangles. There the
+// solver's rounds bend the proxy's path aside by up to 0.03 mm, and friction preserves that.
 constexpr double exact_m(int form) { return form == 2 ? 3e-8 : 1e-12; }
 
-// As shipped, slippery, rough, and rougher than a right angle holds.
+// As shipped, slippery, rough, and too rough to slip at a right angle.
 std::vector<double> coefficients() { return {Settings().haptic.friction_mu, 0.02, 0.4, 0.9, 2.0}; }
 
 TouchTuning rubbing(double mu) {
@@ -31,7 +31,7 @@ TouchTuning rubbing(double mu) {
     return tuning;
 }
 
-// The same slab, whose upper side is z = 0, in every form; with a wall x = 0.1 above it where asked for.
+// The same slab, whose upper side is z = 0, as a box, a brush or triangles. On request it has a wall at x = 0.1.
 TouchWorld slab(int form, bool wall) {
     TouchWorld world;
     const auto add = [&](const Vec3& low, const Vec3& high) {
@@ -44,8 +44,8 @@ TouchWorld slab(int form, bool wall) {
     return world;
 }
 
-// Slabs turned and moved at random, every form, coefficient and speed. `each` gets a scene, its motion, a tuning and
-// how exact to be.
+// Calls `each` for slabs turned and moved at random, in every form and with every coefficient and speed. `each` gets a
+// scene, its motion, a tuning and the tolerance.
 template <class Each>
 void on_slabs(bool wall, const Each& each) {
     std::mt19937 random(5);
@@ -59,7 +59,8 @@ void on_slabs(bool wall, const Each& each) {
             }
 }
 
-// From a to b at this speed, the last tick at b; `check` gets the hand and the force, both in the slab's frame.
+// Moves from a to b at this speed; the last tick is at b. `check` gets the hand's position and the force, both in the
+// slab's frame.
 template <class Check>
 void go(TouchState& state, const HapticScene& scene, const Motion& motion, const TouchTuning& tuning, const Vec3& a,
         const Vec3& b, double speed, const Check& check) {
@@ -108,7 +109,7 @@ TEST(FrictionExact, a_slanted_press_lags_by_the_way_along_the_surface_or_by_the_
             SCOPED_TRACE(slant);
             TouchState state;
             const Vec3 begin(0.0, 0.4, 0.0303), end(slant * 0.0383, 0.4, -0.008);
-            const double first_x = slant * (begin.z - kRadius_m);  // where the way comes to the surface
+            const double first_x = slant * (begin.z - kRadius_m);  // where the path meets the surface
             go(state, scene, motion, tuning, begin, end, speed,
                [&](const Vec3& hand, const Vec3& ball, const TouchResult&) {
                    const double press = std::max(0.0, kRadius_m - hand.z),
@@ -124,7 +125,7 @@ TEST(FrictionExact, a_slide_drags_by_the_share_of_the_press_and_a_turn_back_stic
                        double speed, double exact_m) {
         TouchState state;
         const double press = 0.006, depth = kRadius_m - press;
-        double x = 0.0;  // of the ball
+        double x = 0.0;  // position of the proxy
         const auto check = [&](const Vec3& hand, const Vec3& ball, const TouchResult& r) {
             x = std::clamp(x, hand.x - mu * press, hand.x + mu * press);
             ASSERT_NEAR(glm::length(ball - Vec3(x, 0.4, kRadius_m)), 0.0, exact_m) << hand.x;
@@ -137,8 +138,8 @@ TEST(FrictionExact, a_slide_drags_by_the_share_of_the_press_and_a_turn_back_stic
     });
 }
 
-// The floor's friction is of the press on the floor alone until the wall is there; once it is, the ball is in the
-// corner however hard the hand presses.
+// Until the hand reaches the wall, the floor's friction depends only on the press on the floor. At the wall, the proxy
+// is in the corner however hard the hand presses.
 TEST(FrictionExact, a_slide_into_a_wall_is_held_by_the_floor_alone_until_it_is_there) {
     on_slabs(true, [](const HapticScene& scene, const Motion& motion, const TouchTuning& tuning, double mu,
                       double speed, double exact_m) {
@@ -170,7 +171,7 @@ TEST(FrictionExact, a_press_into_an_edge_between_floor_and_wall_lags_along_the_e
     });
 }
 
-// Pressed straight at the middle of a ball from any side, a solid one or a tessellated one's facet.
+// Presses from any side straight at the centre of a ball: a solid one, or a facet of a tessellated one.
 TEST(FrictionExact, a_press_straight_at_the_middle_of_a_round_thing_is_felt_as_without_friction) {
     const double round_m = 0.05;
     TouchWorld solid;
@@ -191,8 +192,8 @@ TEST(FrictionExact, a_press_straight_at_the_middle_of_a_round_thing_is_felt_as_w
             }
 }
 
-// A hand past a round thing: the ball touches it wherever the hand is inside, and the force stays in the cone of the
-// surface where the ball is.
+// A hand moves past a round object. The proxy touches it whenever the hand is inside, and the force stays in the
+// friction cone of the surface at the proxy.
 TEST(FrictionExact, a_slide_over_round_things_touches_them_and_stays_in_the_cone) {
     const double round_m = 0.05;
     TouchWorld solid, hollow;
@@ -204,7 +205,7 @@ TEST(FrictionExact, a_slide_over_round_things_touches_them_and_stays_in_the_cone
         for (const double mu : coefficients())
             for (const double speed : {0.05, 0.3, 1.0}) {
                 SCOPED_TRACE(fmt::format("{}, mu {}, {} m/s", which, mu, speed));
-                const double tolerance = which == 0 ? 5e-8 : 2e-5;  // facets stand back from the sphere
+                const double tolerance = which == 0 ? 5e-8 : 2e-5;  // facets lie inside the sphere
                 TouchState state;
                 const auto check = [&](const Vec3& hand, const Vec3& ball, const TouchResult& r) {
                     if (r.contacts.count == 0 || r.contacts.capped) return;
@@ -220,7 +221,7 @@ TEST(FrictionExact, a_slide_over_round_things_touches_them_and_stays_in_the_cone
             }
 }
 
-// A ball that sticks does not creep, round or flat, however long the hand holds it.
+// A proxy that sticks does not creep, on round or flat surfaces, however long the hand holds it.
 TEST(FrictionExact, a_ball_that_sticks_does_not_creep) {
     TouchWorld round, flat = slab(2, true);
     round.sphere(Vec3(0.0), 0.05);

@@ -1,5 +1,5 @@
-// A thousand random hands that are led and pull as they like: never more force, speed, change or energy than guidance
-// may have, and let go exactly when held against.
+// A thousand random hands are guided while they push at random. Guidance never exceeds its limits of force, speed,
+// change of force and energy. It lets go exactly when the hand holds against it.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -15,11 +15,11 @@ namespace guidance_test {
 
 struct Measured {
     double force_n = 0.0, free_speed_m_per_s = 0.0, slow_step_n = 0.0, step_share = 0.0, worst_power_share = 0.0;
-    std::array<double, 4> step_n{};  // of hands below 0.1, 0.3, 1 m/s and faster
+    std::array<double, 4> step_n{};  // for hands below 0.1, 0.3 and 1 m/s, and faster ones
     int let_go = 0, arrived = 0;
 };
 
-// One person: a way within reach, at one of the strengths, and pushes of up to 3 N that come and go.
+// Simulates one person: a path within reach, one of the strengths, and intermittent pushes of up to 3 N.
 void lead_one(const DeviceSpec& spec, std::mt19937& random, Measured& worst) {
     const auto uniform = [&](double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(random);
@@ -49,7 +49,7 @@ void lead_one(const DeviceSpec& spec, std::mt19937& random, Measured& worst) {
     for (std::uint32_t i = 0; i < path.count; ++i) path.points_m[i] = somewhere(reach_m) * scale;
     const double most_n = path.strength * std::min(0.8, 0.25 * spec.peak_force_n);
 
-    // Moves a little, so that force comes in, and a second later is led.
+    // The hand moves a little, so that the force fades in. A second later the guidance begins.
     const Vec3 begins = somewhere(reach_m);
     double push_until_s = 0.0, free_since_s = 0.0, given_j = 0.0, against_s = 0.0;
     Vec3 push(0.0), last_force(0.0), last_hand(0.0), last_sample(0.0), velocity(0.0);
@@ -81,10 +81,10 @@ void lead_one(const DeviceSpec& spec, std::mt19937& random, Measured& worst) {
             ASSERT_LE(glm::length(force), most_n * (i - 1499) * kTick / Guidance::kRamp_s + 1e-9) << "the ramp";
             ASSERT_LE(glm::length(state.tool().force_n), most_n + 1e-9) << "nothing else acts here";
             worst.force_n = std::max(worst.force_n, glm::length(force));
-            // How much the force may change from one tick to the next, by the law of the pull: the spring follows the
-            // way between hand and point, of which each goes no farther than the hand, and the point 0.04 mm by itself;
-            // what speed takes off follows the hand's speed, smoothed over 20 ms, and the way to the point it is
-            // measured along; the ramp in and the fade come on top.
+            // Computes the greatest change of force in one tick that the law of the pull allows. The spring acts on the
+            // distance between hand and guiding point. That point moves no farther than the hand, plus 0.04 mm on its
+            // own. The reduction with speed depends on the hand's speed, smoothed over 20 ms, and on the direction in
+            // which it is measured. The ramp at the beginning and the fade come on top.
             const double step_n = glm::length(force - last_force),
                          moved_m = glm::length(sample.position_m - last_sample);
             const Vec3 velocity_before = velocity;
@@ -111,12 +111,12 @@ void lead_one(const DeviceSpec& spec, std::mt19937& random, Measured& worst) {
             if (now_s - free_since_s > 0.7)
                 worst.free_speed_m_per_s = std::max(worst.free_speed_m_per_s, glm::length(felt.velocity_m_per_s));
             given_j += glm::dot(0.5 * (force + last_force), felt.position_m - last_hand);
-            // What a pull of most_n that ends at 5 cm/s can give at most is most_n * 1.25 cm/s, and the stretch of one
+            // A pull of most_n that ends at 5 cm/s can give at most most_n * 1.25 cm/s, plus the energy stored in one
             // spring.
             const double may_j =
                 most_n * 0.0125 * (now_s - 1.5) + 0.5 * most_n * most_n / Guidance::kStiffness_n_per_m + 2e-4;
             worst.worst_power_share = std::max(worst.worst_power_share, given_j / may_j);
-            // By another count than its own: a hand held against it.
+            // Counts independently of the guidance for how long the hand holds against it.
             if (g.phase == GuidancePhase::Acts) {
                 acted = true;
                 against_s = g.counter_n > 1.2 ? against_s + kTick : 0.0;

@@ -1,12 +1,27 @@
-// What must hold on every tick of every world: the list of invariants in docs/architecture.md, judged by brute force.
+// Invariants that must be true on every tick in every world, judged by brute force. Tests name them by number:
+// - I1 to I3: the proxy and its whole path stay outside everything, and all numbers are finite.
+// - I4: each cut contains the proxy and supports its obstacle.
+// - I5: the proxy never moves away from the hand.
+// - I6: the proxy stops only where no contact would let it move on.
+// - I7: the proxy stays where it is if the hand does.
+// - I8: in free space the proxy follows exactly and without force.
+// - I9: in locally convex free space a step of the hand is not amplified.
+// - I10: the proxy moves no farther in a tick than the cap.
+// - I11: closed loops give the hand no energy.
+// - I13: the result is the same far from the origin.
+// - I14: order and number of repetitions of obstacles make no difference.
+// - I15: finer triangles of the same surface make no difference.
+// - I16: the work of a tick is bounded.
+// - I17: a solver that is stopped early is as safe.
+// - I18: cuts that are fifty milliseconds old are as safe.
 #include "tests/property/replay.h"
 #include "tests/support/random_families.h"
 
 namespace handrail::test {
 namespace invariants_test {
 
-// The listed hard cases, then one of each random family by the seed of this run (HANDRAIL_SEED=... gives a failing one
-// again).
+// The listed hard cases, then one case of each random family from this run's seed. HANDRAIL_SEED=... reproduces a
+// failing seed.
 std::vector<TouchCase> all_cases() {
     std::vector<TouchCase> cases = hard_cases();
     for (std::size_t family = 0; family < kRandomFamilies; ++family)
@@ -22,13 +37,13 @@ protected:
 
     bool is_random() const { return case_.name.starts_with("random"); }
 
-    // Edges of triangles and overlapping sheets are found by iteration; the deepest pressed of those drawn at random
+    // Tolerance. Edges of triangles and overlapping sheets are found by iteration. The most deeply pressed random ones
     // agree to 6e-8 m.
     double by_iteration_m() const { return is_random() ? 1e-6 : 1e-8; }
 
     double most_unsettled() const { return is_random() ? 0.03 : 0.01; }
 
-    // Judging solids by enumeration is slow: fewer ticks of those.
+    // Judging solids by enumeration is slow, so fewer of their ticks are judged.
     std::size_t stride() const {
         double work = 0.0;
         const BruteForce judge = case_.world.judge();
@@ -41,9 +56,9 @@ protected:
     }
 };
 
-// Free space is locally convex along the path.
+// Cases whose free space is locally convex along the path.
 class HollowCase : public EveryCase {};
-// One continuous answer: no soup, no raw slivers, no spike.
+// Cases with a single, continuous answer: no soup, no raw slivers, no spike.
 class TidyCase : public EveryCase {};
 
 TEST_P(EveryCase, keeps_the_ball_and_its_whole_path_outside_everything) {  // I1, I2, I3
@@ -86,7 +101,7 @@ TEST_P(EveryCase, owns_only_cuts_that_contain_the_ball_and_support_their_obstacl
                        for (const Vec3& corner : {t.a_m, t.b_m, t.c_m})
                            ASSERT_LE(glm::dot(cut.normal, corner), cut.offset_m + (t.degenerate ? 2e-7 : 1e-9));
                    } else {
-                       // Points of the solid: what random places are nearest to.
+                       // Takes points of the solid: those nearest to random places.
                        for (int s = 0; s < 4; ++s) {
                            const Vec3 far =
                                solver.local_m() +
@@ -131,7 +146,7 @@ TEST_P(EveryCase, stops_where_no_contact_would_let_it_go_on) {  // I6
                if (r.contacts.converged) worst_finished = std::max(worst_finished, residual);
            });
     EXPECT_LE(worst_finished, 1e-5) << judged << " ticks judged";
-    // Edges, spikes and slivers drawn at random are pressed deeper than those of the list.
+    // Random edges, spikes and slivers are pressed deeper than those of the list.
     EXPECT_LE(off, is_random() && !case_.concave ? 3 + case_.goals_m.size() / 250 : 1 + case_.goals_m.size() / 1000)
         << unfinished << " unfinished";
     RecordProperty("unfinished", static_cast<int>(unfinished));
@@ -209,9 +224,9 @@ TEST_P(EveryCase, feels_the_same_far_from_the_origin) {  // I13
         motion.shift_m = {far * 0.9, 0.63 * far, 0.27 * far};
         const double worst =
             largest_difference(here, trace(case_.world, case_.goals_m, motion, tuning), most_unsettled());
-        // The world itself is rounded to 1e-13 m and 1e-10 m there; edges and crevices multiply that. In the narrowest
-        // grooves drawn at random by up to 50 times more than in those of the list (4.8e-9 m at 1 km, seed 196324; none
-        // of 250 other seeds).
+        // There the world itself is rounded to 1e-13 m and 1e-10 m; edges and crevices multiply that. In the narrowest
+        // random grooves the error is up to 50 times that of the listed ones (4.8e-9 m at 1 km with seed 196324; in
+        // none of 250 other seeds).
         if (case_.tidy) {
             EXPECT_LE(worst, tolerance * (!case_.concave ? 1e3 : is_random() ? 100.0 : 4.0)) << far;
         }
@@ -231,8 +246,8 @@ TEST_P(EveryCase, does_not_care_in_which_order_or_how_often_things_are_listed) {
     RecordProperty("worst", fmt::format("{:.1e}", worst));
 }
 
-// Nothing comes nearer to the ball's path than its radius; `tuning_of` gives the tuning of each tick. Returns the
-// deepest overlap.
+// Checks that nothing comes nearer to the proxy's path than its radius. `tuning_of` gives the tuning of each tick.
+// Returns the deepest overlap.
 template <class TuningOf>
 double deepest_overlap(const TouchCase& c, const Motion& motion, std::size_t every, TuningOf&& tuning_of) {
     const BruteForce judge = c.world.judge(motion);
@@ -268,7 +283,7 @@ TEST_P(EveryCase, is_as_safe_when_it_is_stopped_early) {  // I17, with I1, I2, I
                    away = std::max(away, glm::length(r.proxy_m - goal) - glm::length(before - goal));
                    before = r.proxy_m;
                });
-        // Half a degree of crevice multiplies the solver's 1e-10 m by 230.
+        // A crevice of half a degree multiplies the solver's 1e-10 m by 230.
         EXPECT_LE(away, is_random() ? 1e-8 : 1e-9);
     }
 }
@@ -279,15 +294,15 @@ TEST_P(EveryCase, is_as_safe_on_cuts_that_are_fifty_milliseconds_old) {  // I18,
     const TouchTuning looking = plain_tuning(case_.radius_m);
     TouchTuning blind = looking;
     blind.most_rounds = 0;
-    // A stride that meets every phase of the fifty.
+    // This stride visits every phase of the fifty.
     EXPECT_LE(
         deepest_overlap(case_, motion, stride() * 2 + 1, [&](std::size_t i) { return i % 50 == 0 ? looking : blind; }),
         1e-9);
 }
 
-TEST_P(
-    EveryCase,
-    never_works_more_than_its_bound) {  // I16; that it takes no memory, lock or clock: unit_render, unit_servo_realtime
+TEST_P(EveryCase,
+       // I16. The tests unit_render and unit_servo_realtime check that it takes no memory, lock or clock.
+       never_works_more_than_its_bound) {
     SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     replay(*case_.world.scene(), case_.goals_m, {}, plain_tuning(case_.radius_m),
            [&](std::size_t i, const Vec3&, const TouchResult& r, const ProxySolver& solver) {

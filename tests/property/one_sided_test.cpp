@@ -1,5 +1,5 @@
-// Sheets that can be touched from one side only: closed skins of them are solid from there and not felt at all from the
-// other.
+// Sheets that can be touched from one side only. A closed skin of them is solid from that side and not felt at all from
+// the other.
 #include <iostream>
 
 #include "tests/property/replay.h"
@@ -8,7 +8,7 @@
 namespace handrail::test {
 namespace one_sided_test {
 
-// A cube of half size `half` whose faces look outwards, as polygons or as triangles cut at random inner points.
+// A cube of half size `half` whose faces point outwards, as polygons or as triangles cut at random inner points.
 TouchWorld cube(double half, TouchSide side, bool triangles, std::mt19937& random) {
     TouchWorld world;
     for (int axis = 0; axis < 3; ++axis)
@@ -81,7 +81,7 @@ TEST(OneSidedSheets, the_same_skin_is_not_felt_from_inside_and_is_solid_again_on
             std::mt19937 random(5);
             const TouchWorld world = cube(kHalf, side, speed < 1.0, random);
             const auto scene = world.scene();
-            // Front: free from the middle outwards, solid back. Back: the other way round.
+            // Front: free from the inside outwards, solid on the way back. Back: the reverse.
             const double free_start = side == TouchSide::Front ? 0.0 : 0.08,
                          free_end = side == TouchSide::Front ? 0.08 : 0.0;
             TouchState state;
@@ -129,8 +129,8 @@ TEST(OneSidedSheets, feel_from_their_side_as_sheets_of_both_sides_do) {
     EXPECT_TRUE(front.scene()->one_sided_sheets);
 }
 
-// A sheet on a body that comes down on a resting hand pushes it from its front and passes through it from behind,
-// whatever the turn of the body.
+// A sheet on a body comes down on a resting hand. It pushes the hand with its front and passes through it with its
+// back, however the body is turned.
 TEST(OneSidedSheets, of_a_moving_body_push_from_the_front_and_pass_from_behind) {
     for (const bool front : {true, false}) {
         HapticSceneBuilder shape;
@@ -139,7 +139,7 @@ TEST(OneSidedSheets, of_a_moving_body_push_from_the_front_and_pass_from_behind) 
         HapticSceneBuilder builder;
         ASSERT_TRUE(builder.add_body(FeatureId{1}, shape.build(), {}));
         const auto scene = builder.build();
-        // The front looks to where the hand is, or away from it.
+        // The front faces the hand, or points away from it.
         Placement at;
         if (!front) at.rotation = rotation_about({1, 0, 0}, kPi);
         TouchState state;
@@ -172,8 +172,8 @@ TEST(OneSidedSheets, a_hand_half_way_through_from_behind_may_turn_back) {
             ASSERT_EQ(r.proxy_m, goal);
         }
     }
-    // A hand that starts close behind is left alone; one that starts close before it is held by a ball that has shrunk
-    // and grows.
+    // A hand that starts close behind the sheet is left alone. A hand that starts close in front of it is held by a
+    // proxy that has shrunk and grows.
     TouchState behind, before;
     EXPECT_EQ(touch_tick(behind, *scene, plain_tuning(kRadius), {0, 0, -.001}, 1e-3).radius_m, kRadius);
     EXPECT_NEAR(touch_tick(before, *scene, plain_tuning(kRadius), {0, 0, .001}, 1e-3).radius_m, .001 + 2e-5, 1e-9);

@@ -1,5 +1,5 @@
-// The wall between world and desk, crossed by simulated hands in every way: it never drives a hand, never knocks, and
-// leads back to the place one left.
+// The wall between world and desk, which simulated hands cross in every way. It never drives the hand and never knocks,
+// and the hand returns to the place that it left.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@ namespace personal_space_test {
 
 constexpr double kScale = 60.0;
 
-// A simulated hand on a simulated device, in a world that is free but for a wall far in the north, with a desk whose
-// panel stands in the middle.
+// A hand on a simulated device. The world is free except for a wall far in the north; the desk has its panel in the
+// middle.
 class DeskRig {
 public:
     explicit DeskRig(const char* device)
@@ -58,8 +58,8 @@ public:
             servo_tick(state_, {world_.get(), tuning, pose, sample, now_s_, nullptr, desk_.get()});
         device_.write(command);
         if (known_) {
-            // By the trapezoid over measured places, which is exact for springs: what the hold between two ticks adds
-            // is the sampled wall's own affair.
+            // Energy by the trapezoidal rule over measured positions, which is exact for springs. Energy that the
+            // sampled wall adds because it holds the force between two ticks is not counted here.
             given_j_ += glm::dot(0.5 * (command.force_n + force_n_), sample.position_m - place_m_);
             jump_n_ = std::max(jump_n_, glm::length(command.force_n - force_n_));
         }
@@ -122,8 +122,8 @@ public:
     double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
     double speed() {
         return 0.02 * std::pow(50.0, uniform(0.0, 1.0));
-    }  // 0.02 to 1 m/s, slow ones as often as fast ones
-    // Across the way towards the body, where the wall can be reached.
+    }  // 0.02 to 1 m/s; slow speeds are as frequent as fast ones
+    // A random place across the direction towards the person, where the wall can be reached.
     Vec3 across(double reach_m, double y_m) {
         const double far = 0.4 * reach_m * std::sqrt(uniform(0.0, 1.0)), angle = uniform(0.0, 2.0 * kPi);
         return {far * std::cos(angle), y_m, far * std::sin(angle)};
@@ -155,13 +155,13 @@ TEST(PersonalSpace, a_thousand_crossings_drive_no_hand_knock_nowhere_and_lead_ba
             ASSERT_EQ(rig.entered, entered + 1);
             ASSERT_TRUE(rig.tool().desk.open);
             const Vec3 place_m = rig.tool().proxy_m;
-            // Some turn round while the wall still lets go of them.
+            // Some hands turn back while the wall is still letting go of them.
             const bool at_once = random.uniform(0.0, 1.0) < 0.3;
             if (!at_once) rig.rest(0.3);
             rig.go(random.across(reach, random.uniform(-0.5, -0.1) * reach), at_once ? std::min(in, 0.3) : 0.3);
             EXPECT_EQ(rig.tool().proxy_m, place_m) << "the world did not wait";
             rig.go(random.across(reach, -at + 0.006), 0.3);
-            // Through the wall and, on the very tick, back in the world.
+            // Goes through the wall and is back in the world on the very next tick.
             const Vec3 through = random.across(reach, -at - depth - 0.002);
             rig.command(HandMode::Move, through, out);
             while (rig.left == left) rig.tick();
@@ -224,11 +224,12 @@ TEST(PersonalSpace, lets_nobody_through_who_wobbles_at_it_and_gives_them_nothing
                 rig.go(random.across(reach, -at + random.uniform(-0.95 * depth, 0.002)), random.uniform(0.02, 0.2));
             rig.go(begin, 0.1);
             EXPECT_EQ(rig.entered, 0);
-            // 14 times past the plane at most, each an error of the trapezoid: I11 of the invariants.
+            // The hand crosses the plane at most 14 times, and each crossing is an error of the trapezoidal rule:
+            // invariant I11.
             EXPECT_LE(rig.given_j(), 14.0 * rig.wall().stiffness_n_per_m * 0.2e-3 * 0.2e-3 / 8.0);
             EXPECT_LE(rig.jump_n(), 0.2);
         }
-        // Once through, a hand that trembles about the plane does not go to and fro.
+        // A hand that has passed and trembles about the plane does not go back and forth.
         rig.go(Vec3(0.0, -at - depth - 0.001, 0.0), 0.05);
         EXPECT_EQ(rig.entered, 1);
         for (int i = 0; i < 40; ++i)
@@ -256,7 +257,7 @@ TEST(PersonalSpace, a_free_hand_that_pulls_comes_through_and_gets_nothing_either
     }
 }
 
-// A wall in the way of the pull, as in a small room: at the scale of a room it stands before the desk's own.
+// A wall in the path of the pull, as in a small room. At the scale of a room it is in front of the desk's own wall.
 class SmallRoom : public DeskRig {
 public:
     explicit SmallRoom(const char* device) : DeskRig(device), wall_m(-0.4 * spec().workspace_radius_m) {
@@ -266,8 +267,8 @@ public:
         set_world(builder.build());
         rest(1.2);
     }
-    double wall_m;  // of the hand's middle when its ball touches it
-    // So deep in it that it holds the hand with this force, were there no ceiling.
+    double wall_m;  // place of the hand's centre when its proxy touches the wall
+    // Place at which the wall would hold the hand with this force if there were no force ceiling.
     double pulled_m(double force_n) const {
         return wall_m - force_n / (effective_stiffness_n_per_m(spec(), kTick, tuning.touch.damping_ns_per_m) *
                                    tuning.touch.default_stiffness_fraction);
@@ -294,14 +295,14 @@ TEST(PersonalSpace, a_wall_behind_the_person_lets_a_held_pull_through_to_the_des
                 EXPECT_LT(glm::length(rig.force_n()), 1e-3) << "nothing is left of the wall";
                 EXPECT_LE(rig.jump_n(), 0.2);
                 EXPECT_LE(rig.given_j(), 1e-6);
-                // Back through the desk's own wall.
+                // Goes back through the desk's own wall.
                 rig.go(Vec3(0.0, -rig.wall().at_m + 0.008, 0.0), 0.1);
                 rig.go(Vec3(0.0, -rig.wall().at_m - 1.1 * rig.wall().depth_m, 0.0), 0.05);
                 rig.rest(0.3);
                 EXPECT_FALSE(rig.tool().desk.open);
                 EXPECT_LT(glm::length(rig.tool().hip_m - before), 1e-3 * kScale);
                 rig.go(Vec3(0.0, -rig.wall().at_m + 0.01, 0.0), 0.1);
-                ++rig.pose.jump;  // the workspace back to the body
+                ++rig.pose.jump;  // returns the workspace to the person
                 rig.rest(1.2);
             }
         }
@@ -314,13 +315,13 @@ TEST(PersonalSpace, a_wall_behind_the_person_is_explored_as_any_other) {
         const auto press = [&](double force_n, double x_m, double z_m, double speed) {
             rig.go(Vec3(x_m, rig.pulled_m(force_n), z_m), speed);
         };
-        press(1.2, 0.0, 0.0, 0.05);  // lightly, for ever
+        press(1.2, 0.0, 0.0, 0.05);  // lightly, for a long time
         rig.rest(5.0);
         EXPECT_EQ(rig.entered, 0);
-        for (int i = 0; i < 6; ++i) press(2.2, i % 2 ? 0.006 : -0.006, 0.0, 0.01);  // firmly, along it
+        for (int i = 0; i < 6; ++i) press(2.2, i % 2 ? 0.006 : -0.006, 0.0, 0.01);  // firmly, along the wall
         for (int i = 0; i < 6; ++i) press(2.2, 0.0, i % 2 ? 0.004 : -0.004, 0.01);
         EXPECT_EQ(rig.entered, 0);
-        for (int i = 0; i < 6; ++i) {  // hard, as one tries how firm a wall is
+        for (int i = 0; i < 6; ++i) {  // hard, as a person tests how firm a wall is
             press(2.2, 0.0, 0.0, 0.05);
             rig.rest(0.5);
             press(0.2, 0.0, 0.0, 0.05);
@@ -333,13 +334,14 @@ TEST(PersonalSpace, a_wall_behind_the_person_is_explored_as_any_other) {
     }
 }
 
-// The hand presses against something of the world when it is pulled through, or against the desk when it comes back.
+// The hand presses against something in the world when it is pulled through the wall, or against the desk when it comes
+// back.
 TEST(PersonalSpace, what_was_pressed_on_one_side_is_left_behind_without_a_knock) {
     for (const char* device : kDevices) {
         SCOPED_TRACE(device);
         DeskRig rig(device);
         const double at = rig.wall().at_m, depth = rig.wall().depth_m;
-        HapticSceneBuilder builder;  // a wall just behind the person, in the way of the pull
+        HapticSceneBuilder builder;  // a wall just behind the person, in the path of the pull
         builder.add_box({Vec3(-10.0, -10.0, -10.0), Vec3(10.0, kScale * (-at + 0.004) - 0.12, 10.0)},
                         SurfaceLabel{FeatureId{1}});
         rig.set_world(builder.build());
@@ -370,7 +372,8 @@ TEST(PersonalSpace, a_fault_at_the_desk_takes_the_force_away_as_everywhere) {
         DeskRig rig("sim-t");
         const double at = rig.wall().at_m, depth = rig.wall().depth_m;
         rig.go(Vec3(0.0, -at - depth - 0.001, 0.0), 0.05);
-        rig.go(Vec3(0.0, 0.1 * rig.spec().workspace_radius_m + 0.001, 0.0), 0.1);  // ball of 2 mm: 3 mm into the panel
+        // The proxy of 2 mm is 3 mm deep in the panel.
+        rig.go(Vec3(0.0, 0.1 * rig.spec().workspace_radius_m + 0.001, 0.0), 0.1);
         rig.rest(0.3);
         ASSERT_TRUE(rig.tool().desk.open);
         ASSERT_GT(glm::length(rig.force_n()), 0.7);
@@ -393,7 +396,7 @@ TEST(PersonalSpace, a_fault_at_the_desk_takes_the_force_away_as_everywhere) {
         rig.go(Vec3(0.0, -0.1 * at, 0.0), 0.1);
         rig.rest(1.2);
         EXPECT_EQ(rig.tool().fault, Fault::None);
-        // Where the place was lost the hand is back in the world.
+        // If the device position was lost, the hand is back in the world.
         EXPECT_EQ(rig.tool().desk.open, what == "stop" || what == "hot" || what == "error");
     }
 }
@@ -439,11 +442,11 @@ TEST(PersonalSpace, a_push_presses_once_and_lets_go_at_half_its_force) {
     for (const double n : {1.25, 1.1, 1.3, 0.7, 1.25}) press.tick(button, n, false, 1.2);
     EXPECT_EQ(press.held(), button);
     EXPECT_EQ(press.presses(), 1u);
-    press.tick(other, 0.8, false, 1.2);  // slid on: still the first
+    press.tick(other, 0.8, false, 1.2);  // slid to another control: the first one stays pressed
     EXPECT_EQ(press.held(), button);
     press.tick(other, 0.5, false, 1.2);
     EXPECT_FALSE(press.held());
-    press.tick(kNoFeature, 0.0, true, 1.2);  // a button pressed on nothing
+    press.tick(kNoFeature, 0.0, true, 1.2);  // the device button is pressed while nothing is touched
     press.tick(other, 0.3, true, 1.2);
     EXPECT_FALSE(press.held());
     press.tick(other, 0.3, false, 1.2);

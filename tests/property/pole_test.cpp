@@ -1,5 +1,5 @@
-// Where very many triangles meet in one point, as at the pole of a sphere of meridians: how true the force stays, as
-// long as they fit the candidates.
+// Very many triangles meet in one point, as at the pole of a sphere of meridians. Checks how accurate the force stays
+// while all of them fit among the candidates.
 #include "haptic/render/proxy_solver.h"
 #include "haptic/render/touch.h"
 #include "tests/support/sphere_mesh.h"
@@ -48,8 +48,9 @@ OverPole slide_over_pole(int sectors, int ticks) {
     return out;
 }
 
-// Half a degree without a bound on the work of a tick, 0.44 and 0.22 then: to look at all of a thousand triangles takes
-// most of what a tick may do, and the rounds that there is no time for come on the next ones.
+// The error would be half a degree for 500 triangles and 0.44 and 0.22 for 1,000 without a bound on the work of a tick.
+// Examining all of a thousand triangles takes most of the work that a tick may do. Rounds for which there is no time
+// run on the next ticks.
 TEST(Pole, of_as_many_triangles_as_there_are_candidates_is_felt_within_seven_tenths_of_a_degree) {
     for (const int sectors : {500, 1000}) {
         const OverPole over = slide_over_pole(sectors, 8000);
@@ -61,7 +62,7 @@ TEST(Pole, of_as_many_triangles_as_there_are_candidates_is_felt_within_seven_ten
     }
 }
 
-// Beyond that the ball waits where it knows everything: late, but never inside, and it says so.
+// With more triangles the proxy waits where it knows all of them: late, but never inside, and it reports this.
 TEST(Pole, of_more_triangles_than_candidates_holds_the_ball_back_and_says_so) {
     const OverPole over = slide_over_pole(2 * ProxySolver::kMaxCandidates, 2000);
     EXPECT_GT(over.truncated_share, 0.1);

@@ -1,5 +1,5 @@
-// Buildings under a hand: it never enters a solid, and ball and body pass every door that the file says is one.
-// Real buildings take part if HANDRAIL_REAL_WORLDS has them. HANDRAIL_LONG_WALKS=1 makes 200,000 ticks in each.
+// Buildings under a hand. The hand never enters a solid, and proxy and walker pass every door that the file declares.
+// Real buildings take part if HANDRAIL_REAL_WORLDS has them. HANDRAIL_LONG_WALKS=1 runs 200,000 ticks in each.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -21,12 +21,12 @@
 namespace handrail {
 namespace real_buildings_test {
 
-// A plain twin: planes alone, of the solids near a place.
+// An independent judge that uses only the planes of the solids near a place.
 class Solids {
 public:
     explicit Solids(const Scene& scene) : scene_(scene), boxes_(boxes_of(scene)) {}
 
-    // How deep the place lies in the solid that holds it deepest; at most 0: in none.
+    // Depth of the place in the solid in which it lies deepest; 0 or less: in none.
     double depth_m(const Vec3& at_m) const {
         boxes_.find({at_m, at_m}, near_);
         double deepest = -1.0;
@@ -58,7 +58,7 @@ struct Building {
     std::shared_ptr<const Scene> scene;
 };
 
-// Rooms where the file states some, else where one begins.
+// The rooms that the file states; if it states none, the starts.
 std::vector<Vec3> places_in(const Scene& scene) {
     std::vector<Vec3> places_m;
     if (scene.stated)
@@ -78,7 +78,7 @@ void read_buildings(std::vector<Building>& buildings) {
     }
 }
 
-// A hand at 1 m/s that starts in one room after the other and mostly presses on what it has met.
+// A hand at 1 m/s starts in one room after the other and mostly presses on whatever it has met.
 TEST(RealBuildings, a_hand_never_enters_a_solid) {
     if (test::kThreadSanitizer) GTEST_SKIP() << "unit_osm starts the threads that read OpenStreetMap";
     const int ticks = std::getenv("HANDRAIL_LONG_WALKS") ? 200'000 : 20'000;
@@ -94,12 +94,12 @@ TEST(RealBuildings, a_hand_never_enters_a_solid) {
         std::mt19937 random(20261124);
         const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
         Vec3 ball{0.0}, hand{0.0}, direction{1, 0, 0};
-        Vec3 normal{0.0};  // of what is touched; zero: nothing is
+        Vec3 normal{0.0};  // of the touched surface; zero: nothing is touched
         int touching = 0, left = 0;
         std::size_t room = 0;
         for (int i = 0; i < ticks; ++i) {
             if (i % 4000 == 0) {
-                // The next place with free air over it.
+                // Finds the next place with free air above it.
                 std::size_t looked = 0;
                 do {
                     ASSERT_LT(looked++, places_m.size()) << name << ": no place is free";
@@ -110,7 +110,7 @@ TEST(RealBuildings, a_hand_never_enters_a_solid) {
             }
             if (--left <= 0) {
                 direction = glm::normalize(Vec3(2 * unit() - 1, 2 * unit() - 1, 1.4 * unit() - 1.0) + Vec3(1e-6));
-                // Three of four keep to what is touched, and press on it.
+                // Three of four directions keep to the touched surface and press on it.
                 if (normal != Vec3(0.0) && random() % 4 != 0)
                     direction -= normal * (glm::dot(direction, normal) + 0.3 * glm::length(direction));
                 left = 200 + static_cast<int>(800 * unit());
@@ -130,7 +130,7 @@ TEST(RealBuildings, a_hand_never_enters_a_solid) {
     }
 }
 
-// At Room scale the ball is as wide as a fist of the building: 0.1 m.
+// At Room scale the proxy has a radius of 0.1 m in the building, like a fist.
 bool ball_passes(const HapticScene& haptic, const Vec3& from_m, const Vec3& to_m) {
     TouchState state;
     const TouchTuning tuning = test::stiff_ball(0.1);
@@ -143,7 +143,7 @@ bool ball_passes(const HapticScene& haptic, const Vec3& from_m, const Vec3& to_m
     return glm::length(ball - to_m) < 0.02;
 }
 
-// A body of 0.5 by 0.3 m, 1.7 m tall, by its points.
+// Tests points of a walker of 0.5 by 0.3 m, 1.7 m tall.
 bool body_passes(const Solids& solids, const Vec3& middle_m, const Vec3& way) {
     const Vec3 across = glm::cross(Vec3(0, 0, 1), way);
     for (double along = -0.45; along <= 0.45; along += 0.05)
@@ -158,7 +158,7 @@ TEST(RealBuildings, body_and_ball_pass_every_open_door_of_the_file) {
     std::vector<Building> buildings;
     ASSERT_NO_FATAL_FAILURE(read_buildings(buildings));
     for (const auto& [name, known_doors, scene] : buildings) {
-        // All leaves out of the way; what a ball meets besides are walls.
+        // Removes all door leaves; anything else that a proxy meets is a wall.
         Scene open = *scene;
         std::erase_if(open.solids, [](const Solid& solid) { return solid.role == SolidRole::Mover; });
         open.movers.clear();

@@ -1,4 +1,4 @@
-// Drives touch_tick along a path and hands every tick to a check.
+// Runs touch_tick along a path and passes every tick to a check.
 #pragma once
 
 #include "haptic/render/proxy_solver.h"
@@ -16,7 +16,7 @@ inline TouchTuning plain_tuning(double radius_m) {
     return tuning;
 }
 
-// Without the slide-speed cap: the solver alone.
+// Without the slide-speed cap, which leaves only the solver.
 inline TouchTuning uncapped_tuning(double radius_m) {
     TouchTuning tuning = plain_tuning(radius_m);
     tuning.slide_cap_hand_m = 1.0;
@@ -34,7 +34,7 @@ void replay(const HapticScene& scene, const std::vector<Vec3>& goals_m, const Mo
     }
 }
 
-// Where the ball was on each tick, turned back into the world's own frame, and whether the solver had settled there.
+// The proxy's position on each tick, turned back into the world's own frame, and whether the solver had settled there.
 struct Trace {
     std::vector<Vec3> balls_m;
     std::vector<bool> settled;
@@ -51,7 +51,8 @@ inline Trace trace(const TouchWorld& world, const std::vector<Vec3>& goals_m, co
     return out;
 }
 
-// Over the ticks on which both had settled; infinite when more than a share of them had not.
+// The largest difference over the ticks on which both traces had settled; infinite if more than `most_unsettled` of
+// them had not.
 inline double largest_difference(const Trace& a, const Trace& b, double most_unsettled = 0.01) {
     double worst = 0.0;
     std::size_t unsettled = 0;

@@ -1,5 +1,5 @@
-// Rounded edges: exact at edges and corners, nothing beside them, no groove where solids meet flush, no energy. Random
-// worlds, seeds printed.
+// Rounded edges: exact at edges and corners, unchanged next to them, no groove where solids meet flush, no energy. Uses
+// random worlds and prints their seeds.
 #include <iostream>
 
 #include "haptic/compile/compile_haptic.h"
@@ -30,7 +30,7 @@ Plane moved(const Plane& plane, const Motion& motion) {
     return {normal, glm::dot(normal, motion(plane.normal * plane.offset_m))};
 }
 
-// Solids as a reader would hand them over: with what covers what.
+// Solids as a reader would produce them, including which faces cover which.
 class Building {
 public:
     void add(std::vector<Plane> planes, const Motion& motion = {}) {
@@ -71,7 +71,7 @@ double distance(const HapticScene& scene, const Vec3& p) {
     return nearest;
 }
 
-// One convex block cut into many: its faces are all that can be touched.
+// One convex block cut into many pieces; a hand can touch only the block's faces.
 Building cut_block(std::mt19937& random) {
     std::vector<Plane> block = box_planes(Vec3(-0.5 - unit(random)), Vec3(0.5 + unit(random)));
     for (int i = static_cast<int>(random() % 4); i > 0; --i) {
@@ -105,8 +105,8 @@ Building cut_block(std::mt19937& random) {
     return building;
 }
 
-// Boxes on an uneven grid, some joined to larger ones: flush and covered in every way, in part and wholly, T-joints,
-// windmills, inner corners.
+// Boxes on an uneven grid, some joined to larger ones. They meet flush and cover each other in every way: in part and
+// wholly, in T-joints, windmills and inner corners.
 Building blocks(std::mt19937& random) {
     constexpr int kCells = 4;
     std::array<std::array<double, kCells + 1>, 3> at{};
@@ -144,8 +144,8 @@ Building blocks(std::mt19937& random) {
     return building;
 }
 
-// Would a ball of this radius inside the building touch this place of its surface from within? Told from places on the
-// ball.
+// Returns whether a ball of this radius inside the building would touch this place of its surface from within. Samples
+// points on the ball.
 bool ball_reaches(const Building& building, const Vec3& p, const Vec3& normal, double radius_m) {
     constexpr int kPlaces = 120;
     const Vec3 middle = p - normal * radius_m;
@@ -170,7 +170,7 @@ std::optional<Place> exposed_place(const Building& building, std::mt19937& rando
     const std::size_t k = 1 + random() % (corners.size() - 2);
     double a = unit(random), b = unit(random);
     if (a + b > 1.0) a = 1.0 - a, b = 1.0 - b;
-    // Every other one close to an edge: that is where grooves would be.
+    // Every other place is close to an edge, where grooves would be.
     if (random() % 2 == 0) a *= 0.1 * unit(random);
     const Place place{corners[0] + (corners[k] - corners[0]) * a + (corners[k + 1] - corners[0]) * b,
                       solid.shape.planes[face].normal};
@@ -190,9 +190,9 @@ void expect_flush_and_within(const Building& building, std::uint32_t seed, std::
         if (!place) continue;
         const double off = distance(*felt, place->at_m);
         ASSERT_GE(off, -2e-5) << "seed " << seed << ": sticks out";
-        // Where a ball as large as the rounding can touch this place: in an inner corner it touches both sides farther
-        // out. And a little more than the radius from edges, since one between two solids may be rounded by either's
-        // own, and a corner by both.
+        // The place must be touchable by a ball as large as the rounding; in an inner corner such a ball touches both
+        // sides farther out. The place must also be a little more than the radius away from edges. An edge between two
+        // solids may be rounded by either solid, and a corner by both.
         const bool touchable = distance(*filed, place->at_m + place->normal * kRounding_m) >= kRounding_m - 1e-9;
         if (touchable && ball_reaches(building, place->at_m, place->normal, 1.45 * kRounding_m)) {
             ASSERT_LE(off, 1e-4) << "seed " << seed << ": a groove at " << place->at_m.x << ' ' << place->at_m.y << ' '
@@ -301,7 +301,7 @@ TEST(Rounding, of_random_brushes_is_exact_and_supports_the_solid) {
                     << "seed " << seed;
             }
             ASSERT_NEAR(glm::length(found.normal), 1.0, 1e-12);
-            // The plane bounds all of the rounded solid.
+            // The plane bounds the whole rounded solid.
             const Vec3 q = (Vec3(unit(random), unit(random), unit(random)) - 0.5) + motion.shift_m;
             const ClosestPoint other = felt->closest(0, q - felt->origin_m);
             ASSERT_LE(glm::dot(found.normal, other.point_m - found.point_m), 1e-12) << "seed " << seed;
@@ -322,7 +322,7 @@ TEST(Rounding,
     const auto felt = rounded_box(kSmall_m), filed = rounded_box(0.0);
     const Aabb core{{-0.3 + kSmall_m, -0.2 + kSmall_m, -0.1 + kSmall_m},
                     {0.1 - kSmall_m, 0.25 - kSmall_m, 0.2 - kSmall_m}};
-    // Over an edge, then over a corner, pressed 3 mm by a ball of 5 mm.
+    // Moves over an edge, then over a corner, pressed 3 mm by a proxy of 5 mm.
     TouchState state;
     const TouchTuning tuning = uncapped_tuning(0.005);
     double worst = 0.0;
@@ -397,7 +397,8 @@ TEST(Rounding, of_a_thing_that_moves_is_as_large_to_the_hand_whatever_its_scale)
         room.scene.placed.assign(1, placed);
         const auto felt = room.compiled(0.01);
         ASSERT_EQ(felt->bodies.size(), 1U);
-        // It moves while the ball holds against its edge; the force keeps to the axis of the rounded edge.
+        // The body moves while the proxy presses against its edge; the force stays perpendicular to the axis of the
+        // rounded edge.
         TouchState state;
         Placement at = placed.at;
         for (int k = 0; k < 400; ++k) {

@@ -1,5 +1,5 @@
-// Where two solids overlap, touch or nearly touch, nothing passes: aimed at on purpose, in worlds of our own and at the
-// inner seams of a real map.
+// Nothing passes where two solids overlap, touch or nearly touch. The hand aims there on purpose, in generated worlds
+// and at the inner seams of a real map.
 #include <iostream>
 
 #include "haptic/compile/compile_haptic.h"
@@ -25,7 +25,7 @@ TEST(Seams, between_boxes_that_overlap_touch_or_gape_less_than_the_ball_stay_shu
     std::mt19937 random(kSeed);
     for (int round = 0; round < scaled(300); ++round) {
         const double radius = round % 2 == 0 ? 0.005 : 1e-5;
-        // Overlap up to 5 mm, exact contact, or a gap of up to 99 % of the ball's diameter.
+        // An overlap of up to 5 mm, exact contact, or a gap of up to 99 % of the proxy's diameter.
         const double gap = round % 3 == 0   ? -0.005 * unit(random)
                            : round % 3 == 1 ? 0.0
                                             : 0.99 * 2 * radius * unit(random);
@@ -37,7 +37,8 @@ TEST(Seams, between_boxes_that_overlap_touch_or_gape_less_than_the_ball_stay_shu
         Motion motion = random_turn(random);
         motion.shift_m = {3.0 * unit(random), -20.0 * unit(random), 1.0};
         const BruteForce judge = world.judge(motion);
-        // A ray at 12 angles into the seam, 0.1 m beyond it, and a sweep along it while pressed deep.
+        // Moves along a ray at one of 12 angles into the seam, to 0.1 m beyond it, then sweeps along the seam while
+        // pressed deep.
         std::vector<Vec3> way;
         const double tilt = kPi * (round % 12 + 0.5) / 12.0;
         const Vec3 from(0.08 * std::cos(tilt), 0.1 * unit(random) - 0.05, 0.08 * std::sin(tilt) + radius);
@@ -63,7 +64,7 @@ TEST(Seams, between_boxes_that_overlap_touch_or_gape_less_than_the_ball_stay_shu
     }
 }
 
-// Solids of a real map near a place, for judging.
+// Solids of a real map near a place, for the judge.
 struct Neighbours {
     BruteForce judge;
     std::size_t count = 0;
@@ -97,8 +98,8 @@ void no_ray_or_sweep_passes_a_seam_of(const std::filesystem::path& path) {
     int seams = 0, touched = 0;
     double deepest = 0.0;
     for (int attempt = 0; seams < wanted && attempt < wanted * 400; ++attempt) {
-        // A point of an edge of one brush that also lies on another brush, and is not buried: an inner seam that a hand
-        // can reach.
+        // A point on an edge of one brush that also lies on another brush and is not buried: an inner seam within a
+        // hand's reach.
         const Solid& a = *solids[random() % solids.size()];
         const Polygon& face = a.shape.faces[random() % a.shape.faces.size()];
         const std::size_t corner = random() % face.points_m.size();
@@ -107,7 +108,7 @@ void no_ray_or_sweep_passes_a_seam_of(const std::filesystem::path& path) {
             face.points_m[corner] * along + face.points_m[(corner + 1) % face.points_m.size()] * (1.0 - along);
         bool shared = false;
         haptic->obstacle_bvh.within(seam - haptic->origin_m, 1e-6, [&](std::uint32_t item, double&) {
-            // Edges of the brush itself lie at distance 0 of it too, so a second one must be there.
+            // The edges of the brush itself also have distance 0, so there must be a second brush.
             const double d = haptic->closest(item, seam - haptic->origin_m).distance_m;
             const bool self = std::abs(d) < 1e-6 &&
                               haptic->closest(item, a.shape.bounds_m.centre_m() - haptic->origin_m).distance_m < 0.0;

@@ -1,4 +1,4 @@
-// How a hand feels in tests of what it never enters: as stiff as it is rated.
+// Tuning for tests of what a hand never enters: the rated stiffness.
 #pragma once
 
 #include "haptic/render/touch.h"

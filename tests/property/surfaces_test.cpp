@@ -1,5 +1,6 @@
-// Surfaces that are felt elsewhere than they lie - height textures, friction textures, shaded meshes - must never give
-// a hand energy (I11): random closed loops over random worlds, smooth and with a device's quantum. Seeds are printed.
+// Surfaces that are felt elsewhere than their geometry - height textures, friction textures, shaded meshes - must never
+// give a hand energy (invariant I11). Runs random closed loops over random worlds, with smooth positions and with a
+// device's quantum. Prints the seeds.
 #include <cmath>
 
 #include "haptic/render/relief.h"
@@ -34,7 +35,7 @@ Relief random_relief(std::mt19937& random, ReliefKind kind) {
     return relief;
 }
 
-// A floor, a wall and a slanted brush that meet, each with a texture of its own.
+// A floor, a wall and a slanted brush that meet, each with its own texture.
 std::shared_ptr<const HapticScene> textured_corner(std::mt19937& random, ReliefKind kind, double friction) {
     std::vector<HapticMaterial> materials(4);
     std::vector<Relief> reliefs;
@@ -102,8 +103,8 @@ std::shared_ptr<const HapticScene> mesh_scene(const TriangleMesh& mesh, bool sha
     return builder.build();
 }
 
-// Root mean square of the angle between the force and the exact sphere's, in degrees, over a slide pressed 2 to 5 mm
-// deep at 0.2 m/s.
+// Root mean square angle between the force and that of the exact sphere, in degrees. The hand slides at 0.2 m/s,
+// pressed 2 to 5 mm deep.
 double direction_error_deg(const HapticScene& scene, double radius_m) {
     double sum = 0.0;
     int count = 0;
@@ -119,8 +120,8 @@ double direction_error_deg(const HapticScene& scene, double radius_m) {
     return std::sqrt(sum / count) * 180.0 / kPi;
 }
 
-TEST(ShadedMesh, points_the_force_along_the_sphere_it_stands_for) {  // S30
-    const TriangleMesh mesh = sphere_mesh(22, 0.5);                  // 9680 triangles
+TEST(ShadedMesh, points_the_force_along_the_sphere_it_stands_for) {
+    const TriangleMesh mesh = sphere_mesh(22, 0.5);  // 9680 triangles
     const double facets = direction_error_deg(*mesh_scene(mesh, false), 0.5),
                  shaded = direction_error_deg(*mesh_scene(mesh, true), 0.5);
     std::cout << "    direction error of " << mesh.triangles.size() << " triangles: " << facets
@@ -129,7 +130,8 @@ TEST(ShadedMesh, points_the_force_along_the_sphere_it_stands_for) {  // S30
     EXPECT_LE(shaded, 0.05);
 }
 
-// A torus is convex, concave and saddle; its corners are shaken, so that no two facets are alike.
+// A torus has convex, concave and saddle-shaped parts. Its corners are displaced at random, so that no two facets are
+// alike.
 TriangleMesh shaken_torus(std::mt19937& random, int around, int across, double shake_m) {
     std::uniform_real_distribution<double> shake(-shake_m, shake_m);
     TriangleMesh mesh;
@@ -148,8 +150,9 @@ TriangleMesh shaken_torus(std::mt19937& random, int around, int across, double s
     return mesh;
 }
 
-// Over shaken tori and coarse spheres, pressed up to `deepest_m`. Above the ball's radius, 5 mm, it passes the edges of
-// facets by jumps, with and without shading; I11 then allows each of these ticks what the trapezoid may be off there.
+// Runs over displaced tori and coarse spheres, pressed up to `deepest_m`. If that exceeds the proxy's radius, 5 mm, the
+// proxy jumps across the edges of facets, with and without shading. I11 then allows, on each of these ticks, the
+// possible error of the trapezoidal rule.
 void gives_no_energy(double deepest_m) {
     const int loops = scaled(40);
     const bool jumps = deepest_m > 0.005;
@@ -181,13 +184,14 @@ TEST(ShadedMesh, gives_no_energy_over_random_closed_loops) { gives_no_energy(0.0
 TEST(ShadedMesh, gives_no_energy_when_pressed_deeper_than_the_balls_radius) { gives_no_energy(0.012); }  // I11
 
 TEST(ShadedMesh, keeps_corners_sharp_and_flat_faces_flat) {
-    // A cube of triangles: every edge is sharper than the crease, every face flat; shading must change nothing at all.
+    // A cube of triangles: every edge is sharper than the crease angle and every face is flat, so shading must change
+    // nothing at all.
     TouchWorld world;
     world.box_of_triangles({-0.05, -0.05, -0.05}, {0.05, 0.05, 0.05});
     const auto plain = world.scene();
     EXPECT_TRUE(mesh_scene(plain->mesh, true)->shading.facets.empty());
     EXPECT_FALSE(mesh_scene(plain->mesh, true)->has_fields());
-    // A tube of 24 sides with a lid: the sides rise, the lid and its rim do not.
+    // A tube of 24 sides with a lid: shading raises the sides, but not the lid and its rim.
     TriangleMesh tube;
     for (int i = 0; i < 24; ++i)
         for (const double z : {0.0, 0.1})

@@ -1,5 +1,5 @@
-// Where more is near the ball than a tick has time for: the work of a tick is bounded, and what there was no time for
-// is never crossed. Work is counted, not timed.
+// More obstacles are near the proxy than a tick has time for. The work of a tick is bounded, and the proxy never
+// crosses an obstacle for which there was no time. Work is counted, not timed.
 #include <algorithm>
 
 #include "haptic/servo/body_playback.h"
@@ -12,7 +12,7 @@ namespace worst_test {
 
 constexpr double kTick_s = 1e-3;
 
-// How near the sheets of a scene come to a place, by the judge's arithmetic; of those alone that can be within `far_m`.
+// Distance of a place from the nearest sheet of the scene, by the judge's arithmetic; at most `far_m`.
 double sheet_distance(const HapticScene& scene, const Vec3& at_m, double far_m) {
     long double nearest = far_m;
     const Vec3 local = at_m - scene.origin_m;
@@ -48,7 +48,7 @@ TEST_P(WorstTicks, stay_within_their_budget_and_cross_nothing) {
         moved += glm::length(r.slide_m) > 0.0;
         ASSERT_TRUE(solver.work() <= ProxySolver::kMostWork || r.contacts.waits) << "what is over the budget is said";
         if (r.contacts.ghosted) continue;
-        // Along its path the ball is outside of everything; steps of less than its radius cannot jump over a sheet.
+        // Along its path the proxy is outside everything. Steps shorter than its radius cannot jump over a sheet.
         for (int k = 0; k < solver.path_size(); ++k) {
             const Vec3 from = solver.path_m(std::max(0, k - 1)), way = solver.path_m(k) - from;
             const int parts = scene.mesh.triangles.empty()
@@ -64,7 +64,8 @@ TEST_P(WorstTicks, stay_within_their_budget_and_cross_nothing) {
             const PlacedFrame frame(solver.body_at(b));
             const HapticScene& shape = *scene.bodies[b].shape;
             const Vec3 own = frame.to_own(r.proxy_m);
-            // All of these are closed about their zero: the ball's middle stays outside. Meshes are balls of 0.3 m.
+            // All of these shapes are closed around their origin; the proxy's centre stays outside. Meshes are balls of
+            // 0.3 m.
             if (shape.mesh.triangles.empty()) {
                 const Vec3 over = glm::max(glm::abs(own) - Vec3(kBox_m / 2.0), Vec3(0.0));
                 deepest = std::max(deepest, r.radius_m - glm::length(over));
@@ -79,7 +80,7 @@ TEST_P(WorstTicks, stay_within_their_budget_and_cross_nothing) {
     EXPECT_LE(most_work, 2 * ProxySolver::kMostWork);
     EXPECT_LE(most_looks, ProxySolver::kMostWork / 50 + 6 * 128);
     EXPECT_LE(deepest, 1e-9);
-    // A walk that a sanitizer shortens need not come to what this asks.
+    // A walk that a sanitizer shortens need not reach these limits.
     if (kSanitizerScale == 1.0) {
         EXPECT_GT(moved, static_cast<long>(worst.goals_m.size()) / 20) << "waiting is not standing still for ever";
     }
@@ -87,9 +88,9 @@ TEST_P(WorstTicks, stay_within_their_budget_and_cross_nothing) {
 
 INSTANTIATE_TEST_SUITE_P(Cases, WorstTicks, testing::Range(0, kWorstCases));
 
-// ---- bodies that are far ----
+// ---- bodies that are far away ----
 
-// Things all over a hall, of which some wander, jump, come and go; and a hand that hurries about among them.
+// Bodies all over a hall, some of which wander, jump, appear and vanish, and a hand that hurries among them.
 TEST(TrackedBodies, give_the_same_bits_as_following_all_of_them) {
     const auto seed = seed_of_run();
     std::mt19937 random(seed);
@@ -130,7 +131,7 @@ TEST(TrackedBodies, give_the_same_bits_as_following_all_of_them) {
             const double now_s = i * kTick_s;
             if (now_s >= next_s) {
                 next_s = now_s + uniform(0.012, 0.02) *
-                                     (random() % 50 == 0 ? 12.0 : 1.0);  // now and then nothing moves for a while
+                                     (random() % 50 == 0 ? 12.0 : 1.0);  // sometimes nothing moves for a while
                 for (int k = 0; k < 40; ++k) {
                     BodyPose& pose = poses[random() % poses.size()];
                     const std::uint32_t what = random() % 40;
@@ -155,7 +156,8 @@ TEST(TrackedBodies, give_the_same_bits_as_following_all_of_them) {
             const ProxySolver::Step& a = near.move(*scene, request);
             const ProxySolver::Step& b = all.move(*scene, request);
             if (a.waits || b.waits || near.hurries() || all.hurries()) {
-                // What there is time for, and how far the ball hurries in one go, depends on who is followed.
+                // How much a tick has time for, and how far the proxy hurries in one go, depends on which bodies are
+                // tracked.
                 ++parted;
                 near.reset();
                 all.reset();
@@ -181,17 +183,17 @@ TEST(TrackedBodies, give_the_same_bits_as_following_all_of_them) {
     }
 }
 
-// A street of 2,000 doors. The hand leans on each while it is shut, it opens, and the hand goes through.
+// A street of 2,000 doors. The hand leans on each closed door, the door opens, and the hand goes through.
 TEST(TrackedBodies, an_office_opens_each_of_two_thousand_doors_to_the_hand) {
     constexpr std::size_t kDoors = 2000, kRow = 50;
     const std::size_t visited_every = static_cast<std::size_t>(1.0 / kSanitizerScale);
     HapticSceneBuilder leaf, builder;
-    leaf.add_box({{0.0, -0.02, 0.0}, {0.9, 0.02, 2.0}});  // its hinge is at zero
+    leaf.add_box({{0.0, -0.02, 0.0}, {0.9, 0.02, 2.0}});  // its hinge is at the origin
     const auto shape = leaf.build();
     std::vector<BodyPose> poses;
     for (std::size_t d = 0; d < kDoors; ++d) {
         const Vec3 hinge(1.2 * static_cast<double>(d % kRow), 3.0 * static_cast<double>(d / kRow), 0.0);
-        builder.add_box({hinge + Vec3(0.91, -0.05, 0.0), hinge + Vec3(1.19, 0.05, 2.0)});  // the wall to the next
+        builder.add_box({hinge + Vec3(0.91, -0.05, 0.0), hinge + Vec3(1.19, 0.05, 2.0)});  // the wall to the next door
         ASSERT_TRUE(builder.add_body(FeatureId{static_cast<std::uint32_t>(d)}, shape, {hinge, {}, 1.0}));
         poses.push_back({{hinge, {}, 1.0}, true});
     }
@@ -221,13 +223,13 @@ TEST(TrackedBodies, an_office_opens_each_of_two_thousand_doors_to_the_hand) {
     for (std::size_t d = 0; d < kDoors; d += visited_every) {
         const Vec3 hinge = poses[d].at.position_m, before = hinge + Vec3(0.45, -0.3, 1.0);
         if (hinge.y != hand.y + 0.3) go(Vec3(hand.x, before.y, 1.0), 0.02);
-        state.reset();  // over the walls
+        state.reset();  // moves over the walls
         go(before, 0.02);
         go(hinge + Vec3(0.45, -0.02, 1.0), 0.02);
         ASSERT_EQ(last.contacts.count, 1) << "door " << d;
         ASSERT_NEAR(glm::length(last.force_n), 5.0, 1e-6);
         go(before, 0.02);
-        // Away from the hand, by a right angle.
+        // Swings away from the hand by a right angle.
         for (int part = 1; part <= 6; ++part) {
             poses[d].at.rotation = rotation_about({0, 0, 1}, 0.5 * kPi * part / 6.0);
             frame.push(scene->generation, now_s, poses);

@@ -1,4 +1,4 @@
-// Letters by their labels, on every keyboard layout with Latin letters that this system has.
+// Finds letter keys by their labels on every keyboard layout with Latin letters that this system has.
 #include "app/window/key_labels.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace key_labels_test {
 
 constexpr const char* kLayouts = "/usr/share/X11/xkb/rules/evdev.lst";
 
-// Where each key is: X's code of the first of a row, and GLFW's tokens along it.
+// Where each key is: X's code of the first key of a row, and GLFW's key tokens along the row.
 const std::map<int, int>& codes() {
     static const std::map<int, int> all = [] {
         std::map<int, int> codes{{GLFW_KEY_GRAVE_ACCENT, 49},
@@ -41,7 +41,7 @@ KeyLabels american() {
     return labels;
 }
 
-// "fr", "fr bepo", as the system lists them.
+// Pairs of layout and variant such as "fr", "fr bepo", as the system lists them.
 std::vector<std::pair<std::string, std::string>> layouts() {
     std::vector<std::pair<std::string, std::string>> all;
     std::ifstream in(kLayouts);
@@ -75,7 +75,7 @@ KeyLabels labels_of(xkb_context* context, const std::string& layout, const std::
 
 bool is_small_letter(const std::string& label) { return label.size() == 1 && label[0] >= 'a' && label[0] <= 'z'; }
 
-// Each letter that is printed on some key is that key, and every name is on exactly one key.
+// Each letter that is printed on some key names that key, and every name belongs to exactly one key.
 void expect_right(const KeyLabels& labels) {
     const std::map<int, int> named = keys_by_label(labels);
     std::set<int> names;

@@ -98,7 +98,7 @@ TEST(KeyTracker, lets_go_of_everything_when_the_keyboard_is_lost) {
         << "leaving by Control+Alt+arrow must not silence speech";
 }
 
-// Every default key, so that each command can be reached from the window.
+// Checks every default key, so that each command can be reached from the window.
 TEST(KeyNames, hold_every_key_of_the_command_table) {
     ASSERT_FALSE(command_table().empty());
     for (const CommandInfo& row : command_table()) {

@@ -18,7 +18,7 @@ namespace handrail::test {
 namespace renderer_test {
 
 constexpr PixelSize kSize{960, 720};
-constexpr double kPictureHeight_px = 580.0;  // 720 less two lines of 60 and margins of 10 above and below
+constexpr double kPictureHeight_px = 580.0;  // 720 minus two lines of 60 and margins of 10 above and below
 constexpr double kBandTop_px = kPictureHeight_px;
 
 using Rgb = std::array<std::uint8_t, 3>;
@@ -72,7 +72,7 @@ protected:
         if (save_png(last_, path)) std::cout << "last picture: " << path << "\n";
     }
 
-    // Where a point of the world stands in the picture: the pinhole camera, worked out apart from the code under test.
+    // Where the picture shows a point of the world. A pinhole camera, computed independently of the code under test.
     static Vec2 pixel_of(const ViewState& view, const Vec3& world_m) {
         const Vec3 to = world_m - view.eyes_m;
         const double ahead = glm::dot(to, forward_of_heading(view.heading_rad)),
@@ -124,7 +124,7 @@ TEST_F(RendererTest, a_line_that_runs_on_below_the_eye_keeps_its_white_core) {
     view.tilt_rad = -0.5;
     const Picture picture = draw(view);
     int seen = 0;
-    for (double y_m = 1.5; y_m < 4.0; y_m += 0.1) {  // where floor and west wall meet
+    for (double y_m = 1.5; y_m < 4.0; y_m += 0.1) {  // along the line where floor and west wall meet
         const Vec2 px = pixel_of(view, {0.0, y_m, 0.0});
         if (px.x < 10 || px.y < 10 || px.y > kPictureHeight_px - 10) continue;
         ++seen;
@@ -219,7 +219,7 @@ TEST_F(RendererTest, a_building_a_thousand_kilometres_from_the_origin_looks_the_
     EXPECT_LT(different, a.width * a.height / 500);
 }
 
-// A hall with a crate whose middle is there, turned by so much about the upright.
+// A hall with a crate whose centre is at this place, turned by this angle about the vertical.
 std::shared_ptr<const Scene> hall_with_crate(const Vec3& at_m, double turned_rad) {
     auto scene = read_quake_map(
         entity("worldspawn", key("building", "1"), room_brushes(0, 0, 0, 256, 256, 128)) +
@@ -275,7 +275,7 @@ TEST_F(RendererTest, another_scene_replaces_the_first) {
     EXPECT_GT(std::abs(luminance(at(draw(view), {480.5, 290.5})) - wall), 20.0);
 }
 
-// Rows of the band in which something white stands.
+// The first and last row of the band that contain anything white.
 std::pair<int, int> text_rows(const Picture& picture, double top_px) {
     int first = -1, last = -1;
     for (int y = static_cast<int>(top_px); y < picture.height; ++y)
@@ -295,7 +295,7 @@ TEST_F(RendererTest, last_spoken_line_stands_in_letters_of_a_twelfth_of_the_wind
     view.last_spoken = "High wall";
     const auto [first, last] = text_rows(draw(view), kBandTop_px);
     ASSERT_GE(first, 0);
-    // From the top of H to the foot of g: capital height and descender of DejaVu Sans are 0.73 + 0.24 of 1.16 line
+    // From the top of H to the bottom of g: capital height and descender of DejaVu Sans are 0.73 + 0.24 of 1.16 line
     // heights.
     EXPECT_GT(last - first, 0.75 * kTextLinePart * kSize.height);
     EXPECT_LT(last - first, 1.0 * kTextLinePart * kSize.height);
@@ -323,7 +323,8 @@ TEST_F(RendererTest, a_long_line_wraps_and_a_very_long_one_leaves_a_quarter_of_t
         for (int i = 0; i < words; ++i) view.last_spoken += "corridor ";
         return text_rows(draw(view), 0.25 * kSize.height).first;
     };
-    // Outlines of the room are white too, so look at what changes: the first row that is black from side to side.
+    // Outlines of the room are white too, so the test looks at what changes: the first row that is black from side to
+    // side.
     const auto black_rows = [&](int words) {
         band_top(words);
         int rows = 0;
@@ -361,7 +362,7 @@ ViewState with_list(std::size_t items, std::size_t at) {
     return view;
 }
 
-// Rows of the chosen item's bar: those that are white in a column right of its words and left of the arrows.
+// Rows of the bar behind the chosen item: those that are white in a column right of its text and left of the arrows.
 std::pair<int, int> bar_rows(const Picture& picture) {
     int first = -1, last = -1;
     for (int y = 95; y < static_cast<int>(kPictureHeight_px); ++y)
@@ -377,7 +378,7 @@ TEST_F(RendererTest, an_open_list_stands_in_large_letters_with_one_item_turned_r
     const auto [first, last] = bar_rows(picture);
     ASSERT_GE(first, 0);
     EXPECT_EQ(last - first + 1, static_cast<int>(kTextLinePart * kSize.height));
-    // Nothing of the room is left: black, white, and what is between at the borders of letters.
+    // Nothing of the room is visible: only black, white, and the greys at the borders of letters.
     EXPECT_EQ(count(picture, [](const Rgb& c) { return c[0] != c[1] || c[1] != c[2]; }).count, 0);
     const auto next = bar_rows(draw(with_list(4, 1)));
     EXPECT_EQ(next.first, first + static_cast<int>(kTextLinePart * kSize.height));
@@ -433,7 +434,7 @@ TEST_F(RendererTest, a_question_shows_what_is_typed_with_a_bar_behind_it) {
     ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
     view.dialogue.kind = DialogueView::Kind::Text;
     view.dialogue.title = "What is its name?";
-    // The rightmost white inside the frame is the bar behind the last letter.
+    // The rightmost white pixel inside the frame is the cursor bar behind the last letter.
     const auto bar = [&](const std::string& text) {
         view.dialogue.text = text;
         const Picture picture = draw(view);
@@ -500,7 +501,7 @@ TEST_F(RendererTest, plan_shows_an_arrow_that_turns_with_the_heading) {
     ViewState view = view_in(small_room(), 3.0, 2.0, 0.0);
     view.plan_view = true;
     view.feet_m = view.eyes_m = {3.0, 2.0, 0.0};
-    // The room is 6.4 by 4.4 m; the feet stand in its middle, which is the picture's.
+    // The room is 6.4 by 4.4 m. The feet are in the middle of the room and of the picture.
     const Vec2 feet_px(480.0, 290.0);
     const auto tip = [&](double heading_degrees) {
         view.heading_rad = radians_from_degrees(heading_degrees);
@@ -523,7 +524,7 @@ TEST_F(RendererTest, plan_shows_an_arrow_that_turns_with_the_heading) {
     EXPECT_GT(east.x, 15.0);
     EXPECT_NEAR(east.y, 0.0, 3.0);
     EXPECT_GT(south.y, 15.0);
-    view.north_up = false;  // Walk: the world turns, the arrow stands
+    view.north_up = false;  // In walk mode the world turns and the arrow stays
     EXPECT_LT(tip(90.0).y, -15.0);
     EXPECT_LT(tip(200.0).y, -15.0);
 }
@@ -532,7 +533,7 @@ TEST_F(RendererTest, plan_shows_walls_full_doors_open_and_the_walked_path) {
     ViewState view = view_in(small_room(), 3.0, 2.0, 0.0);
     view.plan_view = true;
     const Picture before = draw(view);
-    // Shown whole: 0.94 * 580 px for 4.4 m, less than the 100 px per metre at which it stops.
+    // The plan would fit at 0.94 * 580 px for 4.4 m, but the zoom stops at 100 px per metre.
     const auto px = [](double x_m, double y_m) {
         return Vec2(480.0 + 100.0 * (x_m - 3.0), 290.0 - 100.0 * (y_m - 2.0));
     };
@@ -552,7 +553,7 @@ TEST_F(RendererTest, plan_shows_walls_full_doors_open_and_the_walked_path) {
 TEST_F(RendererTest, plan_shows_outlines_and_names_of_rooms_and_which_one_is_in) {
     ViewState view = two_rooms_on_the_plan();
     const Picture with = draw(view);
-    // 100 px per metre and the world's middle in the picture's, as above.
+    // 100 px per metre, with the middle of the world in the middle of the picture, as above.
     const auto px = [](double x_m, double y_m) {
         return Vec2(480.0 + 100.0 * (x_m - 3.0), 290.0 - 100.0 * (y_m - 2.0));
     };
@@ -574,7 +575,8 @@ TEST_F(RendererTest, plan_shows_outlines_and_names_of_rooms_and_which_one_is_in)
         EXPECT_TRUE(black(at(with, px(0.25, y_m) - Vec2(5.0, 0.0))) || black(at(with, px(0.25, y_m) + Vec2(5.0, 0.0))))
             << "and is told from a pale floor";
     }
-    // Names: in black on white where one is, in white on black elsewhere; letters are a twentieth of the picture.
+    // Room names are black on white in the current room and white on black elsewhere. Letters are a twentieth of the
+    // picture.
     const auto colours = [&](const Picture& picture, const Vec2& middle) {
         int whites = 0, blacks = 0;
         for (int y = static_cast<int>(middle.y) - 14; y <= static_cast<int>(middle.y) + 14; ++y)
@@ -590,17 +592,17 @@ TEST_F(RendererTest, plan_shows_outlines_and_names_of_rooms_and_which_one_is_in)
     EXPECT_GT(here_black, 150) << "letters";
     EXPECT_GT(there_black, there_white);
     EXPECT_GT(there_white, 150) << "letters";
-    // One is in the other room; nothing but that has changed.
+    // The walker is in the other room now; nothing else has changed.
     view.room = 1;
     const Picture other = draw(view);
     EXPECT_GT(whites_across(other, 5.75, 0.6), whites_across(other, 0.25, 0.6));
     const auto [now_white, now_black] = colours(other, px(4.5, 2.0));
     EXPECT_GT(now_white, now_black);
-    // Another storey's room is not here: without it the picture is the same.
+    // A room of another storey is not drawn: without it the picture is the same.
     std::vector<DrawnRoom> storey{(*view.rooms)[0], (*view.rooms)[1]};
     view.rooms = std::make_shared<const std::vector<DrawnRoom>>(std::move(storey));
     EXPECT_EQ(draw(view).rgb, other.rgb);
-    // While no rooms are known the plan is as it was.
+    // While no rooms are known, the plan has no room outlines.
     view.rooms.reset();
     EXPECT_EQ(whites_across(draw(view), 0.25, 0.6), 0);
 }
@@ -613,17 +615,17 @@ TEST_F(RendererTest, plan_keeps_names_of_rooms_apart_and_the_own_one_always) {
         crowd.back().area_m2 = 1.0 + i;
     }
     view.rooms = std::make_shared<const std::vector<DrawnRoom>>(crowd);
-    view.room = 3;  // among the smallest
+    view.room = 3;  // among the smallest rooms
     const Picture many = draw(view);
     view.rooms = std::make_shared<const std::vector<DrawnRoom>>(1, crowd[3]);
     view.room = 0;
     const Picture one = draw(view);
-    // Its name stands at the same place in the same letters.
+    // Its name is at the same place in the same letters.
     for (int y = 278; y <= 302; ++y)
         for (int x = 300; x <= 360; ++x) EXPECT_EQ(many.at(x, y), one.at(x, y)) << x << ", " << y;
 }
 
-// The cost is reported, never asserted: it is the machine's.
+// Reports the cost and never asserts it, because it depends on the machine.
 TEST_F(RendererTest, draws_a_whole_map_without_holes_and_reports_its_cost) {
     const auto maps = with_real_worlds({project_root() / "worlds/maps/school.map"}, {"quake-e1m1.map"});
     const auto path = maps.back();
@@ -631,7 +633,7 @@ TEST_F(RendererTest, draws_a_whole_map_without_holes_and_reports_its_cost) {
     ASSERT_TRUE(read.has_value()) << read.error().sentence();
     const auto scene = std::make_shared<const Scene>(std::move(*read));
     const auto seconds =
-        [](auto&& work) {  // of processor time, all threads: less at the mercy of what else the machine does
+        [](auto&& work) {  // processor time of all threads, which depends less on the load of the machine
             const std::clock_t begin = std::clock();
             work();
             return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
@@ -657,8 +659,8 @@ TEST_F(RendererTest, draws_a_whole_map_without_holes_and_reports_its_cost) {
             view.proxy_m = view.eyes_m + 0.5 * forward_of_heading(view.heading_rad);
             (plan ? plan_s : first_person_s) += seconds([&] { draw(view); });
             if (plan) continue;
-            // The map is closed: wherever one looks from the start there is a surface or an outline, and black only
-            // beside the white.
+            // The map is closed: in every direction from the start there is a surface or an outline, and black only
+            // next to the white.
             const int holes = count(last_, black).count;
             EXPECT_LT(holes, 0.25 * kSize.width * kPictureHeight_px) << "looking in direction " << i;
         }

@@ -1,4 +1,4 @@
-// The window on Wayland, with no X display in sight.
+// The window on Wayland, without any X display.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -25,7 +25,7 @@ protected:
         auto opened = Window::open();
         ASSERT_TRUE(opened.has_value()) << opened.error().sentence();
         window_ = std::move(*opened);
-        // A window is there from its first picture on.
+        // Wayland shows a window only after its first picture.
         ASSERT_TRUE(wait_for([&] { return has_focus() == true; }));
         events_.clear();
     }
@@ -39,14 +39,14 @@ protected:
             return condition();
         });
     }
-    // As last told.
+    // The latest focus event; empty if there was none.
     std::optional<bool> has_focus() const {
         std::optional<bool> focused;
         for (const WindowEvent& event : events_)
             if (const auto* change = std::get_if<FocusChange>(&event)) focused = change->focused;
         return focused;
     }
-    // Keys that went down, up again with a minus before them.
+    // Names of keys that were pressed, with a minus for released ones.
     std::vector<std::string> keys() const {
         std::vector<std::string> names;
         for (const WindowEvent& event : events_)
@@ -91,7 +91,7 @@ TEST_F(WaylandWindow, lets_go_of_held_keys_when_the_keyboard_goes_and_says_when_
     EXPECT_TRUE(wait_for([&] { return has_focus() == true; }));
 }
 
-// Nobody polls the window here.
+// Nothing polls the window in this test.
 TEST_F(WaylandWindow, tells_a_watched_key_and_the_loss_of_the_keyboard_without_being_polled) {
     std::atomic<int> stops{0}, others{0};
     std::atomic<bool> focused{true};
@@ -107,7 +107,7 @@ TEST_F(WaylandWindow, tells_a_watched_key_and_the_loss_of_the_keyboard_without_b
     EXPECT_TRUE(eventually([&] { return !focused; }));
     ASSERT_TRUE(session_->give_keyboard());
     EXPECT_TRUE(eventually([&] { return focused.load(); }));
-    // The window itself has lost nothing by it.
+    // The window's own events are still complete.
     EXPECT_TRUE(wait_for([&] { return has_focus() == true && keys().size() >= 8; }));
     const auto all = keys();
     EXPECT_EQ(std::count(all.begin(), all.end(), "F12"), 1);

@@ -52,14 +52,14 @@ protected:
         auto opened = Window::open();
         ASSERT_TRUE(opened.has_value()) << opened.error().sentence();
         window_ = std::move(*opened);
-        // Nothing else gives out the keyboard here, there is no window manager.
+        // There is no window manager, so nothing else gives the window the keyboard.
         ASSERT_TRUE(display_->xdotool("search --sync --onlyvisible --name '^Handrail$' windowfocus --sync"));
         window_->poll();
     }
 
     virtual std::string layout() const { return {}; }
 
-    // Collects events until the condition holds.
+    // Collects events until the condition is true.
     template <class Condition>
     bool wait_for(Condition condition) {
         return eventually([&] {
@@ -93,7 +93,7 @@ protected:
     std::vector<WindowEvent> events_;
 };
 
-// A second client of the X server, to see and do what a desktop sees and does.
+// A second client of the X server, which sees and does what a desktop sees and does.
 class Desktop {
 public:
     Desktop() : display_(XOpenDisplay(nullptr)) {
@@ -229,7 +229,7 @@ TEST_F(WindowTest, lets_go_of_held_keys_when_the_focus_goes_and_says_when_it_ret
     ASSERT_TRUE(wait_for([&] { return count<FocusChange>() == 2; }));
 }
 
-// Nobody polls the window here: what must not wait comes all the same.
+// Nothing polls the window here; urgent events must still arrive.
 TEST_F(WindowTest, tells_a_watched_key_and_the_loss_of_the_keyboard_without_being_polled) {
     std::atomic<int> stops{0}, others{0};
     std::atomic<bool> focused{true};
@@ -245,7 +245,7 @@ TEST_F(WindowTest, tells_a_watched_key_and_the_loss_of_the_keyboard_without_bein
     EXPECT_TRUE(eventually([&] { return !focused; }));
     ASSERT_TRUE(display_->xdotool("search --name '^Handrail$' windowfocus --sync"));
     EXPECT_TRUE(eventually([&] { return focused.load(); }));
-    // The window itself has lost nothing by it.
+    // The window's own events are still complete.
     EXPECT_TRUE(wait_for([&] { return count<FocusChange>() == 2; }));
     const auto all = keys();
     EXPECT_EQ(std::count(all.begin(), all.end(), press("F12")), 1);
@@ -266,7 +266,7 @@ TEST_F(WindowTest, shows_on_the_screen_what_it_drew_and_follows_its_size) {
     Desktop desktop;
     ASSERT_TRUE(desktop.found());
     const auto shown = [&](const ViewState& wanted) {
-        // A frame is on its way to the screen for a moment.
+        // A frame takes a moment to reach the screen.
         return wait_for([&] {
             window_->draw(wanted);
             const Picture screen = desktop.what_stands_on_the_screen();
@@ -308,7 +308,7 @@ TEST_F(WindowTest, puts_an_open_list_on_the_screen_in_black_and_white) {
     };
     EXPECT_TRUE(shown());
     const Picture first = screen;
-    // The bar of the chosen item, right of its words: so high as a line of letters.
+    // The bar of the chosen item, right of its text, is as high as a line of letters.
     int bar = 0;
     for (int y = 95; y < 580; ++y) bar += screen.at(850, y)[0] > 250;
     EXPECT_EQ(bar, 60);
@@ -317,7 +317,7 @@ TEST_F(WindowTest, puts_an_open_list_on_the_screen_in_black_and_white) {
     EXPECT_NE(screen.rgb, first.rgb);
     view.dialogue = {};
     EXPECT_TRUE(shown());
-    bool grey = false;  // the room is back
+    bool grey = false;  // the room is visible again
     for (int y = 95; y < 580; ++y) grey |= screen.at(850, y)[0] > 40 && screen.at(850, y)[0] < 215;
     EXPECT_TRUE(grey);
 }
@@ -342,7 +342,7 @@ protected:
     std::string layout() const override { return GetParam(); }
 };
 
-// They acted by where an American keyboard has them, while help and documents name letters.
+// Letter keys once acted by their place on an American keyboard, while help and documents name letters.
 TEST_P(WindowOnALayout, takes_letters_by_what_is_printed_on_their_keys_and_digits_by_their_place) {
     ASSERT_TRUE(display_->xdotool("key a q z y w m s F2"));
     ASSERT_TRUE(wait_for([&] { return keys().size() >= 16; }));
@@ -351,7 +351,7 @@ TEST_P(WindowOnALayout, takes_letters_by_what_is_printed_on_their_keys_and_digit
         for (const KeyEvent& event : {press(key), release(key)}) wanted.push_back(event);
     EXPECT_EQ(keys(), wanted);
     events_.clear();
-    ASSERT_TRUE(display_->run("xdotool key 10"));  // the code of the key left of the 2, whatever is printed on it
+    ASSERT_TRUE(display_->run("xdotool key 10"));  // the code of the key left of the 2, whatever its label
     ASSERT_TRUE(wait_for([&] { return keys().size() >= 2; }));
     EXPECT_EQ(keys().front(), press("1"));
 }
