@@ -1,5 +1,5 @@
-// A session with pads and pucks: sticks walk the body into a wall, and the pad is told of it. Real hidapi, hidraw nodes
-// played by umockdev.
+// A session with pads and SpaceMouse pucks. The sticks walk the walker into a wall, and the pad signals it. Real hidapi
+// runs on hidraw nodes that umockdev emulates.
 #include "app/companions/companion_session.h"
 #include "haptic/drivers/playstation_pad.h"
 #include "tests/support/box_scene.h"
@@ -16,7 +16,7 @@ using test::MockHidraw;
 using testing::Contains;
 using testing::HasSubstr;
 
-// Brick in the north, two metres ahead of the base.
+// A brick wall in the north, two metres ahead of the base.
 std::shared_ptr<const Scene> hall() {
     test::SceneBuilder b;
     b.box({0, 0, -0.2}, {6, 4, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
@@ -31,8 +31,8 @@ protected:
         ASSERT_TRUE(umockdev_in_mock_environment()) << "this program needs LD_PRELOAD=libumockdev-preload.so.0";
     }
 
-    // Virtual time: the pad's thread, the app and the cues in a fixed order, until the condition holds or so much time
-    // has gone.
+    // Runs in virtual time until the condition is true or this many seconds have passed. In each frame the pad's
+    // thread, the app and the cues run in a fixed order.
     template <class Condition>
     bool run_until(Condition&& condition, double seconds) {
         for (const double end_s = clock_.now_s() + seconds; clock_.now_s() < end_s;) {
@@ -80,7 +80,7 @@ void Companions::walk_into_the_wall(bool bluetooth) {
     EXPECT_THAT(news_, Contains(HasSubstr("I found a DualSense. The left stick walks")));
 
     push(pad, node, {128, 0, 128, 128});
-    // Nearer and nearer, the trigger stiffens.
+    // The trigger stiffens as the wall comes nearer.
     ASSERT_TRUE(run_until([&] { return app_.feet_m().y > 2.8; }, 5.0));
     {
         const std::lock_guard guard(node.lock);
@@ -92,14 +92,14 @@ void Companions::walk_into_the_wall(bool bluetooth) {
         [&] {
             const std::lock_guard guard(node.lock);
             knocked = knocked || pad.strong > 200;
-            return knocked && pad.right_effect == trigger_resists(2, 8);  // brick is as hard as it gets
+            return knocked && pad.right_effect == trigger_resists(2, 8);  // the stiffest setting, for brick
         },
         5.0))
         << app_.feet_m().y;
     EXPECT_NEAR(app_.feet_m().y, 4.0 - 0.25, 0.01) << "the body stands at the wall";
     EXPECT_TRUE(run_until([&] { return pad.strong == 0; }, 1.0)) << "a knock is short";
 
-    // Right stick to the right: turns, and says where to when it is let go.
+    // The right stick turns the walker to the right; when it is released, the new direction is announced.
     push(pad, node, {128, 128, 255, 128});
     ASSERT_TRUE(run_until([&] { return app_.heading_rad() > radians_from_degrees(80.0); }, 5.0));
     said_.clear();
@@ -107,7 +107,7 @@ void Companions::walk_into_the_wall(bool bluetooth) {
     ASSERT_TRUE(run_until([&] { return !said_.empty(); }, 1.0));
     EXPECT_EQ(said_.front(), "East");
 
-    // Cross asks where one is.
+    // The cross button asks where the walker is.
     said_.clear();
     push(pad, node, {128, 128, 128, 128}, {8 | 0x20, 0, 0});
     ASSERT_TRUE(run_until([&] { return !said_.empty(); }, 1.0));
@@ -140,7 +140,7 @@ TEST_F(Companions, what_is_pressed_while_a_person_is_busy_elsewhere_does_nothing
     ASSERT_TRUE(run_until([&] { return session_.devices().steering().ahead > 0.9; }, 5.0));
     push(pad, node, {128, 0, 128, 128});
     EXPECT_FALSE(run_until([&] { return app_.feet_m().y > 2.01 || !said_.empty(); }, 1.0));
-    busy_elsewhere_ = false;  // the stick is still pushed: that counts now, the button that was pressed then does not
+    busy_elsewhere_ = false;  // the stick is still pushed and counts from now on; the button pressed meanwhile does not
     EXPECT_TRUE(run_until([&] { return app_.feet_m().y > 2.2; }, 5.0));
     EXPECT_TRUE(said_.empty()) << said_.front();
 }
@@ -214,7 +214,7 @@ TEST_F(Companions, a_pad_that_only_rumbles_knocks_at_the_wall_and_is_left_still)
     EXPECT_EQ(pad.bad_uploads, 0);
 }
 
-// The program itself: a pad is cues and walking, no hand.
+// The whole program: a pad gives cues and walking, but is no hand.
 TEST_F(Companions, program_takes_a_dual_sense_as_cues_and_walking) {
     test::PadEmulator pad(true, false);
     MockHidraw node(bed_.bed, pad, {0, false, 0x054c, 0x0ce6, "DualSense Wireless Controller"});

@@ -1,4 +1,4 @@
-// `handrail devices` for each kind of device there is: every fact of it, as data and as words fit to be spoken.
+// `handrail devices` for every supported kind of device: each fact as data, and as text for speech.
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -25,7 +25,7 @@ ByName by_name_of(const nlohmann::json& json) {
     return by_name;
 }
 
-// What a person may ask of a device; what it does not have is null.
+// Every fact that a user may query; null if the device lacks it.
 void expect_every_fact(const ByName& by_name) {
     for (const auto& [name, device] : by_name) {
         SCOPED_TRACE(name);
@@ -63,7 +63,7 @@ protected:
         UMockdevTestbed* bed = umockdev_testbed_new();
         ~Bed() { g_object_unref(bed); }
     } bed_;
-    // One of each kind that is found on a bus.
+    // One device of each kind that is found on a bus.
     test::MockFalconBus falcon_{bed_.bed};
     test::PadEmulator pad_{true, false};
     test::PuckEmulator puck_, vendor_;
@@ -99,7 +99,7 @@ TEST_F(DevicesCommand, tells_every_fact_of_every_device_as_data) {
     EXPECT_EQ(json["udev_rule"], kUdevRule);
 }
 
-// Pads of other kinds: a DualShock 4, a DualSense over Bluetooth, and one that only rumbles.
+// Other pads: a DualShock 4, a DualSense over Bluetooth, and one that only rumbles.
 TEST(DevicesCommandPads, tells_every_fact_of_them_too) {
     UMockdevTestbed* bed = umockdev_testbed_new();
     {
@@ -117,7 +117,7 @@ TEST(DevicesCommandPads, tells_every_fact_of_them_too) {
     g_object_unref(bed);
 }
 
-// Whole sentences, no tables, signs or brackets: a voice reads them as they stand.
+// Whole sentences without tables, signs or brackets, because a voice reads them aloud.
 TEST_F(DevicesCommand, tells_them_in_words_that_a_voice_can_read) {
     const std::string words = out_of({"devices"});
     for (const char* part :

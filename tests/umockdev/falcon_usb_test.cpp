@@ -1,4 +1,4 @@
-// The Falcon's driver through the libusb that people have, on a bus that umockdev plays.
+// The Falcon's driver on the installed libusb, with a bus that umockdev emulates.
 #include "haptic/drivers/falcon_device.h"
 #include "haptic/drivers/usb_link.h"
 #include "tests/emulators/falcon_claims.h"
@@ -24,7 +24,7 @@ protected:
         return link ? std::move(*link) : nullptr;
     }
 
-    // The bed first: everything after lives in its world.
+    // The testbed comes first: everything after it uses its world.
     struct Bed {
         UMockdevTestbed* bed = umockdev_testbed_new();
         ~Bed() { g_object_unref(bed); }

@@ -1,4 +1,4 @@
-// Rumble pads and force-feedback sticks through the kernel's event interface, played by umockdev.
+// Rumble pads and force-feedback sticks through the kernel's event interface, which umockdev emulates.
 #include "tests/umockdev/mock_stick.h"
 
 #include "haptic/drivers/ff_link.h"
@@ -46,7 +46,8 @@ TEST_F(OverEvdev, rumble_pad_rumbles_as_told_and_stops_when_let_go) {
     EXPECT_FALSE(pad.loaded);
 }
 
-// S126 in the plane: right is x, away from the person is y; a force right has the kernel's direction right, and so on.
+// Axes in the plane: right is x and away from the person is y. A force to the right has the kernel's direction "right",
+// and so on.
 TEST_F(OverEvdev, stick_right_and_forward_are_east_and_north_and_a_force_east_pushes_right) {
     MockStick stick(bed_.bed, true);
     auto link = open_ff_link("/dev/input/event5");
@@ -69,7 +70,8 @@ TEST_F(OverEvdev, stick_right_and_forward_are_east_and_north_and_a_force_east_pu
     sample = device.read(0.0);
     EXPECT_EQ(sample.position_m, Vec3(0.0, device.spec().workspace_radius_m, 0.0));
     EXPECT_EQ(sample.buttons, 0U);
-    // Through to the world and back: half of the way right or away, 2 mm in what pushes east or north.
+    // Converts to the world and back. Half of the travel right or away, then 2 mm into a surface that pushes east or
+    // north.
     for (const auto& [axis, code, value, direction] :
          {std::tuple{0, ABS_X, 256, 0xC000}, std::tuple{1, ABS_Y, -256, 0x8000}}) {
         stick.tell(EV_ABS, ABS_X, 0);

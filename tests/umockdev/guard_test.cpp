@@ -1,4 +1,4 @@
-// The program and its guard as processes, with a Falcon on a bus that umockdev plays in this one.
+// The program and its guard as separate processes, with a Falcon on a bus that umockdev emulates in the test process.
 #include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
@@ -32,8 +32,8 @@ using test::times_in;
 
 const std::filesystem::path kGuard = test::built_program("standin_umockdev_guard");
 
-// What watches is 10 ms apart, and the second guard needs some exchanges: a machine that wakes a thread 10 ms late
-// cannot show that it keeps its time.
+// The watchdogs check every 10 ms, and the second guard needs some exchanges. A machine that wakes a thread 10 ms late
+// cannot show that the guard meets its deadline.
 bool gives_its_time() {
     constexpr int kLooks = 100;
     constexpr auto kLate = 10ms;
@@ -48,9 +48,9 @@ bool gives_its_time() {
     return worst < kLate;
 }
 
-constexpr std::size_t kBusyEnough = 4;  // so often told that the computer is too busy, nobody goes on trying
+constexpr std::size_t kBusyEnough = 4;  // after this many messages that the computer is too busy, the test gives up
 
-// The processes that this one has started, the oldest first; any of its threads may have.
+// The child processes that any thread of this process has started, the oldest first.
 std::vector<pid_t> children_of(pid_t process) {
     std::vector<pid_t> found;
     std::error_code ec;
@@ -62,7 +62,7 @@ std::vector<pid_t> children_of(pid_t process) {
     return found;
 }
 
-// A line of what the kernel tells of a process; empty when there is no such process.
+// One field of the kernel's status of a process; empty if there is no such process.
 std::string field_of(pid_t process, const std::string& name) {
     std::ifstream status(fmt::format("/proc/{}/status", process));
     for (std::string line; std::getline(status, line);)
@@ -154,11 +154,11 @@ TEST_F(GuardProcess, unplugging_is_seen_and_plugging_in_again_too) {
         bus_.unplugged = false;
     }
     EXPECT_TRUE(tick_until(true));
-    // A guard that is killed is a device that is gone; the second guard makes sure that it does not push.
+    // If a guard is killed, its device counts as gone. The second guard makes sure that the device exerts no force.
     ::kill(device.guard_process(), SIGKILL);
     EXPECT_TRUE(tick_until(false));
     for (const auto end = Clock_::now() + 20s; Clock_::now() < end && device.read(0.0).loss != DeviceLoss::ForceOff;) {
-        (void)device.take_news();  // as the app does, which also replaces a second guard that died
+        (void)device.take_news();  // as the app does; this call also replaces a second guard that died
         std::this_thread::sleep_for(1ms);
     }
     EXPECT_EQ(device.read(0.0).loss, DeviceLoss::ForceOff);
@@ -181,8 +181,8 @@ public:
         std::vector<char*> argv;
         for (std::string& word : words) argv.push_back(word.data());
         argv.push_back(nullptr);
-        // No speech server either: one that is started forks, and umockdev's lock does not outlive a fork beside a
-        // thread that looks for devices.
+        // No speech server either. Starting one forks the process, and umockdev's lock does not survive a fork while
+        // another thread looks for devices.
         const auto bare = test::bare_environment(home.string());
         std::vector<std::string> variables;
         for (char** variable = environ; *variable; ++variable) {
@@ -225,7 +225,7 @@ public:
             if (said().find(words) != std::string::npos) return true;
         return false;
     }
-    // A second time.
+    // True when the words have been said a second time.
     bool says_again(const std::string& words) {
         for (const auto end = Clock_::now() + 300s; Clock_::now() < end; std::this_thread::sleep_for(10ms)) {
             const std::string text = said();
@@ -236,7 +236,7 @@ public:
     void type(std::string_view line) {
         [[maybe_unused]] const auto written = ::write(input_, line.data(), line.size());
     }
-    // Its guards are waited for too: what still talks to a bus while that is taken down makes umockdev end the test.
+    // Also waits for its guards: umockdev ends the test if a process still uses a bus that is being removed.
     void kill_and_wait() {
         const std::vector<pid_t> guards = children_of(pid_);
         ::kill(pid_, SIGKILL);
@@ -285,8 +285,8 @@ protected:
             bus_.falcon.held = false;
             bus_.falcon.push_n = {0.0, -2.0, 0.0};
         }
-        // A machine busy with other things may trip the rate watch; the force key brings the force back, as for
-        // anybody.
+        // On a busy machine the watchdog of the servo rate may trip. The force key then brings the force back, as for
+        // any user.
         std::size_t answered = 0;
         bool pressed = false;
         wait(
@@ -304,7 +304,7 @@ protected:
             GTEST_SKIP() << "this machine is too busy to give a servo its rate";
         ASSERT_TRUE(pressed) << program_.said();
     }
-    // Waits for zero and tells how it came, from `since` on.
+    // Waits for zero force and reports how it came, counting frames from `since` on.
     void expect_zero_since(Clock_::time_point since, int most_frames_with_force) {
         ASSERT_TRUE(wait([this] { return no_force_now(); }));
         const std::lock_guard guard(bus_.lock);
@@ -336,8 +336,8 @@ TEST_F(DyingProgram, killed_with_2_newtons_in_the_hand_leaves_zero_behind) {
     const auto killed = Clock_::now();
     program_.kill_and_wait();
     std::printf("kill -9: ");
-    // Once it is dead it commands nothing, so at most the frame on its way and the one it had ordered carry force,
-    // whatever else the machine does: two frames are less than 20 ms of exchanges.
+    // A dead program commands nothing. At most two frames may carry force, the one on its way and the one it had
+    // ordered, whatever else the machine does. Two frames are less than 20 ms of exchanges.
     expect_zero_since(killed, 20);
     const std::lock_guard guard(bus_.lock);
     EXPECT_LE(bus_.falcon.largest_force_n, 3.0);
@@ -354,9 +354,10 @@ TEST_F(DyingProgram, frozen_with_2_newtons_in_the_hand_leaves_zero_behind) {
 
 class FailingGuard : public DyingProgram {
 protected:
-    // The first guard is started before the second one, so its number is the smaller.
+    // The first guard starts before the second one, so its process number is smaller.
     std::vector<pid_t> guards() { return children_of(program_.pid()); }
-    // When the motors first had no force after `since`, and that they have none for as long as one looks.
+    // Milliseconds from `since` until the motors first had no force. Also checks that no force comes back while the
+    // test observes.
     double zero_after_ms(Clock_::time_point since) {
         EXPECT_TRUE(wait([this] { return no_force_now(); }));
         std::this_thread::sleep_for(300ms);
@@ -371,8 +372,8 @@ protected:
             << "no force comes back";
         return std::chrono::duration<double, std::milli>(zero->at - since).count();
     }
-    // `act` while 2 N are in the hand. Within so many ms it has zero; a machine that did not give its time before or
-    // after is told of, and nothing more.
+    // Runs `act` while the hand feels 2 N, and expects zero force within `most_ms`. If the machine was late before or
+    // after, this is only reported.
     void expect_zero_within(double most_ms, const char* what, const std::function<void()>& act) {
         press_on_the_floor();
         if (IsSkipped() || HasFatalFailure()) return;
@@ -421,7 +422,7 @@ TEST_F(FailingGuard, frozen_when_the_program_is_left_leaves_zero_behind) {
     EXPECT_EQ(program_.wait_for_end(), 0) << program_.said();
 }
 
-// Frozen first, so that nobody but the program is there when the first guard dies.
+// The second guard is frozen first, so that only the program is left when the first guard dies.
 TEST_F(FailingGuard, killed_beside_a_frozen_second_one_is_followed_by_zero_all_the_same) {
     expect_zero_within(250.0, "second guard frozen, first killed", [this] {
         const auto both = guards();
@@ -453,7 +454,7 @@ TEST_F(FailingGuard, keeps_no_privileges_and_is_replaced_when_the_second_one_die
         const std::string text{std::istreambuf_iterator<char>(limits), {}};
         EXPECT_THAT(text, testing::ContainsRegex("Max core file size +0 +0"));
         EXPECT_THAT(text, testing::ContainsRegex("Max open files +256 +256"));
-        // What it may have it has; what it may not is told.
+        // The guard uses what the system allows it; the program reports what the system denies.
         int score = 0;
         std::ifstream(fmt::format("/proc/{}/oom_score_adj", guard)) >> score;
         EXPECT_EQ(score != -1000, program_.said().find("If memory runs out") != std::string::npos) << program_.said();
@@ -472,7 +473,7 @@ TEST_F(FailingGuard, keeps_no_privileges_and_is_replaced_when_the_second_one_die
     EXPECT_TRUE(wait([this] { return no_force_now(); })) << "the new second guard does its work";
 }
 
-// A system bus with logind on it, before the program starts and looks for them.
+// A system bus with logind on it, running before the program starts and looks for them.
 struct SystemBus {
     test::TemporaryFolder folder;
     std::optional<test::LoginManager> logind;
@@ -509,8 +510,8 @@ TEST_F(SleepingComputer, takes_2_newtons_away_before_it_sleeps_and_gives_them_ba
     EXPECT_TRUE(wait([this] { return !no_force_now(); })) << program_.said();
 }
 
-// Nothing is there at the start; a Falcon that is plugged in later is told of, taken with the force key, woken, and
-// felt.
+// Nothing is connected at the start. A Falcon that is plugged in later is announced, opened with the force key, woken,
+// and felt.
 TEST(HotPlug, a_device_plugged_in_later_is_found_named_offered_and_used) {
     struct Bed {
         UMockdevTestbed* bed = umockdev_testbed_new();
@@ -531,13 +532,13 @@ TEST(HotPlug, a_device_plugged_in_later_is_found_named_offered_and_used) {
     ASSERT_TRUE(program.says("At the base, by the door")) << "the keyboard goes on meanwhile";
     program.type("forces\n");
     ASSERT_TRUE(program.says("Opening the Falcon.") && program.says("The Falcon is ready.")) << program.said();
-    // The hand moves first; then there is force against the wall it is pushed into.
+    // The hand moves first; then the wall into which it is pushed exerts force.
     const auto moved_to = [&](double y_m) {
         const std::lock_guard guard(bus.lock);
         bus.falcon.grip_m.y = y_m;
     };
     bool felt = false;
-    // On a machine busy with other things the force may be off; the force key takes it back, as for anybody.
+    // On a busy machine the force may be off. The force key brings it back, as for any user.
     std::size_t told = 0;
     for (const auto end = Clock_::now() + 300s; !felt && Clock_::now() < end;) {
         const std::string said = program.said();
@@ -553,7 +554,7 @@ TEST(HotPlug, a_device_plugged_in_later_is_found_named_offered_and_used) {
         }
     }
     EXPECT_TRUE(felt) << program.said();
-    // Without its guard a device is lost, and can be taken again.
+    // Without its guard a device is lost, and can be opened again.
     const auto both = children_of(program.pid());
     ASSERT_EQ(both.size(), 2U);
     ::kill(both.front(), SIGKILL);
@@ -561,16 +562,16 @@ TEST(HotPlug, a_device_plugged_in_later_is_found_named_offered_and_used) {
         << program.said();
     program.type("forces\n");
     ASSERT_TRUE(program.says_again("The Falcon is ready.")) << program.said();
-    program.end();  // while the bus is there
+    program.end();  // while the bus still exists
     const std::lock_guard guard(bus.lock);
     EXPECT_LE(bus.falcon.largest_force_n, 3.0);
 }
 
 class CalibratingProgram : public GuardProcess {
 protected:
-    // Waits until these words are said. On a machine busy with other things a fault may come between: Enter goes on, as
-    // for anybody. False when they are not said within 90 s, or the guard, for want of time, let the device go, or the
-    // servo said too often that it has none.
+    // Waits until these words are said. On a busy machine a fault may interrupt; the test then presses Enter, as any
+    // user would. Returns false if the words are not said within 90 s or the guard ran out of time and let the device
+    // go. It also returns false if the servo complained too often about lack of time.
     bool hears(const std::string& words) {
         for (const auto end = Clock_::now() + 300s; Clock_::now() < end; std::this_thread::sleep_for(10ms)) {
             if (program_->said().find(words) != std::string::npos) return true;
@@ -592,7 +593,7 @@ protected:
         program_->type(line);
         return true;
     }
-    // The hand glides there, 0.2 mm with each exchange.
+    // Moves the hand there gradually, 0.2 mm with each exchange.
     bool move_to(const Vec3& grip_m) {
         {
             const std::lock_guard guard(bus_.lock);
@@ -610,8 +611,8 @@ protected:
         const std::lock_guard guard(bus_.lock);
         bus_.falcon.buttons = down ? 4 : 0;
     }
-    // Presses once it feels something; again where a fault came between and the question is asked anew, and also when
-    // the device has meanwhile let go.
+    // Presses the button when the hand feels something. Presses again if a fault interrupted and the question is
+    // repeated, and also if the device has meanwhile let go.
     bool feels_and_presses() {
         if (!hears("I will press")) return false;
         const auto feels = [this] { return glm::length(bus_.falcon.force_on_hand_n()) > 0.2; };
@@ -625,7 +626,7 @@ protected:
             const bool felt = program_->says("You felt it at", 5s);  // a second press would answer the next question
             press_button(false);
             if (felt) return true;
-            std::this_thread::sleep_for(100ms);  // the program looks sixty times a second
+            std::this_thread::sleep_for(100ms);  // the program polls sixty times a second
         }
         return hears("You felt it at");
     }
@@ -633,7 +634,7 @@ protected:
         for (const Vec3& side : {Vec3(0.03, 0.0, 0.125), Vec3(-0.03, 0.0, 0.125), Vec3(0.0, 0.02, 0.125),
                                  Vec3(0.0, -0.02, 0.125), Vec3(0.0, 0.0, 0.15), Vec3(0.0, 0.0, 0.1)}) {
             if (!move_to(side)) return false;
-            std::this_thread::sleep_for(100ms);  // the program looks sixty times a second
+            std::this_thread::sleep_for(100ms);  // the program polls sixty times a second
         }
         return true;
     }
@@ -653,7 +654,7 @@ protected:
     std::optional<RunningProgram> program_;
     std::size_t faults_ = 0;
     bool lost_ = false;
-    Vec3 target_m_{0.0, 0.0, 0.145};  // under bus_.lock
+    Vec3 target_m_{0.0, 0.0, 0.145};  // guarded by bus_.lock
 };
 
 TEST_F(CalibratingProgram, leads_through_the_whole_set_up_by_voice_and_keeps_a_profile) {
@@ -723,7 +724,8 @@ TEST_F(GuardProcess, devices_command_names_the_rule_where_the_device_may_not_be_
     const test::ProgramRun asleep = test::run_program(call);
     EXPECT_THAT(asleep.out, testing::HasSubstr("nvent_firmware.bin"));
     EXPECT_THAT(asleep.out, testing::HasSubstr("cannot be used yet"));
-    // Left to itself the program says so and goes on with a simulated hand; asked for that very device it ends.
+    // Without a request the program announces the failure and continues with a simulated hand. If that very device was
+    // requested, the program ends.
     call.arguments = {"--no-window"};
     const test::ProgramRun left_to_itself = test::run_program(call);
     EXPECT_EQ(left_to_itself.exit_status, 0) << left_to_itself.err;

@@ -1,5 +1,5 @@
 // An event node with force feedback in umockdev: a rumble pad, or a joystick with a constant force, and the hand on it.
-// The bed answers on a thread of its own; `lock` guards what it was told and what it tells.
+// The testbed answers on its own thread. `lock` guards what the device has received and what it reports.
 #pragma once
 
 #include <linux/input.h>
@@ -12,7 +12,7 @@ namespace handrail::test {
 
 class MockStick {
 public:
-    // Constant: a joystick with a constant force, else a pad that only rumbles.
+    // constant: a joystick with a constant force; otherwise a pad that only rumbles.
     MockStick(UMockdevTestbed* bed, bool constant);
     ~MockStick();
     MockStick(const MockStick&) = delete;

@@ -23,7 +23,7 @@ std::string hex(std::span<const std::uint8_t> bytes) {
 }  // namespace
 
 MockUsbDevice::MockUsbDevice(UMockdevTestbed* bed, UsbFunction& function, int address) : function_(function) {
-    ::signal(SIGPIPE, SIG_IGN);  // umockdev answers processes that tests have killed
+    ::signal(SIGPIPE, SIG_IGN);  // umockdev may answer processes that tests have killed
     const std::vector<std::uint8_t> numbers = function.device_descriptor();
     const std::string node = fmt::format("bus/usb/{:03}/{:03}", kBus, address);
     const std::string device = fmt::format(
@@ -60,7 +60,7 @@ void MockUsbDevice::finish(const Urb& urb, int status, std::size_t length) {
     done_.push_back(urb);
 }
 
-// Transfers to the host wait until the device has something to tell.
+// Transfers to the host wait until the device has data.
 void MockUsbDevice::serve_waiting() {
     const auto now = std::chrono::steady_clock::now();
     while (!waiting_.empty()) {
@@ -74,7 +74,7 @@ void MockUsbDevice::serve_waiting() {
     }
 }
 
-// Eight bytes of set-up, then the data of either way.
+// Eight set-up bytes, then the data in either direction.
 void MockUsbDevice::control(const Urb& urb) {
     constexpr std::size_t kSetup = 8;
     std::uint8_t* bytes = urb.buffer->data;
@@ -109,7 +109,7 @@ void MockUsbDevice::submit(UMockdevIoctlData* data, const void* client) {
     serve_waiting();
 }
 
-// The kernel drops them when the process that made them ends.
+// The kernel drops requests when the process that made them ends.
 void MockUsbDevice::forget_requests_of_others(const void* client) {
     for (auto* queue : {&waiting_, &done_}) {
         for (auto it = queue->begin(); it != queue->end();) {
@@ -156,7 +156,7 @@ gboolean MockUsbDevice::answer(UMockdevIoctlClient* client) {
                 submit(data, client);
                 return complete(0, 0);
             }
-            return complete(-1, EFAULT);  // the caller died while it was asking
+            return complete(-1, EFAULT);  // the calling process died during its request
         case USBDEVFS_DISCARDURB: {
             const auto address = *reinterpret_cast<unsigned long*>(argument->data);
             for (auto it = waiting_.begin(); it != waiting_.end(); ++it)

@@ -1,5 +1,5 @@
-// USB devices in umockdev: usbfs answered as the kernel would, for any device of tests/emulators/usb_function.h. The
-// bed answers on a thread of its own; `lock` guards the emulator.
+// USB devices in umockdev. Answers usbfs as the kernel would, for any device of tests/emulators/usb_function.h. The
+// testbed answers on its own thread, and `lock` guards the emulator.
 #pragma once
 
 #include <umockdev.h>
@@ -28,7 +28,7 @@ private:
     struct Urb {
         UMockdevIoctlData* urb;
         UMockdevIoctlData* buffer;
-        const void* client;  // whose request it is
+        const void* client;  // the client that made the request
         std::chrono::steady_clock::time_point since;
     };
     static gboolean on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self);
@@ -44,7 +44,7 @@ private:
     std::deque<Urb> waiting_, done_;
 };
 
-// One Falcon on the bus.
+// A bus with one Falcon.
 class MockFalconBus : public FalconAndItsChip, public MockUsbDevice {
 public:
     static constexpr int kAddress = 7;

@@ -1,4 +1,4 @@
-// The program next to a guard that reaches what umockdev plays.
+// The program next to a guard that can reach the devices which umockdev emulates.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace handrail::test {
 
-// Its path. A copy, laid out as a build is, that is gone with this process.
+// Path of a copy of the program, laid out like a build. The copy is deleted when this process ends.
 inline const std::filesystem::path& mocked_program() {
     namespace fs = std::filesystem;
     static const TemporaryFolder folder;

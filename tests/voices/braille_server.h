@@ -1,5 +1,5 @@
-// A BRLTTY of the test's own with a display that is only a socket: what stands on it can be read, and its keys pressed.
-// For tests on one thread.
+// A private BRLTTY for the test, with a socket as its display. The test can read the displayed text and press the
+// display's keys. For tests on one thread.
 #pragma once
 
 #include <filesystem>
@@ -14,31 +14,31 @@ class BrailleServer {
 public:
     static constexpr int kCells = 40;
 
-    // Why it cannot be had here; empty: it can.
+    // Why BRLTTY cannot run here; empty: it can.
     static std::string why_not();
-    // In `folder`, with its display; running() is false when one of them does not start.
+    // Runs in `folder`, with its display. running() is false if one of the two does not start.
     explicit BrailleServer(const std::filesystem::path& folder);
     ~BrailleServer();
     BrailleServer(const BrailleServer&) = delete;
     BrailleServer& operator=(const BrailleServer&) = delete;
 
-    Environment environment() const;  // leads a client here
+    Environment environment() const;  // makes a client connect to this server
     bool running() const { return process_ && process_->running() && display_ >= 0; }
-    void kill();         // the server, and its display with it
-    bool start_again();  // after kill()
+    void kill();         // kills the server and its display
+    bool start_again();  // to be called after kill()
     bool unplug_display_and_plug_in_another();
 
-    // What stands on the display now, without blanks at its end.
+    // The text on the display, without trailing blanks.
     std::string shown();
     bool shows(const std::string& words);          // within a minute
-    void press(const std::string& command) const;  // BRLTTY's name of it: "FWINRT", "ROUTE 7"
+    void press(const std::string& command) const;  // BRLTTY's name of the command: "FWINRT", "ROUTE 7"
     std::string everything() const;
 
 private:
     bool connect_display();
 
     std::filesystem::path folder_;
-    int port_ = 0;  // BrlAPI's, above its base
+    int port_ = 0;  // BrlAPI's port, relative to its base
     std::unique_ptr<ChildProcess> process_;
     int display_ = -1;
     std::string received_, shown_;

@@ -1,4 +1,4 @@
-// The program with a braille display, and with everything that can be taken away from somebody who explores.
+// The program with a braille display, while everything is taken away that can fail for a person who explores.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -78,11 +78,11 @@ TEST_F(Brailled, shows_the_heading_and_the_words_that_are_spoken) {
 TEST_F(Brailled, pans_by_the_displays_keys_and_tells_more_by_a_routing_key) {
     ASSERT_NO_FATAL_FAILURE(explore());
     if (!program) return;
-    // Asked until the room is known, which is looked for beside the session.
+    // Repeats the query until the room is known, because a background task finds the rooms.
     const auto told = [&] { return program->said().find("say: Room with") != std::string::npos; };
     ASSERT_TRUE(eventually([&] { return press("F2") && eventually(told, 2.0); })) << everything();
     ASSERT_TRUE(braille->shows("N  Room with")) << everything();
-    // Each piece is words of the message behind the heading; the keys go on, back, on and to the beginning.
+    // Each piece consists of words of the message, after the heading. The keys go on, back, on, and to the beginning.
     const std::string first = braille->shown();
     const auto other = [&] { return braille->shown() != first; };
     const auto same = [&] { return braille->shown() == first; };
@@ -124,8 +124,8 @@ TEST_F(Brailled, takes_another_display_of_the_same_server) {
     leave();
 }
 
-// One after the other everything goes that tells a person where they are; each loss is told by what is left, and
-// exploring goes on.
+// Takes away, one after the other, everything that tells a person where they are. Whatever is left announces each loss,
+// and exploring continues.
 TEST_F(Brailled, goes_on_when_braille_and_sound_and_speech_are_taken_away_in_turn) {
     ASSERT_NO_FATAL_FAILURE(explore());
     if (!program) return;

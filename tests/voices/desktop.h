@@ -1,5 +1,5 @@
-// A blind person's desktop of the test's own, with nothing of the machine's in it: a session bus, an X server, a speech
-// server that writes down what it is told, and the screen reader Orca, which speaks through that.
+// A private desktop of a blind person for the test, isolated from that of the machine. It has a session bus, an X
+// server, a speech server that records what it is sent, and the screen reader Orca, which speaks through that server.
 #pragma once
 
 #include <filesystem>
@@ -14,10 +14,10 @@ namespace handrail::test {
 
 class Desktop {
 public:
-    // Why it cannot be had here: a package that is missing, or a sanitizer, under which time and memory of foreign
-    // libraries are not judged. Empty: it can.
+    // Why this cannot run here; empty: it can. Either a package is missing, or a sanitizer is active, under which time
+    // and memory of foreign libraries are not judged.
     static std::string why_not();
-    // In `folder`, without Orca; running() is false when a part does not start.
+    // Runs in `folder`, without Orca. running() is false if a part does not start.
     explicit Desktop(const std::filesystem::path& folder, int word_ms = 1);
     ~Desktop();
     Desktop(const Desktop&) = delete;
@@ -25,19 +25,21 @@ public:
 
     bool running() const { return display && speech && speech->running(); }
     bool start_orca(
-        const Environment& braille = {});  // until it says that it is on; braille: of a display it is to use
+        // Waits until Orca says that it is on; braille: environment of a display that it uses.
+        const Environment& braille = {});
     void kill_orca() { orca_->kill(); }
-    void end_session() { bus_->kill(); }  // the bus and all that was started through it
+    void end_session() { bus_->kill(); }  // ends the bus and everything that was started through it
 
-    // What leads a program here; without `speech_server` it finds none.
+    // Variables that connect a program to this desktop; without `speech_server` it finds no speech server.
     Environment environment(bool speech_server) const;
-    // Gives the program's window the keyboard once it is there.
+    // Gives the program's window the keyboard as soon as the window exists.
     bool focus_window() const;
     bool press(const std::string& keys) const { return display->xdotool("key " + keys); }
-    // The program's accessible objects as any reader finds them: a line each, children two blanks further in: `list
-    // item "North wall" selected focused`.
+    // The program's accessible objects as any screen reader finds them, one on each line. Children are indented by two
+    // more blanks: `list item "North wall" selected focused`.
     std::string objects() const;
-    // What a Python program with pyatspi prints that walks the program's objects as any reader does.
+    // Runs a Python program with pyatspi, which walks the program's objects as any screen reader does. Returns what it
+    // prints.
     std::string ask_objects(const std::string& python) const;
     std::string everything() const;  // for messages of failing tests
 

@@ -1,4 +1,4 @@
-// The program in a home of its own, typed to or, with a window, pressed at.
+// The program with its own home folder. The test types into it or, if it has a window, presses keys.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@ namespace handrail::test {
 
 class Exploring {
 public:
-    // `environment` is what is there; all else is as on a bare machine. first_start: by somebody who never started it
+    // The program gets only `environment` in addition to a bare machine. first_start: nobody has started the program
     // before.
     Exploring(const TemporaryFolder& folder, Environment environment,
               const std::vector<std::string>& arguments = {"--no-window", "--device", "none"}, bool first_start = false)
@@ -23,7 +23,8 @@ public:
         if (first_start) std::filesystem::remove(folder.path() / ".config" / "handrail" / "settings.toml");
         std::vector<std::string> words{test::built_program("handrail")};
         words.insert(words.end(), arguments.begin(), arguments.end());
-        // On a busy machine the sound device runs dry, and with fewer periods the program says so between other words.
+        // On a busy machine the sound device runs out of data. With fewer periods the program would report this in the
+        // middle of other messages.
         for (const char* steady : {"--set", "sound.periods=3"}) words.emplace_back(steady);
         process_ = ChildProcess::start(words, environment, said_);
     }

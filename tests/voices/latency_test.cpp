@@ -1,6 +1,6 @@
-// How long a person waits, by the clock on the wall: reported, never judged, since it is the machine's as much as ours.
-// From before xdotool is started, whose own start and key are in every figure, to the voice's first word, or to its
-// silence.
+// Reports how long a person waits, in wall-clock time. It is never judged, because it depends on the machine as much as
+// on the program. Times begin before xdotool starts, so each includes xdotool's start and key press. They end at the
+// voice's first word, or at its silence.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,8 +21,8 @@ constexpr int kTimes = 12;
 
 double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-// Presses `key` and returns how long it took until something was recorded that `is_it` accepts, from the entry `from`
-// on, which it moves behind that entry.
+// Presses `key` and returns the time until an entry was recorded that `is_it` accepts. The search begins at entry
+// `from`, which is then set to the entry after the match.
 std::optional<double> time_to(const Desktop& desktop, const std::string& key, std::size_t& from,
                               const std::function<bool(const Recorded&)>& is_it) {
     const double pressed_s = now_s();
@@ -47,7 +47,7 @@ void report(const char* what, std::vector<double> times_s) {
                 1000.0 * times_s.back(), times_s.size());
 }
 
-// The question is answered with a heading, which goes on until a key ends it.
+// The query is answered with a heading, which is spoken until a key ends it.
 void measure(const Desktop& desktop, const char* to_word, const char* to_silence) {
     std::vector<double> word_s, silence_s;
     for (int i = 0; i < kTimes; ++i) {
@@ -57,7 +57,7 @@ void measure(const Desktop& desktop, const char* to_word, const char* to_silence
         });
         ASSERT_TRUE(word) << desktop.everything();
         word_s.push_back(*word);
-        bool ended = false;  // by itself, on a machine too slow to press a key meanwhile
+        bool ended = false;  // the speech ended before a slow machine could press a key
         const auto silence = time_to(desktop, "Control_L", from, [&](const Recorded& entry) {
             ended = entry.event == "end";
             return entry.event == "stop" || ended;
@@ -91,7 +91,7 @@ void explore_and_measure(bool orca, int word_ms, const char* to_word, const char
 
 TEST(Latency, of_the_screen_reader_is_reported) {
     if (const std::string why = Desktop::why_not(); !why.empty()) GTEST_SKIP() << why;
-    // Orca says the key first, two words long with the blank, and the answer waits for that.
+    // Orca first says the key, two words long including the blank, and the answer waits for that.
     explore_and_measure(true, 100, "key to the first word, after 200 ms of key echo, by Orca",
                         "key to silence, by Orca");
 }
@@ -102,10 +102,10 @@ TEST(Latency, of_the_speech_server_is_reported) {
                         "key to silence, by speech-dispatcher");
 }
 
-// The sound library takes a gain to zero over the period that it mixes next: 256 samples at 48 kHz.
+// The sound library lowers a gain to zero over the next period that it mixes: 256 samples at 48 kHz.
 constexpr double kMixerRamp_s = 256.0 / 48000.0;
 
-// What the program's own voice did, as the sound library was told: when it began, and when it was to be silent.
+// What the program requested of the sound library for its own voice: when speech began, and when it was to be silent.
 std::vector<Recorded> own_voice(const std::filesystem::path& file) {
     std::vector<Recorded> all;
     std::istringstream lines(content_of(file));

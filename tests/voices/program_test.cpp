@@ -1,4 +1,4 @@
-// The whole program with the voices of a desktop, taken away in turn while somebody explores.
+// The whole program with the voices of a desktop, which are taken away in turn while somebody explores.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -16,7 +16,7 @@ using testing::Not;
 
 class ProgramSpeaking : public testing::Test {
 protected:
-    // With a speech server, until it has said where one is.
+    // Starts the program with a speech server and waits until it has said where the person is.
     void explore() {
         if (!installed("speech-dispatcher")) GTEST_SKIP() << "speech-dispatcher is not installed";
         server = SpeechServer::start(folder.path(), 1);
@@ -42,7 +42,7 @@ TEST_F(ProgramSpeaking, through_the_speech_server_says_each_line_of_text_there_a
     ASSERT_TRUE(eventually([&] { return server->spoke("Ahead: north wall"); }))
         << program->said() << server->everything();
     leave();
-    // What was voiced is what was written; an answer that the next key cut short may be in the text alone.
+    // Every spoken text was also written. An answer that the next key interrupted may exist only as text.
     for (const Recorded& entry : server->recorded()) {
         if (entry.event != "speak") continue;
         EXPECT_THAT(program->said(), HasSubstr(": " + entry.words + "\n"));
@@ -52,8 +52,8 @@ TEST_F(ProgramSpeaking, through_the_speech_server_says_each_line_of_text_there_a
 }
 
 TEST_F(ProgramSpeaking, goes_on_when_the_speech_server_is_killed_and_takes_it_back_when_it_returns) {
-    // libspeechd cancels its thread; while g++ 12's sanitizer looks up names for what it suppresses there, that thread
-    // never ends and holds up all others.
+    // libspeechd cancels its thread. While g++ 12's sanitizer looks up names for its suppressions there, that thread
+    // never ends and blocks all others.
     if (test::kThreadSanitizer) GTEST_SKIP() << "SpeechdVoice.a_killed_server_* runs the same threads";
     ASSERT_NO_FATAL_FAILURE(explore());
     if (!program) return;

@@ -1,4 +1,4 @@
-// The program read by Orca, on a desktop of the test's own.
+// Orca reads the program, on a private desktop for the test.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,14 +18,14 @@ namespace screen_reader_test {
 using testing::HasSubstr;
 using testing::Not;
 
-// A name that was said before gets a blank after it, since only a change is read. Orca 48 ends what it says with a full
-// stop, Orca 43 does not.
+// The program appends a blank to a name that repeats the last one, because Orca reads only changes. Orca 48 ends its
+// utterances with a full stop, Orca 43 does not.
 std::string without_end(std::string text) {
     text.erase(text.find_last_not_of(" .") + 1);
     return text;
 }
 
-// How many processes of that name run with `folder` in their environment.
+// Number of processes with this name that have `folder` in their environment.
 int processes_called(const std::string& name, const std::filesystem::path& folder) {
     int count = 0;
     for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
@@ -38,7 +38,7 @@ int processes_called(const std::string& name, const std::filesystem::path& folde
 
 class ReadByOrca : public testing::Test {
 protected:
-    // Orca is on, and with `explore` the program explores the first room and Orca reads it.
+    // Starts Orca. With `explore`, also lets the program explore the first room while Orca reads it.
     void begin(bool speech_server) {
         if (const std::string why = Desktop::why_not(); !why.empty()) GTEST_SKIP() << why;
         desktop = std::make_unique<Desktop>(folder.path());
@@ -48,7 +48,7 @@ protected:
                                               std::vector<std::string>{"--device", "none"});
         ASSERT_TRUE(desktop->focus_window()) << everything();
     }
-    // What the recorder was told, and what the program wrote.
+    // The recorded speech and the text that the program wrote.
     std::string everything() const { return "said:\n" + program->said() + desktop->everything(); }
     int times_spoken(const std::string& words) const {
         const auto all = desktop->speech->recorded();
@@ -62,14 +62,15 @@ protected:
     bool speaks_of(const std::string& words) const {
         return eventually([&] { return desktop->speech->spoke(words); });
     }
-    // The desk as a list.
+    // Opens the desk as a list.
     void open_desk() {
         ASSERT_TRUE(speaks_of("facing north")) << everything();
         ASSERT_TRUE(desktop->press("F10"));
         ASSERT_TRUE(eventually([&] { return desktop->objects().find("list \"Your desk") != std::string::npos; }))
             << desktop->objects();
     }
-    // What a Python program prints that has the desk's list as `desk`: lines of so many cells with | between them.
+    // Runs a Python program that finds the desk's list in the variable `desk`. Returns what it prints: lines with this
+    // many cells, separated by |.
     std::vector<std::vector<std::string>> work_at_desk(const std::string& python, std::size_t cells) const {
         const std::string find = "import os, pyatspi, time\nsaid = '" + (folder.path() / "said").string() + "'" + R"(
 def told(): return os.path.getsize(said)
@@ -124,7 +125,7 @@ TEST_F(ReadByOrca, speaks_through_it_from_the_first_word_and_with_no_voice_of_it
     EXPECT_TRUE(spoken("North-north-east")) << everything();
     ASSERT_TRUE(desktop->press("c"));
     EXPECT_TRUE(speaks_of("Facing north-north-east, 22 degrees")) << everything();
-    // Once by Orca, and not once more by the speech server on our own behalf.
+    // Orca says it once, and the program does not send it to the speech server as well.
     EXPECT_EQ(times_spoken("North-north-east"), 1) << everything();
     EXPECT_TRUE(desktop->speech->spoke("Handrail.")) << everything();
     EXPECT_THAT(program->said(), Not(HasSubstr("built-in voice"))) << everything();
@@ -148,8 +149,8 @@ TEST_F(ReadByOrca, has_each_key_first_but_for_the_stop_key) {
     ASSERT_NO_FATAL_FAILURE(begin(false));
     if (!program) return;
     ASSERT_TRUE(speaks_of("facing north")) << everything();
-    // Insert with F is Orca's question about letters, F alone is our force key. If a busy machine makes Orca late, the
-    // key is ours (KeyGate), so Orca gets more than one try.
+    // Insert with F is Orca's question about letters; F alone is our force key. If a busy machine makes Orca late, the
+    // key goes to the program (KeyGate), so Orca gets more than one try.
     const auto ours = [&] { return times_in(program->said(), "There is no touch device"); };
     bool used_by_orca = false;
     for (std::size_t asked = 1; asked <= 20 && !used_by_orca; ++asked) {
@@ -162,7 +163,8 @@ TEST_F(ReadByOrca, has_each_key_first_but_for_the_stop_key) {
     }
     EXPECT_TRUE(used_by_orca) << everything();
     const std::size_t before = ours();
-    // On a busy machine Orca 48 takes the first key after Insert is released, too, and ignores it. So press again.
+    // On a busy machine Orca 48 also takes the first key after Insert is released, and ignores it. So the test presses
+    // again.
     EXPECT_TRUE(eventually([&] { return desktop->press("f") && eventually([&] { return ours() > before; }, 2.0); }))
         << everything();
     EXPECT_TRUE(speaks_of("There is no touch device")) << everything();
@@ -184,7 +186,7 @@ TEST_F(ReadByOrca, speaks_lists_and_finds_their_items_as_objects) {
     };
     EXPECT_TRUE(finds("  list \"Menu")) << objects;
     EXPECT_TRUE(finds("selected")) << objects;
-    // Down goes to the second item: the selection moves there, and Orca speaks it.
+    // Down moves to the second item: the selection moves there, and Orca speaks it.
     std::istringstream lines(objects);
     std::string first, second;
     for (std::string line; std::getline(lines, line) && second.empty();)
@@ -201,14 +203,14 @@ TEST_F(ReadByOrca, speaks_lists_and_finds_their_items_as_objects) {
     leave();
 }
 
-// Each control of the desk by the actions of its object, and by the program's own one way to change it: the same words
-// in the end.
+// Changes each control of the desk by the actions of its accessible object and through the program's own interface.
+// Both must end with the same text.
 TEST_F(ReadByOrca, changes_every_control_of_the_desk_by_the_actions_of_its_object) {
     ASSERT_NO_FATAL_FAILURE(begin(false));
     if (!program) return;
     ASSERT_NO_FATAL_FAILURE(open_desk());
-    // For each item its name, its actions, and its name after the first that changes a value (less, else more), else
-    // after being pressed.
+    // For each item: its name, its actions, and its name afterwards. The actions tried are decrease, then increase if
+    // that changed nothing, or else press.
     static constexpr const char* kWork = R"(
 def name(i): return desk.getChildAtIndex(i).name
 last = [i for i in range(desk.childCount) if name(i) == 'Go to that world']  # the desk goes with this world
@@ -242,8 +244,8 @@ for i in [i for i in range(desk.childCount) if i not in last] + last:
         const DeskControl& control = app.desk_visit().desk().controls()[i];
         EXPECT_EQ(parts[0].rfind(control.name, 0), 0U);
         EXPECT_EQ(parts[1], control.adjustable() ? " press increase decrease " : " press ");
-        if (!control.adjustable() || control.many) continue;  // worlds and marks are this session's own
-        // What was done before may show here, as on the knob; so the same is done here.
+        if (!control.adjustable() || control.many) continue;  // worlds and marks differ in the other session
+        // Earlier changes may show here, as on the knob, so the same changes are repeated in this session.
         if (control.kind == DeskKind::Assign) {
             EXPECT_EQ(parts[0], app.desk_visit().desk().words(i) + " ");
         }
@@ -259,14 +261,14 @@ for i in [i for i in range(desk.childCount) if i not in last] + last:
     EXPECT_TRUE(program->says("say: Going to ")) << everything();
 }
 
-// Each slider, volume and knob of the desk as a value that is set, and the same by the program's own one way: the same
-// words and number in the end.
+// Sets each slider, volume and knob of the desk as a value of its accessible object, and through the program's own
+// interface. Both must end with the same text and number.
 TEST_F(ReadByOrca, sets_each_quantity_of_the_desk_as_a_value) {
     ASSERT_NO_FATAL_FAILURE(begin(false));
     if (!program) return;
     ASSERT_NO_FATAL_FAILURE(open_desk());
-    // For each item that is a value: its place, least, most, step and number; then, set to a third of the way, its name
-    // and number. The knob has nothing on it.
+    // For each item with a value: its index, minimum, maximum, step and number. Then, after setting a third of the
+    // range, its name and number. The knob has no control assigned.
     static constexpr const char* kWork = R"(
 for i in range(desk.childCount):
     item = desk.getChildAtIndex(i)
@@ -316,7 +318,7 @@ TEST_F(ReadByOrca, tells_each_item_once_and_messages_about_it_too) {
     ASSERT_TRUE(speaks_of("Sound volume")) << everything();
     ASSERT_TRUE(desktop->press("Down"));
     ASSERT_TRUE(speaks_of("Speech volume")) << everything();
-    ASSERT_TRUE(desktop->press("F1"));  // how lists work: no item
+    ASSERT_TRUE(desktop->press("F1"));  // explains lists, which is not an item
     EXPECT_TRUE(speaks_of("Up and Down move through the list")) << everything();
     ASSERT_TRUE(desktop->press("Left"));
     EXPECT_TRUE(speaks_of("90 percent")) << everything();
@@ -329,7 +331,7 @@ TEST_F(ReadByOrca, tells_each_item_once_and_messages_about_it_too) {
     for (const Recorded& entry : desktop->speech->recorded())
         items += entry.event == "speak" && entry.words.find("Speech volume, 100 percent") != std::string::npos;
     EXPECT_EQ(items, 1) << everything();
-    // What has the keyboard again is told by its words alone, without what kind of object it is.
+    // When the list closes, Orca reads only the name of the object that regains the keyboard, not its kind.
     for (const char* kind : {"drawing area", "unknown"}) EXPECT_FALSE(desktop->speech->spoke(kind)) << everything();
     leave();
 }

@@ -1,6 +1,6 @@
-// Scenario 1, "silent machine never": from the first second of the first start something is said, or a key says where
-// one is. With nothing at all but the program's own voice, with a speech server, and with a screen reader that also
-// brailles. Times by the clock on the wall are reported; their order is asserted.
+// Scenario 1, "silent machine never". From the first second of the first start, something is spoken, or a key announces
+// where the person is. Tested with only the program's own voice, with a speech server, and with a screen reader that
+// also drives a braille display. Wall-clock times are reported; their order is asserted.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -26,8 +26,8 @@ constexpr const char* kThreeKeys = "Press Enter to begin, Space to hear this aga
 
 double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-// The first start, with a window that has the keyboard and a sound card that tells when the program's own voice begins
-// and is cut.
+// The first start, with a window that has the keyboard. The sound card records when the program's own voice begins and
+// is interrupted.
 class SilentMachineNever : public testing::Test {
 protected:
     void launch(Environment environment) {
@@ -39,7 +39,7 @@ protected:
     }
     std::string own_voice() const { return content_of(folder.path() / "voice"); }
     std::string said() const { return program->said(); }
-    // The whole sentence of the first line that holds these words.
+    // The whole first line that contains these words.
     std::string line_with(const std::string& words) const {
         std::istringstream lines(said());
         for (std::string line; std::getline(lines, line);)
@@ -49,13 +49,13 @@ protected:
     bool says_times(const std::string& words, std::size_t times) const {
         return eventually([&] { return times_in(said(), words) == times; });
     }
-    // Space repeats the welcome, nothing expires, Enter goes on, Space repeats what that said.
+    // Space repeats the welcome, nothing expires, and Enter continues. Space then repeats what Enter announced.
     void go_on(VirtualDisplay& display, const std::string& everything) {
         const std::string welcome = line_with(kThreeKeys);
         ASSERT_THAT(welcome, HasSubstr("Welcome. Handrail is speaking with ")) << everything;
         ASSERT_TRUE(says_times("No touch device", 1)) << said();
         const std::string before = said();
-        ::usleep(4000000);  // by the wall's clock, as a person who hesitates
+        ::usleep(4000000);  // real time, like a person who hesitates
         EXPECT_EQ(said(), before) << "the prompt stays, and nothing more is said";
         ASSERT_TRUE(display.xdotool("key space"));
         EXPECT_TRUE(says_times(welcome + "\n", 2)) << "word for word\n" << said();
@@ -134,7 +134,7 @@ TEST_F(SilentMachineNever, speaks_through_the_speech_server_where_one_runs_and_i
     }
     EXPECT_EQ(own_voice(), "") << "two voices";
     if (!braille) return;
-    // The display holds the question from its first word to its last, panned through.
+    // Panning shows the whole question on the display, from its first word to its last.
     const std::string question = line_with("bell on your left").substr(std::string("say: ").size());
     std::string read;
     ASSERT_TRUE(eventually([&] {

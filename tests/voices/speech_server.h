@@ -1,4 +1,4 @@
-// A speech-dispatcher of the test's own with the recording module as its only voice.
+// A private speech-dispatcher for the test, whose only voice is the recording module.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace handrail::test {
 
-// What the recording module wrote down.
+// One event that the recording module wrote.
 struct Recorded {
     double time_s = 0.0;  // std::chrono::steady_clock
     std::string event;    // "speak", "end" or "stop"
@@ -19,16 +19,16 @@ struct Recorded {
 
 class SpeechServer {
 public:
-    // In `folder`, with so many milliseconds for each word. Ask installed("speech-dispatcher") first.
+    // Starts in `folder`, with this many milliseconds for each word. Check installed("speech-dispatcher") first.
     static std::unique_ptr<SpeechServer> start(const std::filesystem::path& folder, int word_ms);
 
-    Environment environment() const;  // leads a client here
+    Environment environment() const;  // makes a client connect to this server
     bool running() const { return process_ && process_->running(); }
     void kill() { process_->kill(); }
-    void freeze() const;  // it takes connections and answers nothing
-    bool start_again();   // after kill()
+    void freeze() const;  // it then accepts connections but does not answer
+    bool start_again();   // to be called after kill()
     std::vector<Recorded> recorded() const;
-    bool spoke(const std::string& words) const;  // some utterance holds these words
+    bool spoke(const std::string& words) const;  // true if some utterance contains these words
     std::string everything() const;              // for messages of failing tests
 
 private:

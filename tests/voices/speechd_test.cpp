@@ -1,4 +1,4 @@
-// speech-dispatcher as the voice: the sink alone, then the whole program.
+// speech-dispatcher as the voice: first only the sink, then the whole program.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -58,7 +58,7 @@ TEST_F(SpeechdVoice, speaks_every_word_and_knows_when_it_has_ended) {
 }
 
 TEST_F(SpeechdVoice, a_new_utterance_and_silence_cut_what_is_being_said) {
-    ASSERT_NO_FATAL_FAILURE(start(10000));  // nothing ends by itself
+    ASSERT_NO_FATAL_FAILURE(start(10000));  // words so long that no utterance ends
     if (!server) return;
     const double asked_s = now_s();
     voice->say({.text = "one two three", .speech_class = SpeechClass::Alarm});
@@ -102,7 +102,7 @@ TEST_F(SpeechdVoice, a_server_that_stops_answering_is_given_up_by_the_watchdog) 
     EXPECT_TRUE(voice->speaking());
     ASSERT_TRUE(becomes(VoiceState::Gone));
     EXPECT_FALSE(voice->speaking());
-    voice.reset();  // ends although the server never answers
+    voice.reset();  // must end although the server never answers
 }
 
 }  // namespace speechd_test

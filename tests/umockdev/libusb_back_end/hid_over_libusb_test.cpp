@@ -1,5 +1,5 @@
-// A DualSense and a SpaceMouse through hidapi's libusb back end, on a bus that umockdev plays: what a system without
-// hidraw has.
+// A DualSense and a SpaceMouse through hidapi's libusb back end, on a bus that umockdev emulates. A system without
+// hidraw has only this back end.
 #include "tests/emulators/hid_claims.h"
 #include "tests/support/precompiled.h"
 #include "tests/umockdev/mock_usb.h"
@@ -49,7 +49,7 @@ TEST_F(OverHidapiLibusb, space_mouse_steers) {
     test::steer_with_a_space_mouse(open(0x046d), puck_, puck_device_.lock, [] {});
 }
 
-// The back end reads on a thread of its own, which ends when the device does.
+// The back end reads on a separate thread, which ends when the device does.
 TEST_F(OverHidapiLibusb, an_unplugged_pad_is_lost_and_not_waited_for) {
     PlaystationPad pad(open(0x054c), PadModel::DualSense, PadBus::Usb);
     ASSERT_TRUE(pad.open());

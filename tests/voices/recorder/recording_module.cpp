@@ -1,7 +1,7 @@
 // An output module of speech-dispatcher that speaks into a file instead of a sound card, so that tests can read what
-// was said and when it was cut. One line per event in $RECORDED: seconds of CLOCK_MONOTONIC, then "speak WORDS", "end"
-// or "stop". $RECORDED_WORD_MS is how long a word takes. The protocol is that between the server and its modules:
-// commands on standard input, events on standard output.
+// was said and when it was interrupted. It writes one line per event to $RECORDED: seconds of CLOCK_MONOTONIC, then
+// "speak WORDS", "end" or "stop". $RECORDED_WORD_MS is the duration of a word. It uses the protocol between the server
+// and its modules: commands on standard input, events on standard output.
 #include <poll.h>
 #include <unistd.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Words come as SSML: tags go, and the five named characters become what they stand for.
+// The server sends SSML. Removes the tags and replaces the five named characters by the characters that they stand for.
 std::string without_markup(const std::string& ssml) {
     std::string text;
     for (std::size_t i = 0; i < ssml.size(); ++i) {
@@ -72,7 +72,7 @@ private:
         std::fclose(file);
     }
 
-    // Waits for a whole line of the server, and meanwhile for the end of what is being spoken.
+    // Waits for a whole line from the server, and meanwhile for the end of the current utterance.
     bool next_line(std::string& line) {
         for (;;) {
             if (const std::size_t end = buffer_.find('\n'); end != std::string::npos) {
@@ -124,7 +124,7 @@ private:
     const char* recorded_ = std::getenv("RECORDED") ? std::getenv("RECORDED") : "/dev/null";
     std::chrono::milliseconds word_{std::getenv("RECORDED_WORD_MS") ? std::atoi(std::getenv("RECORDED_WORD_MS")) : 5};
     std::string buffer_;
-    std::optional<Clock::time_point> ends_;  // of what is being spoken
+    std::optional<Clock::time_point> ends_;  // of the current utterance
 };
 
 }  // namespace
