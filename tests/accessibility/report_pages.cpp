@@ -1,5 +1,5 @@
-// report_pages FOLDER: writes reports as browsers shall judge them: of a session with everything, in both languages, of
-// one with no hand and no plan, of one with nothing, and one with faults put in.
+// report_pages FOLDER: writes reports for accessibility checks in browsers. They are of a session with everything, in
+// both languages, of one without hand and plan, of an empty one, and of one with deliberate faults.
 #include <filesystem>
 #include <iostream>
 

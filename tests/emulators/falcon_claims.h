@@ -1,4 +1,4 @@
-// What the Falcon's driver must do over every way there is to the device: usbfs played by umockdev, and the kernel's
+// What the Falcon's driver must do over every connection to the device: usbfs emulated by umockdev, and the kernel's
 // own USB core.
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace handrail::test {
 
-// Woken with firmware from a file, homed without a force, then 1,000 exchanges of a wall that a hand presses on: it
-// rests at the exact static answer. `lock` guards the emulator.
+// Loads firmware from a file, homes without a force, then runs 1,000 exchanges of a wall on which a hand presses. The
+// hand must rest at the exact static solution. `lock` guards the emulator.
 void wake_home_and_rest_against_a_wall(std::unique_ptr<ByteLink> link, FalconEmulator& falcon, std::mutex& lock);
 
 }  // namespace handrail::test

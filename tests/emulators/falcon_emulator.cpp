@@ -6,13 +6,13 @@
 namespace handrail::test {
 namespace {
 
-// Measures of the machine, metres and radians.
+// Dimensions of the machine, in metres and radians.
 constexpr double kThigh = 0.060, kRod = 0.1025, kJoints = 0.0225;
 constexpr double kFrameMs = 1e-3;
 
 double leg_direction(int leg) { return radians_from_degrees(105.0 - 120.0 * leg); }
 
-// |knee - grip|^2 - reach^2 of one leg in its own plane.
+// |knee - grip|^2 - reach^2 for one leg, in its own plane.
 double open_by(const Vec3& grip, int leg, double angle) {
     const double phi = leg_direction(leg);
     const double u = grip.x * std::cos(phi) + grip.y * std::sin(phi) - 0.0400 + 0.01443;
@@ -49,13 +49,13 @@ std::vector<std::uint8_t> boot_image(std::size_t data_bytes) {
     return image;
 }
 
-// From the knee that points away from the grip inwards, the first place where the leg closes.
+// Searches from the knee position that points away from the grip inwards for the first angle at which the leg closes.
 Vec3 FalconEmulator::leg_angles_at(const Vec3& grip) {
     Vec3 angles{0.0};
     for (int leg = 0; leg < 3; ++leg) {
         const double phi = leg_direction(leg);
         const double towards = std::atan2(grip.z, grip.x * std::cos(phi) + grip.y * std::sin(phi) - 0.0400 + 0.01443);
-        double near = towards, far = towards - kPi;  // negative near the grip, positive on the far side
+        double near = towards, far = towards - kPi;  // open_by() is negative near the grip and positive on the far side
         for (int i = 0; i < 60; ++i) {
             const double middle = 0.5 * (near + far);
             (open_by(grip, leg, middle) > 0.0 ? far : near) = middle;
@@ -65,7 +65,7 @@ Vec3 FalconEmulator::leg_angles_at(const Vec3& grip) {
     return angles;
 }
 
-// Work of the motors over a small way, by differences.
+// Work of the motors over a small displacement, by finite differences.
 Vec3 FalconEmulator::force_for(const std::array<int, 3>& counts, const Vec3& at) const {
     constexpr double kStep = 1e-6;
     Vec3 force{0.0};

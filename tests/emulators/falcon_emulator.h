@@ -1,6 +1,6 @@
-// A Novint Falcon as its wire shows it: serial chip, boot ROM, firmware, three encoders and three motors, with a grip
-// that a simulated hand holds. Its geometry is solved here on its own, by bisection and by differences, so that it can
-// contradict the driver. Axes of the Falcon: x right, y up, z towards the person. Not thread-safe; the umockdev bed
+// A Novint Falcon as seen on its wire: serial chip, boot ROM, firmware, three encoders and three motors, with a grip
+// that a simulated hand holds. It computes its geometry independently, by bisection and finite differences, so that it
+// can contradict the driver. Axes of the Falcon: x right, y up, z towards the person. Not thread-safe; the umockdev bed
 // locks around it.
 #pragma once
 
@@ -18,14 +18,15 @@
 
 namespace handrail::test {
 
-// A firmware image of `data_bytes` in two blocks that a boot ROM would take; what it holds means nothing.
+// A firmware image of `data_bytes` in two blocks that a boot ROM accepts. Its contents have no meaning.
 std::vector<std::uint8_t> boot_image(std::size_t data_bytes);
 
 class FalconEmulator {
 public:
     enum class Stage { Silent, BootRom, Loader, Running };
 
-    // The hand: a mass at `grip_m`, pushed by `push_n`, damped; moved 1 ms for each frame. Held: stays where it is put.
+    // The hand: a mass at `grip_m`, pushed by `push_n` and damped, which moves for 1 ms in each frame. If held, it
+    // stays where it is put.
     Vec3 grip_m{0.0, 0.0, 0.145};
     Vec3 velocity_m_per_s{0.0};
     Vec3 push_n{0.0};
@@ -33,26 +34,26 @@ public:
     double mass_kg = 0.1;
     bool held = true;
     int frames_until_homed = 0;
-    // Instead: two legs find their zero when the grip is pulled out, the third when it is pushed in again.
+    // Alternative homing: two legs find their zero when the grip is pulled out, the third when it is pushed in again.
     bool homes_by_moving = false;
     std::uint8_t buttons = 0;
     double counts_per_nm = 10000.0;  // of its motors
 
-    // What is wrong with it.
-    int wrong_echo_at_byte = -1;  // once
+    // Faults of the device.
+    int wrong_echo_at_byte = -1;  // corrupts one echo only
     int lose_every_nth_answer = 0;
     int late_every_nth_answer = 0;  // held back until the next command
     int garbage_before_every_nth = 0;
     int torn_every_nth_answer = 0;  // only the first half comes
     int stuck_leg = -1;
     bool leading_zero = false;
-    bool deaf = false;  // no power
+    bool deaf = false;  // without power
 
     Stage stage = Stage::Silent;
     std::vector<std::uint8_t> firmware;
-    std::size_t firmware_wanted = 0;  // it runs once it has so many bytes
+    std::size_t firmware_wanted = 0;  // it runs after this many bytes
 
-    // What it was told.
+    // What the device has received.
     std::array<int, 3> motors{};
     std::uint64_t frames = 0, malformed = 0, over_range = 0, frames_before_homed_with_force = 0;
     double largest_force_n = 0.0;
@@ -62,10 +63,10 @@ public:
     // Called after each frame.
     std::function<void(FalconEmulator&)> after_frame;
 
-    // The chip's side of the bus.
+    // The chip's side of the USB connection.
     bool control(std::uint8_t request, std::uint16_t value);
     void out(const std::uint8_t* bytes, std::size_t size);
-    // One packet: two status bytes, then at most `room - 2` payload bytes.
+    // Returns one packet: two status bytes, then at most `room - 2` payload bytes.
     std::size_t in(std::uint8_t* bytes, std::size_t room);
     bool has_payload() const { return !to_host_.empty(); }
 
@@ -90,7 +91,7 @@ private:
     std::mt19937 random_{7};
 };
 
-// The emulator behind a ByteLink in virtual time: a read that finds nothing lets the chip's latency timer pass.
+// Connects the emulator to a ByteLink in virtual time. A read that finds no data lets the chip's latency timer expire.
 class DirectFalconLink final : public ByteLink {
 public:
     DirectFalconLink(FalconEmulator& falcon, VirtualClock& clock) : falcon_(falcon), clock_(clock) {}

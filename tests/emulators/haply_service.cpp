@@ -19,7 +19,7 @@ struct StandInService::Server {
           thread_([this] { serve(); }) {}
     ~Server() {
         boost::beast::error_code ignored;
-        Tcp::socket knock(io_);  // in case nobody ever connected
+        Tcp::socket knock(io_);  // ends the accept if nobody has connected
         knock.connect({boost::asio::ip::address_v4::loopback(), port_}, ignored);
         knock.close(ignored);
         thread_.join();
@@ -70,7 +70,7 @@ struct StandInService::Server {
                 if (service.messages % 500 == 0) socket.ping({});
                 socket.write(boost::asio::buffer(state(false)));
             }
-        } catch (const std::exception&) {  // the other side has gone
+        } catch (const std::exception&) {  // the client has disconnected
         }
     }
 

@@ -1,5 +1,4 @@
-// What a pad and a puck must do over every way there is to them: both back ends of hidapi, and the kernel's own HID
-// core.
+// What a pad and a puck must do over every connection: both back ends of hidapi, and the kernel's own HID core.
 #pragma once
 
 #include <functional>
@@ -11,12 +10,14 @@
 
 namespace handrail::test {
 
-// A thousand outputs, each seen by the pad as it was meant, and a thousand inputs, none lost; loose and still at the
-// end. `ring` is called after the emulator has queued reports, `lock` guards it.
+// Sends a thousand outputs, each of which the pad must see unchanged, and a thousand inputs, none of which may be lost.
+// At the end the triggers are loose and the motors still. `ring` is called after the emulator has queued reports;
+// `lock` guards the emulator.
 void exchange_a_thousand_reports(std::unique_ptr<HidLink> link, PadBus bus, PadEmulator& emulator, std::mutex& lock,
                                  const std::function<void()>& ring);
 
-// Ahead and a turn to the left are told, in its own frame and ours; the light obeys.
+// The puck reports a push ahead and a turn to the left. Checks them in the device's frame and in ours, and that the
+// light can be switched.
 void steer_with_a_space_mouse(std::unique_ptr<HidLink> link, PuckEmulator& emulator, std::mutex& lock,
                               const std::function<void()>& ring);
 

@@ -24,7 +24,7 @@ void append_checksum(std::vector<std::uint8_t>& report) {
 
 enum class ReportWay : std::uint8_t { Input = 0x81, Output = 0x91, Feature = 0xb1 };
 
-// One application on the generic desktop page, its reports in bytes.
+// A report descriptor with one application on the generic desktop page and reports in bytes.
 class Descriptor {
 public:
     explicit Descriptor(std::uint8_t usage)
@@ -133,7 +133,7 @@ std::vector<std::uint8_t> PadEmulator::input() const {
         report.insert(report.end(), {triggers[0], triggers[1], 0x77, keys[0], keys[1], keys[2]});
     } else {
         report.insert(report.end(), {keys[0], keys[1], static_cast<std::uint8_t>(keys[2] | 0xa4), triggers[0],
-                                     triggers[1]});  // a counter above the keys
+                                     triggers[1]});  // a counter in the bits above the keys
     }
     report.resize(bluetooth_ ? 74 : 64);
     if (bluetooth_) append_checksum(report);

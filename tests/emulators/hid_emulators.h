@@ -1,6 +1,6 @@
-// HID devices as their reports show them: a PlayStation pad that checks what it is told and says what its fingers do,
-// and a HidLink that leads straight to a device. The pad knows its reports from its own descriptor's side, checksum
-// included. Not thread-safe.
+// HID devices as their reports show them. A PlayStation pad checks what it receives and reports what its fingers do; a
+// HidLink leads directly to a device. The pad implements its reports independently of the driver, including the
+// checksum. Not thread-safe.
 #pragma once
 
 #include <array>
@@ -13,15 +13,15 @@
 
 namespace handrail::test {
 
-// Anything behind a HID node.
+// Any device behind a HID node.
 class HidEmulator {
 public:
     virtual ~HidEmulator() = default;
-    // What its reports are, as the bus tells it: usage, numbers and lengths; the meaning of single bits is left out.
+    // The report descriptor that the bus delivers: usage, numbers and lengths, without the meaning of single bits.
     virtual std::vector<std::uint8_t> descriptor() const = 0;
-    // A report the host wrote; false when the device refuses it.
+    // Takes a report that the host wrote. Returns false if the device refuses it.
     virtual bool take(std::span<const std::uint8_t> report) = 0;
-    // A feature report by number; empty when there is none.
+    // Returns a feature report by number; empty if there is none.
     virtual std::vector<std::uint8_t> feature(std::uint8_t number) = 0;
 
     std::deque<std::vector<std::uint8_t>> to_host;
@@ -34,17 +34,18 @@ public:
     std::vector<std::uint8_t> descriptor() const override;
     bool take(std::span<const std::uint8_t> report) override;
     std::vector<std::uint8_t> feature(std::uint8_t number) override;
-    // Queues an input report as the pad is held now: short over Bluetooth until the calibration was asked for.
+    // Queues an input report of the pad's current state. Over Bluetooth it is short until the host has requested the
+    // calibration.
     void tell();
     void tell_wrong_checksum();
 
-    // What the fingers do.
+    // State of sticks, triggers and keys.
     std::array<std::uint8_t, 4> sticks{128, 128, 128, 128};
     std::array<std::uint8_t, 2> triggers{};
     std::array<std::uint8_t, 3> keys{8, 0, 0};
     unsigned version = 0x0224;
 
-    // What it was told.
+    // What the pad has received.
     std::uint64_t good = 0, bad = 0;
     std::array<std::uint8_t, 11> right_effect{}, left_effect{};
     std::uint8_t strong = 0, weak = 0;
@@ -57,7 +58,7 @@ private:
     bool dual_sense_, bluetooth_;
 };
 
-// A SpaceMouse: only what it tells matters, and its light.
+// A SpaceMouse: only its reports and its light are emulated.
 class PuckEmulator final : public HidEmulator {
 public:
     std::vector<std::uint8_t> descriptor() const override;

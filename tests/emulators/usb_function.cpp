@@ -28,14 +28,14 @@ UsbSetup usb_setup(std::span<const std::uint8_t> bytes) {
 
 bool UsbFunction::answer(const UsbSetup& setup, std::vector<std::uint8_t>& data) {
     if ((setup.type & kTypeMask) != kTypeStandard) return control(setup, data);
-    if (!setup.to_host()) return true;  // a configuration, an interface, an end of a halt
+    if (!setup.to_host()) return true;  // sets a configuration or an interface, or ends a halt
     if (setup.request == kGetStatus) data = {1, 0};
     else if (setup.request == kGetConfiguration) data = {1};
     else if (setup.request != kGetDescriptor) return false;
     else if (setup.value >> 8 == kDevice) data = device_descriptor();
     else if (setup.value >> 8 == kConfiguration) data = configuration_descriptor();
     else if (setup.value >> 8 != kString) return control(setup, data);
-    else if (low(setup.value) == 0) data = {4, kString, 9, 4};  // the languages: English
+    else if (low(setup.value) == 0) data = {4, kString, 9, 4};  // string 0 lists the languages: English
     else data = string_descriptor(low(setup.value) == 2 ? product() : low(setup.value) == 3 ? "SN1" : "Test");
     return true;
 }
@@ -84,7 +84,7 @@ bool HidOnUsb::control(const UsbSetup& setup, std::vector<std::uint8_t>& data) {
         return !data.empty();
     }
     if (!setup.to_host() && setup.request == kSetReport) return device_.take(data);
-    return !setup.to_host();  // idle rate and protocol, of which nothing here depends
+    return !setup.to_host();  // idle rate and protocol, which have no effect here
 }
 
 std::optional<std::vector<std::uint8_t>> HidOnUsb::in(std::size_t room, std::chrono::milliseconds) {

@@ -1,4 +1,4 @@
-// A device as a USB bus sees it: descriptors, control requests, packets. Two buses carry it in the tests: umockdev's
+// A device as a USB bus sees it: descriptors, control requests, packets. In the tests two buses carry it: umockdev's
 // usbfs (tests/umockdev) and the kernel's own, through USB/IP (tests/kernel). Not thread-safe; a bus locks around it.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace handrail::test {
 
-// The eight bytes before every control transfer.
+// The eight set-up bytes before every control transfer.
 struct UsbSetup {
     std::uint8_t type = 0, request = 0;
     std::uint16_t value = 0, index = 0, length = 0;
@@ -28,18 +28,19 @@ public:
     virtual std::vector<std::uint8_t> device_descriptor() const = 0;
     virtual std::vector<std::uint8_t> configuration_descriptor() const = 0;
     virtual std::string product() const = 0;
-    // The requests of its class or its maker. To the host: fills `data`; from the host: `data` is what came. False:
-    // refused.
+    // Requests of its class or its maker. To the host: fills `data`; from the host: `data` is what was received.
+    // Returns false if the device refuses the request.
     virtual bool control(const UsbSetup& setup, std::vector<std::uint8_t>& data) = 0;
     virtual void out(std::span<const std::uint8_t> packet) = 0;
-    // One packet of at most `room` bytes for a host that has waited so long; nothing: it goes on waiting.
+    // Returns one packet of at most `room` bytes for a host that has waited this long. Without a result the host
+    // continues to wait.
     virtual std::optional<std::vector<std::uint8_t>> in(std::size_t room, std::chrono::milliseconds waited) = 0;
 
-    // Control requests that every device knows, then its own.
+    // Answers the control requests that every device knows, then those of this device.
     bool answer(const UsbSetup& setup, std::vector<std::uint8_t>& data);
 };
 
-// An FT232-class chip with the Falcon's numbers: one interface, bulk in 0x81, bulk out 0x02.
+// An FT232-class chip with the Falcon's identifiers: one interface, bulk in 0x81, bulk out 0x02.
 class FalconOnUsb final : public UsbFunction {
 public:
     explicit FalconOnUsb(FalconEmulator& falcon) : falcon_(falcon) {}
@@ -48,7 +49,7 @@ public:
     std::string product() const override { return "FALCON HAPTIC"; }
     bool control(const UsbSetup& setup, std::vector<std::uint8_t>& data) override;
     void out(std::span<const std::uint8_t> packet) override { falcon_.out(packet.data(), packet.size()); }
-    // Nothing to tell: two status bytes when the latency timer ends.
+    // If there is no data, returns two status bytes when the latency timer expires.
     std::optional<std::vector<std::uint8_t>> in(std::size_t room, std::chrono::milliseconds waited) override;
 
 private:

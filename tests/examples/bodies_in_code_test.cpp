@@ -1,4 +1,4 @@
-// A world with bodies in code, pushed and lifted by a simulated hand; described in docs/developer/examples.md.
+// A world with bodies made in code, pushed and lifted by a simulated hand; described in docs/developer/examples.md.
 #include <algorithm>
 
 #include "haptic/dynamics/dynamics.h"
@@ -8,7 +8,7 @@
 namespace handrail {
 namespace bodies_in_code_test {
 
-// A floor and a crate of one kilogram on it, as they are felt and as they move.
+// A floor with a crate of one kilogram on it: one scene for touch and one for dynamics.
 struct CrateWorld {
     std::shared_ptr<const HapticScene> felt;
     std::shared_ptr<const DynamicsScene> moves;
@@ -31,8 +31,8 @@ CrateWorld crate_world() {
     return {felt.build(), moves.build()};
 }
 
-// A hand that goes 20 mm/s to the east for a second, 20 world metres to each of its own, and pushes the crate: 1,000
-// ticks of the hand, 240 steps of the engine. What it feels at the end, in newtons.
+// The hand moves 20 mm/s to the east for a second and pushes the crate. A metre of the hand is 20 metres of the world.
+// Runs 1,000 ticks of the hand and 240 steps of the engine. Returns the force at the end in newtons.
 double push_east(const CrateWorld& world, Dynamics& engine) {
     TouchState state;
     TouchTuning tuning;
@@ -55,14 +55,14 @@ double push_east(const CrateWorld& world, Dynamics& engine) {
     for (int tick = 0; tick < 1000; ++tick) {
         const double now_s = Dynamics::kStep_s + 1e-3 * tick;
         const Vec3 hand_m(-0.25 + 0.4 * (now_s - Dynamics::kStep_s), 0.0, 0.1);
-        // The hand's tick, as the servo does it.
+        // The hand's tick, as the servo runs it.
         bodies.hear(frame);
         if (bodies.place(now_s, hand_m, feel, poses)) ++number;
         const TouchResult touch =
             touch_tick(state, *world.felt, tuning, hand_m, 1e-3, bodies.carried_m(), {poses, number});
         felt_n = std::min(glm::length(touch.force_n), feel.ceiling_n);
         bodies.react(touch, felt_n / std::max(1e-9, glm::length(touch.force_n)), now_s, 1e-3, feel, pushes);
-        // The engine, as DynamicsLoop does it on its own thread.
+        // The engine, as DynamicsLoop runs it on its own thread.
         engine.place_hand(0, {hand_m, feel.ball_m, now_s});
         for (HandPush push; pushes.pop(push);) engine.push(0, push);
         while (engine.time_s() + Dynamics::kStep_s <= now_s + 1e-3) engine.step(frame, events);
@@ -75,8 +75,8 @@ TEST(Example, a_crate_in_code_is_pushed_by_a_simulated_hand) {
     ASSERT_TRUE(world.moves);
     Dynamics engine(world.moves);
     const double felt_n = push_east(world, engine);
-    EXPECT_NEAR(felt_n, 0.4 * 1.0 * 9.81 / 20.0, 0.06);                    // the friction of its weight, a twentieth
-    EXPECT_NEAR(engine.middle(0).position_m.x, -0.25 + 0.4 + 0.24, 0.02);  // as far as the ball pushed it
+    EXPECT_NEAR(felt_n, 0.4 * 1.0 * 9.81 / 20.0, 0.06);  // the friction of the crate's weight, scaled by a twentieth
+    EXPECT_NEAR(engine.middle(0).position_m.x, -0.25 + 0.4 + 0.24, 0.02);  // the proxy pushed the crate this far
     EXPECT_NEAR(engine.middle(0).position_m.z, 0.2, 1e-3);
 }
 

@@ -1,13 +1,12 @@
-// A custom force, computed on each tick, described in docs/developer/examples.md.
+// A custom force that is computed on each tick; described in docs/developer/examples.md.
 #include "haptic/render/haptic_scene.h"
 #include "haptic/render/touch.h"
 
 namespace handrail {
 namespace new_effect_test {
 
-// A breeze from the west that swells and dies away every two seconds. Called on the servo thread: no allocation, lock,
-// clock or exception, and only
-// + - x / and square root, so that every machine gives the same numbers.
+// A breeze from the west that rises and falls every two seconds. The servo thread calls it, so it must not allocate,
+// lock, read a clock or throw. It uses only + - x / and square root, so that every machine gives the same numbers.
 Vec3 breeze(const EffectPoint& point, const void* data) noexcept {
     const double strongest_n = *static_cast<const double*>(data);
     const double periods = point.time_s / 2.0;
@@ -19,7 +18,8 @@ std::shared_ptr<const HapticScene> breezy_corner() {
     EffectVolume effect;
     effect.feature = FeatureId{7};
     effect.region = SphereRegion{{0.0, 0.0, 1.0}, 0.2};
-    effect.law = CustomLaw{breeze, std::make_shared<const double>(0.8), 0.0};  // no spring in it, so no stiffness
+    // Zero stiffness, because the law has no spring.
+    effect.law = CustomLaw{breeze, std::make_shared<const double>(0.8), 0.0};
     HapticSceneBuilder builder;
     EXPECT_TRUE(builder.add_effect(effect));
     return builder.build();

@@ -1,4 +1,4 @@
-// A new feature of the session: a class over the context, tested without the session; described in
+// A new feature of the session: a class that uses the context and is tested without the session; described in
 // docs/developer/examples.md.
 #include <gmock/gmock.h>
 
@@ -9,8 +9,8 @@
 namespace handrail {
 namespace new_feature_test {
 
-// Counts the steps that one walks. A feature owns its state, looks at the session through the context, and is neither
-// copied nor moved, since open lists may know it by its place. App thread only.
+// Counts the walker's steps. A feature owns its state and accesses the session through the context. It is neither
+// copied nor moved, because open lists may refer to it by address. App thread only.
 class StepCount : SessionPart {
 public:
     explicit StepCount(const SessionContext& context) : SessionPart(context) {}
@@ -19,14 +19,14 @@ public:
         walked_m_ = 0.0;
         was_m_ = context_.body.feet_m();
     }
-    // Once a tick. What is further than a step is no walking: the body was put there.
+    // Called once a tick. A distance longer than a step is not walking: the walker was moved there.
     void tick() {
         const Vec3 off = context_.body.feet_m() - was_m_;
         const double moved_m = std::hypot(off.x, off.y);
         if (moved_m < context_.settings.walk.step_length_m) walked_m_ += moved_m;
         was_m_ = context_.body.feet_m();
     }
-    // False: it is another's. A real feature has a command of its own.
+    // Returns false if the command belongs to another feature. A real feature has its own command.
     bool act(Command command, double now_s) {
         if (command != Command::ProgressReport) return false;
         context_.answer(std::to_string(std::lround(walked_m_ / context_.settings.walk.step_length_m)), now_s);
@@ -51,7 +51,7 @@ TEST(NewFeature, counts_steps_without_a_session) {
     };
     const Vec3 from_m = plain.body.feet_m();
     for (int i = 1; i <= 20; ++i) walk(from_m + Vec3(0.0, 0.5 * step_m * i, 0.0));
-    walk(from_m + Vec3(5.0, 0.0, 0.0));  // set down elsewhere
+    walk(from_m + Vec3(5.0, 0.0, 0.0));  // moved elsewhere
     EXPECT_FALSE(steps.act(Command::Exits, 0.0)) << "another's command";
     EXPECT_TRUE(steps.act(Command::ProgressReport, 0.0));
     EXPECT_THAT(plain.said(), testing::ElementsAre("10"));

@@ -5,10 +5,10 @@
 namespace handrail {
 namespace new_material_test {
 
-// Snow on one side, the default wall on the other. A surface names its entry in the scene's list of materials.
+// Snow on one side, the default wall on the other. A surface refers to its material by index in the scene's list.
 std::shared_ptr<const HapticScene> snow_and_wall() {
     HapticMaterial snow;
-    snow.stiffness_fraction = 0.15;  // of what the device can hold
+    snow.stiffness_fraction = 0.15;  // fraction of the stiffness that the device can render
     snow.friction_static = snow.friction_kinetic = 0.05;
     HapticSceneBuilder builder({HapticMaterial{}, snow});
     builder.add_box({{-1.0, -1.0, -1.0}, {0.0, 1.0, 0.0}}, {FeatureId{1}, MaterialId{1}});

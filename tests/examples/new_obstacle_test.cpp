@@ -1,4 +1,4 @@
-// A custom solid, felt exactly, described in docs/developer/examples.md.
+// A custom solid with exact contact; described in docs/developer/examples.md.
 #include <random>
 
 #include "haptic/render/haptic_scene.h"
@@ -7,8 +7,8 @@
 namespace handrail {
 namespace new_obstacle_test {
 
-// The knob at the end of a handrail: an ellipsoid with these half axes. Called on the servo thread: no allocation, lock
-// or exception, and only + - * / and square root, so that every machine gives the same numbers.
+// The knob at the end of a handrail: an ellipsoid with these half axes. The servo thread calls it, so it must not
+// allocate, lock or throw. It uses only + - * / and square root, so that every machine gives the same numbers.
 struct Knob {
     Vec3 half_m{0.05, 0.03, 0.02};
 };
@@ -16,8 +16,9 @@ struct Knob {
 ClosestPoint nearest_on_knob(const Vec3& at, const void* data) noexcept {
     const Vec3& a = static_cast<const Knob*>(data)->half_m;
     const Vec3 a2 = a * a;
-    // The nearest place q has at - q along the normal q / a2, so q = at a2 / (a2 + t) for the t that puts q on the
-    // surface. Newton from below never passes it; 30 rounds are exact to rounding from anywhere outside.
+    // The nearest point q satisfies: at - q is along the normal q / a2. So q = at a2 / (a2 + t), with the t that puts q
+    // on the surface. Newton's method from below never overshoots; 30 rounds are exact to rounding from anywhere
+    // outside.
     double t = 0.0;
     for (int round = 0; round < 30; ++round) {
         const Vec3 share = a * at / (a2 + t);
@@ -26,7 +27,8 @@ ClosestPoint nearest_on_knob(const Vec3& at, const void* data) noexcept {
         t += 0.5 * beyond / glm::dot(share * share, 1.0 / (a2 + t));
     }
     Vec3 q = at * a2 / (a2 + t);
-    // Drawn onto the surface, so that the plane is the surface's own there; inside, any plane of it will do.
+    // Projects the point onto the surface, so that the plane there is the surface's tangent plane. Inside, any tangent
+    // plane is valid.
     const Vec3 unit = q / a;
     const double length = glm::length(unit);
     q = length > 0.0 ? q / length : Vec3(0.0, 0.0, a.z);
@@ -46,7 +48,7 @@ std::shared_ptr<const HapticScene> handrail_with_knob() {
     return builder.build();
 }
 
-// The nearest of many places, each round closer about the best of the one before.
+// The nearest of many sampled points. Each round searches more closely around the best point of the round before.
 Vec3 nearest_by_search(const Vec3& at) {
     const Vec3 half = Knob{}.half_m;
     double middle_u = 0.0, middle_v = 0.0, reach = kPi;
@@ -84,7 +86,7 @@ TEST(Example, a_solid_of_ones_own_is_felt_where_it_is_by_search) {
         ++outside;
         EXPECT_NEAR(found.distance_m, glm::length(at - nearest_by_search(at)), 1e-9);
         EXPECT_LE(glm::length(found.point_m - Vec3(0.0, 0.0, 1.0) - nearest_by_search(at)), 1e-6);
-        // The plane holds all of the knob.
+        // The whole knob is behind the plane.
         for (int k = 0; k < 100; ++k) {
             const Vec3 way(within(random), within(random), within(random));
             const Vec3 other = Knob{}.half_m * (way / glm::length(way));
@@ -103,7 +105,7 @@ TEST(Example, a_ball_goes_round_a_solid_of_ones_own_without_entering_it) {
     for (int i = 0; i <= 2000; ++i) {
         const double angle = -0.6 * kPi + 1.2 * kPi * i / 2000.0;
         const Vec3 ring(0.052 * std::cos(angle), 0.0,
-                        0.022 * std::sin(angle) + 1.0);  // 3 mm into the knob for the ball
+                        0.022 * std::sin(angle) + 1.0);  // the proxy's centre comes 3 mm too near to the knob
         const TouchResult felt = touch_tick(state, *scene, tuning, i == 0 ? Vec3(-0.1, 0.0, 0.9) : ring, 1e-3);
         EXPECT_GE(scene->closest(0, felt.proxy_m).distance_m, 0.005 - 1e-8);
         for (int k = 0; k < felt.contacts.count; ++k)
@@ -117,7 +119,7 @@ TEST(Example, a_solid_that_breaks_its_promise_is_refused) {
     CustomObstacle knob;
     knob.bounds_m = {Vec3(-0.05), Vec3(0.05)};
     EXPECT_FALSE(builder.add_custom(knob)) << "no function";
-    // A dumb-bell: not convex, so a plane at one ball cuts the other.
+    // A dumb-bell is not convex, so the plane at one ball cuts the other.
     knob.closest = [](const Vec3& at, const void*) noexcept {
         const SphereShape one{{0.03, 0.0, 0.0}, 0.02}, other{{-0.03, 0.0, 0.0}, 0.02};
         return closest_point(at.x > 0.0 ? one : other, at);

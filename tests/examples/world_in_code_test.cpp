@@ -6,7 +6,7 @@
 namespace handrail {
 namespace world_in_code_test {
 
-// A floor, a step and a slanting sheet, each with the number that a contact names it by.
+// A floor, a step and a slanting sheet. Each has the number by which contacts identify it.
 std::shared_ptr<const HapticScene> small_world() {
     HapticSceneBuilder builder;
     builder.add_box({{-1.0, -1.0, -0.1}, {1.0, 1.0, 0.0}}, {FeatureId{1}});
@@ -15,9 +15,9 @@ std::shared_ptr<const HapticScene> small_world() {
     return builder.build();
 }
 
-// A hand that comes down by a tenth of a millimetre per tick, and what it feels on the last one.
+// Lowers a hand by a tenth of a millimetre per tick and returns the contact on the last tick.
 TouchResult come_down(const HapticScene& scene, Vec3 hand_m, double to_z_m) {
-    TouchState state;  // allocates here and never in a tick
+    TouchState state;  // allocates here and never during a tick
     TouchTuning tuning;
     tuning.radius_m = 0.005;
     TouchResult felt = touch_tick(state, scene, tuning, hand_m, 1e-3);
@@ -32,14 +32,14 @@ TEST(Example, a_world_made_in_code_is_touched) {
     const auto scene = small_world();
     const TouchResult floor = come_down(*scene, {-0.5, 0.0, 0.05}, 0.002);
     EXPECT_NEAR(floor.force_n.z, 0.003 * 800.0,
-                1e-9);  // the ball's centre stays 5 mm above the floor, the hand is 3 mm below it
+                1e-9);  // the proxy's centre stays 5 mm above the floor, the hand is 3 mm below it
     EXPECT_EQ(floor.contacts.contacts[0].feature, FeatureId{1});
     const TouchResult step = come_down(*scene, {0.5, 0.0, 0.2}, 0.15);
     EXPECT_NEAR(step.proxy_m.z, 0.155, 1e-12);
     EXPECT_EQ(step.contacts.contacts[0].feature, FeatureId{2});
 }
 
-// A map is text, so a program can write one: a spiral of steps, each with a name.
+// A map is text, so a program can write one. This one is a spiral staircase with a name for each step.
 std::string spiral_staircase(int steps) {
     std::string map = "{\n\"classname\" \"worldspawn\"\n\"message\" \"Spiral staircase\"\n}\n";
     for (int i = 0; i < steps; ++i) {
@@ -66,7 +66,7 @@ TEST(Example, a_map_written_by_a_program_is_read_named_and_touched) {
     EXPECT_EQ(scene->report.warnings_in_all, 0);
     EXPECT_EQ(scene->solids.size(), 12U);
     const auto haptic = compile_haptic(*scene, MaterialSource::Library);
-    // The fourth step lies to the north; its top is 24 units of 1/32 m high.
+    // The fourth step is in the north; its top is 24 units of 1/32 m high.
     const TouchResult felt = come_down(*haptic, {0.0, 60.0 / 32, 0.9}, 24.0 / 32);
     ASSERT_GT(felt.contacts.count, 0);
     const Feature* touched = scene->find(felt.contacts.contacts[0].feature);

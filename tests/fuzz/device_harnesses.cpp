@@ -1,4 +1,4 @@
-// What devices and their services say: frames, reports, messages, and the image that a Falcon is started with.
+// Data from devices and their services: frames, reports, messages, and the image with which a Falcon is started.
 #include <cmath>
 
 #include "haptic/drivers/falcon_protocol.h"
@@ -26,7 +26,7 @@ std::string pad_fault(PadModel model, PadBus bus, std::span<const std::uint8_t> 
     return input->hat >= 0 && input->hat <= 8 ? std::string() : "a hat that looks nowhere";
 }
 
-// The report with its checksum right, so that what was changed gets past it.
+// The same report with a correct checksum, so that mutated bytes pass the check.
 std::vector<std::uint8_t> with_right_checksum(std::span<const std::uint8_t> report) {
     std::vector<std::uint8_t> right(report.begin(), report.end());
     if (right.size() < 4) return right;
@@ -51,7 +51,7 @@ std::string puck_fault(std::span<const std::uint8_t> report) {
 
 }  // namespace
 
-// In pieces, as a serial line gives them: the first byte says how long.
+// Feeds the bytes in pieces, as a serial line does; the first byte sets their length.
 std::string falcon_fault(std::string_view bytes) {
     if (bytes.empty()) return {};
     const std::size_t piece = 1 + static_cast<unsigned char>(bytes.front()) % 40;

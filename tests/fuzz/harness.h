@@ -1,7 +1,8 @@
-// Every parser of the program as one function over bytes: the rows of one table, which the mutation test and the
-// endless fuzzer share. A new reader is a row here and a folder tests/fuzz/inputs/NAME with seeds/ (small good inputs),
-// words.dict (what is worth putting in, as libFuzzer writes it) and, once something was found, regressions/ (what
-// failed).
+// Every parser of the program as a function over bytes. The parsers are rows of one table, which the mutation test and
+// the endless fuzzer share. A new reader needs a row here and a folder tests/fuzz/inputs/NAME with:
+// - seeds/: small valid inputs
+// - words.dict: strings worth inserting, in libFuzzer's format
+// - regressions/: inputs that once failed, if there are any
 #pragma once
 
 #include <span>
@@ -12,15 +13,15 @@ namespace handrail::fuzz {
 
 struct Harness {
     std::string_view name;
-    // What is wrong with how the bytes were taken; empty where they became something whole or were refused in words. A
-    // crash, a hang and what the sanitizers see need no telling.
+    // Describes what is wrong with the parser's result. Empty if the bytes gave a complete result or were refused with
+    // a message. Crashes, hangs and findings of the sanitizers end the process and need no description.
     std::string (*fault)(std::string_view bytes);
-    int rounds;  // of the mutation test, for a good second in all
+    int rounds;  // number of rounds in the mutation test; all of them take a good second
 };
 
 std::span<const Harness> harnesses();
 
-// The rows, by what they read.
+// One function for each row, named by what it reads.
 std::string map_fault(std::string_view bytes);
 std::string obj_fault(std::string_view bytes);
 std::string gltf_fault(std::string_view bytes);
@@ -46,7 +47,8 @@ std::string boot_image_fault(std::string_view bytes);
 std::string hid_fault(std::string_view bytes);
 std::string haply_fault(std::string_view bytes);
 
-// What is wrong with words that a person is to hear: none, a byte that is no text, a character that no voice says.
+// Describes what is wrong with words for a person: no words, a byte that is not text, or a character that no voice
+// speaks.
 std::string words_fault(std::string_view words);
 
 }  // namespace handrail::fuzz

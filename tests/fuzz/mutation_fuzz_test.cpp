@@ -1,5 +1,5 @@
-// Every parser takes what once failed, and its seeds mutated, deterministically: the same seeds everywhere. The endless
-// form is tests/fuzz/libfuzzer (clang).
+// Every parser gets the inputs that once failed, and mutations of its seeds. The mutations are deterministic and the
+// same everywhere. The endless version is tests/fuzz/libfuzzer (clang).
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -30,7 +30,7 @@ std::vector<Input> inputs_in(const fs::path& folder) {
     return inputs;
 }
 
-// Lines of "text" in libFuzzer's form: \xAB is a byte.
+// Lines of "text" in libFuzzer's format, where \xAB is a byte.
 std::vector<std::string> words_of(const fs::path& dictionary) {
     std::vector<std::string> words;
     std::ifstream file(dictionary);
@@ -101,7 +101,7 @@ TEST_P(Parser, takes_its_seeds_mutated_or_says_what_is_wrong) {
 INSTANTIATE_TEST_SUITE_P(Every, Parser, testing::ValuesIn(harnesses().begin(), harnesses().end()),
                          [](const testing::TestParamInfo<Harness>& row) { return std::string(row.param.name); });
 
-// Folders of inputs that no row reads would be tested by nobody.
+// Without this check, nothing would test a folder of inputs that has no row.
 TEST(Harnesses, own_every_folder_of_inputs) {
     for (const auto& entry : fs::directory_iterator(test::project_root() / "tests/fuzz/inputs")) {
         const std::string name = entry.path().filename().string();

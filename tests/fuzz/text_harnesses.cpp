@@ -1,5 +1,5 @@
-// What persons and the program write as text: settings, what is kept beside a world, scenarios, languages, paths of a
-// hand. All but the path come as files.
+// Text that people and the program write: settings, side files of worlds, scenarios, languages, recorded paths of a
+// hand. All except the path come as files.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -21,7 +21,7 @@
 namespace handrail::fuzz {
 namespace {
 
-// In memory where there is such a place: saving waits for the disk each time.
+// Uses a folder in memory if there is one, because saving waits for the disk each time.
 struct InMemory {
     InMemory() {
         if (std::filesystem::exists("/dev/shm")) ::setenv("TMPDIR", "/dev/shm", 0);
@@ -42,7 +42,8 @@ std::string rows_text(const SettingsStore& store) {
 
 }  // namespace
 
-// What was read can be saved with a change and read again as it was; what could not be understood is never replaced.
+// Settings that were read can be saved with a change and read again unchanged. A file that could not be understood is
+// never replaced.
 std::string settings_fault(std::string_view bytes) {
     const std::filesystem::path file = folder().write("settings.toml", bytes);
     SettingsStore store;
@@ -61,7 +62,8 @@ std::string settings_fault(std::string_view bytes) {
     return {};
 }
 
-// Entries handed back and saved are there again; a file that cannot be understood is kept under another name.
+// Entries that are passed back and saved can be read again. A file that cannot be understood is kept under another
+// name.
 std::string side_file_fault(std::string_view bytes) {
     const test::TemporaryFolder own;
     const std::filesystem::path world = own.write("x.map", "{}"), path = own.write("x.map.handrail.toml", bytes);
@@ -90,7 +92,7 @@ std::string side_file_fault(std::string_view bytes) {
         file.set_entries(list, entries);
         if (const Result<void> saved = file.save(); !saved) return words_fault(saved.error().sentence());
         const std::vector<SideEntry> again = SideFile::of_world(world, {}).entries(list);
-        // Numbers that are none are alike, as for the merge.
+        // NaN equals NaN here, as for the merge.
         if (!std::equal(again.begin(), again.end(), entries.begin(), entries.end(),
                         [](const SideEntry& a, const SideEntry& b) { return same(a, b); }))
             return std::string("entries changed by saving and reading: ") + list;
@@ -98,7 +100,7 @@ std::string side_file_fault(std::string_view bytes) {
     return {};
 }
 
-// What was read is read again as it was written, consents and what nobody here knows.
+// A learner file reads back as it was written, including consents and unknown entries.
 std::string learner_fault(std::string_view bytes) {
     const std::string text(bytes);
     const Result<Learner> learner = read_learner(text, "learner.toml");
@@ -118,8 +120,8 @@ std::string learner_fault(std::string_view bytes) {
     return again->name == learner->name ? std::string() : "another name: " + *written;
 }
 
-// Events where the bytes begin as they do, else a table of a hand. What is read before a damage is told with its line,
-// and rows are those that made them.
+// Bytes that begin with { are events, others are a table of a hand's positions. Damage is reported with its line, and
+// the rows before it read back as they were written.
 std::string recording_fault(std::string_view bytes) {
     if (bytes.starts_with("{")) {
         const Result<Recording> recording = read_events(bytes, "events.jsonl");
@@ -160,7 +162,7 @@ std::string scenario_fault(std::string_view bytes) {
     return std::isfinite(scenario->tail_s) && scenario->tail_s >= 0.0 ? std::string() : "a tail that is none";
 }
 
-// What a reader process hands over is refused, or can be written and read again.
+// The answer of a reader process is either refused, or can be written and read again.
 std::string toml_answer_fault(std::string_view bytes) {
     const Result<TomlValue> values = toml_in_answer(bytes);
     if (!values) return values.error().message.size() > 300 ? "a long fault" : std::string();
@@ -170,7 +172,7 @@ std::string toml_answer_fault(std::string_view bytes) {
     return *again == *values ? std::string() : "it changed by writing and reading: " + text;
 }
 
-// What was read reads back the same from its own text, pupils left out.
+// A lesson reads back the same from its own text, except for the learners in it.
 std::string lesson_fault(std::string_view bytes) {
     folder().write("box.map", "{\n\"classname\" \"worldspawn\"\n}\n");
     const std::filesystem::path file = folder().path() / "fuzz.lesson.toml";
@@ -184,7 +186,7 @@ std::string lesson_fault(std::string_view bytes) {
     return lesson_text(*again) == text ? std::string() : "it changed by writing and reading: " + text;
 }
 
-// Whatever a language says, the texts it could not give are said in another, and every text is said.
+// Whatever a language file says, texts that it lacks come from another language, and every text exists.
 std::string language_fault(std::string_view bytes) {
     folder().write("xx.toml", bytes);
     const Result<std::vector<Diagnostic>> spoken = speak_language("xx", folder().path());

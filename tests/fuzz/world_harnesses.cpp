@@ -1,4 +1,4 @@
-// Maps, meshes and pictures: a Scene that holds together, or an error.
+// Maps, meshes and pictures: the result is a consistent Scene or an error.
 #include <zlib.h>
 
 #include <cstdio>
@@ -29,7 +29,7 @@ std::uint32_t big_endian(std::string_view bytes) {
     return value;
 }
 
-// The same PNG with the checksums of its chunks right, so that what was changed gets past them.
+// The same PNG with correct checksums of its chunks, so that mutated bytes pass the check.
 std::string with_right_checksums(std::string_view bytes) {
     std::string png(bytes);
     for (std::size_t at = 8; at + 12 <= png.size();) {
@@ -43,7 +43,8 @@ std::string with_right_checksums(std::string_view bytes) {
     return png;
 }
 
-// A kept world that all edits begin with, so that no file of bytes goes stale where the Scene gets another member.
+// A cached world to which all edits apply. It is generated, so that no stored file becomes outdated when the Scene gets
+// another member.
 const std::string& kept_scene_bytes() {
     static const std::string bytes = [] {
         const std::string map =
@@ -54,8 +55,8 @@ const std::string& kept_scene_bytes() {
     return bytes;
 }
 
-// Line by line: "AT BYTE" sets a byte, "AT +BYTE" puts one in, "AT -COUNT" takes some out, "cut AT" drops what follows;
-// AT goes round at the end. Other lines say nothing.
+// Applies edits line by line: "AT BYTE" sets a byte, "AT +BYTE" inserts one, "AT -COUNT" removes some, "cut AT" drops
+// the rest. AT wraps round at the end. Other lines are ignored.
 std::string edited(std::string kept, std::string_view edits) {
     for (std::size_t from = 0; from < edits.size() && !kept.empty();) {
         const std::size_t end = std::min(edits.find('\n', from), edits.size());
@@ -99,7 +100,7 @@ std::string ply_fault(std::string_view bytes) { return scene_fault(read_ply(byte
 std::string stl_fault(std::string_view bytes) { return scene_fault(read_stl(bytes, "fuzz.stl")); }
 std::string obj_fault(std::string_view bytes) { return scene_fault(read_obj(bytes, "fuzz.obj")); }
 
-// The bytes as a model, and as an archive of one where they say so.
+// Reads the bytes as a model, or as an archive with a model if they look like one.
 std::string ifc_fault(std::string_view bytes) {
     if (is_ifczip("fuzz.zip", bytes)) return scene_fault(read_ifczip(bytes, "fuzz.ifczip"));
     return scene_fault(read_ifc(bytes, "fuzz.ifc"));
@@ -109,7 +110,7 @@ std::string osm_fault(std::string_view bytes) { return scene_fault(read_osm(byte
 
 std::string rooms_fault(std::string_view bytes) { return scene_fault(read_words(bytes, "fuzz.rooms")); }
 
-// The bytes as an archive, and as the texts of one: each after a line "--- NAME".
+// Reads the bytes as an archive, and as the texts of one: each after a line "--- NAME".
 std::string imdf_fault(std::string_view bytes) {
     if (std::string fault = scene_fault(read_imdf(bytes, "fuzz.imdf.zip")); !fault.empty()) return fault;
     std::map<std::string, std::string> files;
@@ -123,8 +124,8 @@ std::string imdf_fault(std::string_view bytes) {
     return scene_fault(read_imdf(test::zipped(files), "fuzz.imdf.zip"));
 }
 
-// Edits of what is kept of a world, as somebody makes them who gets past the cache's digest: of all of it, and of the
-// scene in it.
+// Edits of a cached world, such as an attacker could make who can forge the cache's digest: of the whole entry, and of
+// the scene in it.
 std::string kept_fault(std::string_view bytes) {
     const std::vector<BesideFile> beside{{"beside.png", std::string(64, 'a')}};
     const std::string whole = kept_scene(beside, kept_scene_bytes());

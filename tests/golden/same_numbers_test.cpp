@@ -18,15 +18,15 @@ std::string output_of(const std::string& program) {
     return out;
 }
 
-// FNV-1a.
+// FNV-1a hash.
 std::uint64_t sum_of(const std::string& text) {
     std::uint64_t sum = 0xcbf29ce484222325U;
     for (const char c : text) sum = (sum ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
     return sum;
 }
 
-// Every compiler, optimiser and sanitizer must give these numbers. A change of the renderer that means to change them
-// states the new sums here; `touch_replay >FILE` before and after it shows which numbers differ.
+// Every compiler, optimiser and sanitizer must give these numbers. After an intended change of the renderer's numbers,
+// enter the new sums here. Run `touch_replay >FILE` before and after the change to see which numbers differ.
 TEST(TouchRenderer, gives_the_same_numbers_in_every_preset) {
     const std::string numbers = output_of(test::built_program("touch_replay"));
     EXPECT_GT(numbers.size(), 10000U);

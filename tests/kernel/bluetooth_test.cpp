@@ -1,4 +1,4 @@
-// A Bluetooth DualSense on the kernel's own HID core: /dev/uhid is its radio.
+// A Bluetooth DualSense on the kernel's own HID core, with /dev/uhid in place of the radio.
 #include <fcntl.h>
 #include <linux/input.h>
 #include <linux/uhid.h>
@@ -18,7 +18,7 @@
 namespace handrail {
 namespace bluetooth_test {
 
-// A HID device whose transport is this program. A thread of its own answers the kernel; `lock` guards the emulator.
+// A HID device whose transport is this program. A separate thread answers the kernel; `lock` guards the emulator.
 class UserHid {
 public:
     UserHid(test::HidEmulator& device, std::uint16_t product, const char* name)
@@ -43,7 +43,7 @@ public:
     UserHid(const UserHid&) = delete;
     UserHid& operator=(const UserHid&) = delete;
 
-    // After the emulator has queued reports.
+    // Call this after the emulator has queued reports.
     void ring() {
         const std::lock_guard guard(lock);
         for (; !device_.to_host.empty(); device_.to_host.pop_front()) {

@@ -1,4 +1,4 @@
-// Rumble and a joystick's forces through the kernel's own force feedback: uinput is the device that obeys.
+// Rumble and a joystick's forces through the kernel's own force feedback. uinput provides the device.
 #include <fcntl.h>
 #include <linux/uinput.h>
 #include <poll.h>
@@ -20,7 +20,8 @@
 namespace handrail {
 namespace force_feedback_test {
 
-// A device of this program with force feedback. A thread of its own answers the kernel; `lock` guards what it was told.
+// A force-feedback device of this program. A separate thread answers the kernel; `lock` guards what the device has
+// received.
 class UserStick {
 public:
     UserStick(const char* name, std::initializer_list<int> effects) : fd_(::open("/dev/uinput", O_RDWR | O_CLOEXEC)) {
@@ -42,7 +43,7 @@ public:
             throw std::runtime_error("the kernel does not take an input device from here");
         thread_ = std::thread([this] { run(); });
     }
-    // After every node of it is closed, or the kernel waits for effects to be taken back.
+    // Destroy this after every node of the device is closed; otherwise the kernel waits until effects are removed.
     ~UserStick() {
         ended_ = true;
         thread_.join();
@@ -133,7 +134,7 @@ TEST(KernelForceFeedback, pad_takes_a_thousand_rumbles_in_place_and_is_still_whe
     EXPECT_EQ(pad.plays, 1);
 }
 
-// A hand pushes the stick to the right with 2 N against a wall of 150 N/m at its middle.
+// A hand pushes the stick to the right with 2 N against a wall of 150 N/m at the stick's centre.
 TEST(KernelForceFeedback, stick_rests_against_a_wall_within_a_step_of_its_axis_of_the_static_answer) {
     UserStick stick("Test Stick", {FF_CONSTANT, FF_GAIN});
     {
@@ -153,7 +154,7 @@ TEST(KernelForceFeedback, stick_rests_against_a_wall_within_a_step_of_its_axis_o
             device.write({{wanted_n, 0.0, 0.0}});
             const std::lock_guard guard(stick.lock);
             ASSERT_EQ(stick.effect.type, FF_CONSTANT);
-            // Down is 0, left a quarter turn, right three quarters.
+            // Down is 0, left is a quarter turn, right is three quarters.
             const double towards = stick.effect.direction == 0xC000 ? 1.0 : -1.0;
             const double force_n = towards * stick.effect.u.constant.level / 0x7fff * device.spec().peak_force_n;
             EXPECT_TRUE(wanted_n == 0.0 || stick.effect.direction == 0x4000) << stick.effect.direction;

@@ -1,4 +1,4 @@
-// Drivers on the kernel's own USB core: libusb over usbfs, hidapi over usbhid and hidraw, with devices plugged in
+// Drivers on the kernel's own USB core: libusb over usbfs, and hidapi over usbhid and hidraw. Devices are plugged in
 // through USB/IP.
 #include "haptic/drivers/falcon_device.h"
 #include "haptic/drivers/usb_link.h"
@@ -59,7 +59,8 @@ TEST(KernelUsb, dual_sense_exchanges_a_thousand_reports_over_hidraw_and_loses_no
 TEST(KernelUsb, space_mouse_steers) {
     test::PuckEmulator puck;
     test::HidOnUsb function(puck, 0x256f, 0xc635,
-                            "SpaceMouse Compact");  // the kernel has a driver of its own for Logitech's
+                            // A SpaceMouse of 3Dconnexion, because the kernel has its own driver for Logitech's.
+                            "SpaceMouse Compact");
     test::UsbIpPlug plug(function, 3, test::UsbIpPlug::Speed::Full);
     test::steer_with_a_space_mouse(test::open_hid(0x256f), puck, plug.lock, [] {});
 }

@@ -1,5 +1,5 @@
-// Plugs a USB device made of bytes into the running kernel: vhci-hcd is a host controller whose cable is a socket, on
-// which this answers every transfer. Needs root and the module vhci-hcd. Has a thread of its own; `lock` guards the
+// Plugs an emulated USB device into the running kernel. vhci-hcd is a host controller whose cable is a socket, and this
+// class answers every transfer on it. Needs root and the module vhci-hcd. It has its own thread; `lock` guards the
 // emulator. Source: the USB/IP protocol, Documentation/usb/usbip_protocol.rst of Linux.
 #pragma once
 
@@ -17,13 +17,13 @@ class UsbIpPlug {
 public:
     enum class Speed : std::uint8_t { Full = 2, High = 3 };
 
-    // Throws when the kernel does not take it. `port`: of the controller, each used once at a time; 0 to 7.
+    // Throws if the kernel refuses the device. `port` of the controller, 0 to 7; each port takes one device at a time.
     UsbIpPlug(UsbFunction& function, int port, Speed speed);
     ~UsbIpPlug();
     UsbIpPlug(const UsbIpPlug&) = delete;
     UsbIpPlug& operator=(const UsbIpPlug&) = delete;
 
-    // Pulls the plug; the kernel notices at once.
+    // Pulls the plug; the kernel notices immediately.
     void unplug();
 
     std::mutex lock;

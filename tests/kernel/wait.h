@@ -1,4 +1,4 @@
-// Waiting for what the kernel does in its own time. Test thread.
+// Waits for asynchronous work of the kernel. Test thread.
 #pragma once
 
 #include <chrono>
@@ -17,7 +17,7 @@ bool wait_until(Condition&& condition, std::chrono::seconds allowed = std::chron
     return false;
 }
 
-// The first HID device of this maker, once the kernel has it.
+// Waits for the first HID device of this maker and opens it.
 inline std::unique_ptr<HidLink> open_hid(std::uint16_t vendor) {
     std::unique_ptr<HidLink> link;
     wait_until([&] {

@@ -12,9 +12,9 @@ namespace handrail::test {
 namespace {
 
 constexpr std::size_t kStory = 30;
-constexpr double kInside_m = 1e-4;  // as deep in a solid that it is no rounding
+constexpr double kInside_m = 1e-4;  // depth in a solid that cannot be rounding
 
-// The building's own solids: what can move, and what was set down, may come into a body by itself.
+// The building without movers and placed objects, both of which may move into a walker.
 std::shared_ptr<const Scene> still_part(const Scene& scene) {
     auto still = std::make_shared<Scene>(scene);
     still->placed.clear();
@@ -25,7 +25,8 @@ std::shared_ptr<const Scene> still_part(const Scene& scene) {
     return still;
 }
 
-// Something solid is nearer than so far; below zero: that deep around it.
+// Returns whether something solid is nearer than nearer_m. If that is negative: whether the place is at least that deep
+// in a solid.
 bool solid_within(const HapticScene& scene, const Vec3& world_m, double nearer_m) {
     const Vec3 local_m = world_m - scene.origin_m;
     bool found = false;
@@ -50,7 +51,7 @@ Monkey::Monkey(std::uint32_t seed, std::vector<std::shared_ptr<const Scene>> wor
     begin();
 }
 
-// A session as the program starts one: some hand or none, some world.
+// Starts a session as the program does, with a random hand or none and a random world.
 void Monkey::begin() {
     note("begin");
     if (!speak_language("en")) fail("English is gone");
@@ -128,7 +129,7 @@ void Monkey::key() {
         "Backspace", "Delete", "Tab",     "Space", "Shift+Left", "Ctrl+Right", "Alt+F4", "F1",  "F2",     "F5",
         "F12",       "A",      "Shift+4", "7",     "Nothing",    "",           "+",      "\xFF"};
     std::string name = kKeys[below(std::size(kKeys))];
-    // Those that make way are worth more in a list.
+    // In a list, keys that make progress are more useful.
     if (app().dialogue().is_open() && chance(0.5)) name = chance(0.5) ? "Down" : chance(0.6) ? "Enter" : "Right";
     note("key", name);
     session_->tap_key(name);
@@ -196,7 +197,7 @@ void Monkey::trouble() {
             trouble.failed = true;
             break;
         default:
-            break;  // sound again
+            break;  // the device works again
     }
     session_->hand(below(2)).trouble.publish(trouble);
     session_->slow_servo(chance(0.1) ? 1 + static_cast<int>(below(30)) : 1);
@@ -220,10 +221,10 @@ void Monkey::device() {
     if (chance(0.2)) app().apply(HandOffered{"simulated Touch"}, session_->now_s());
 }
 
-// A value that the setting may have, or one that it may not.
+// Sets a random setting to a valid or an invalid value.
 void Monkey::setting() {
     const SettingRow& row = settings_[below(static_cast<std::uint32_t>(settings_.size()))];
-    if (row.key == "speech.language" && chance(0.8)) return;  // costs most, says least
+    if (row.key == "speech.language" && chance(0.8)) return;  // a language is the slowest setting and finds the least
     std::string value = row.value == "true" ? "false" : "true";
     const std::size_t to = row.range.find(" to ");
     double least = 0.0, most = 0.0;
@@ -320,8 +321,8 @@ void Monkey::run(double seconds) {
         for (std::size_t which = 0; which < 2; ++which) {
             if (!facts_[which].present) continue;
             const ToolState& tool = session_->tool(which);
-            // Where no force was, and where its gain began again on this very tick, the ball may have begun anew where
-            // the hand is, in a wall too.
+            // If there was no force, or its gain restarted on this tick, the proxy may have restarted at the hand, even
+            // inside a wall.
             Free& free = ball_free_[which];
             if (tool.force_gain == 0.0 || free.gain == 0.0 || tool.force_gain < free.gain) free.known = false;
             free.gain = tool.force_gain;
@@ -337,7 +338,8 @@ void Monkey::run(double seconds) {
     }
 }
 
-// Whoever was outside everything solid, and was not put elsewhere, is outside still.
+// Checks that proxies and the walker that were outside everything solid, and were not moved elsewhere, are still
+// outside.
 void Monkey::check_places() {
     const std::shared_ptr<const HapticScene> touch = app().haptic_scene();
     for (std::size_t which = 0; which < 2; ++which) {
@@ -355,7 +357,7 @@ void Monkey::check_places() {
         if (inside && must_be_free)
             fail(fmt::format("ball {} came into a solid at {} {} {}", which, tool.proxy_m.x, tool.proxy_m.y,
                              tool.proxy_m.z));
-        // What a ball was set down in lets it through until all of it is out.
+        // A solid around a newly placed proxy does not hold it until the whole proxy is out.
         const bool out =
             (must_be_free && !inside) || !solid_within(*touch, tool.proxy_m, app().hand(which).tuning.touch.radius_m);
         free = {out, touch->generation, tool.workspace_jump, tool.force_gain};
@@ -375,11 +377,12 @@ void Monkey::check_places() {
     body_free_m_ = blocked ? 0.0 : size.radius_m;
 }
 
-// Out of every list, with the keyboard here, a question is answered.
+// Leaves every list, gives the window the keyboard, and checks that a query is answered.
 void Monkey::expect_an_answer() {
     session_->set_focus(true);
-    for (int i = 0; i < 120 && app().dialogue().is_open(); ++i) {  // lists lie as deep as they were opened
-        // While keys are explained, Escape is too; whether they are is not asked: one way, then the other.
+    for (int i = 0; i < 120 && app().dialogue().is_open(); ++i) {  // lists can be nested
+        // While input help is on, it explains Escape instead of leaving. The test does not know whether it is on, so it
+        // tries both.
         if (i % 45 == 15) session_->press(Command::InputHelp);
         session_->tap_key("Escape");
         run(0.02);

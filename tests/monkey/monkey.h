@@ -1,6 +1,6 @@
-// Somebody, or something, that presses whatever there is: keys, characters, lines, hands that jump, devices that break
-// and come and go, settings, other worlds, in virtual time against the same Session and servo as the program. The same
-// seed does the same.
+// A monkey test: random keys, characters, lines, jumping hands, devices that break, vanish and return, settings and
+// changes of world. It runs in virtual time with the same Session and servo as the program. The same seed gives the
+// same actions.
 #pragma once
 
 #include <deque>
@@ -16,7 +16,7 @@
 
 namespace handrail::test {
 
-// Sinks that count and remember little, since a long session would fill memory.
+// Sinks that count and keep little, because a long session would fill the memory.
 class CountingAudio final : public AudioSink {
 public:
     void play(const SoundCue&) override { ++heard; }
@@ -33,7 +33,7 @@ public:
     void stop() override {}
     bool speaking() const override { return false; }
     void tick(double) override {}
-    long lines = 0, empty = 0, damaged = 0;  // damaged: no UTF-8
+    long lines = 0, empty = 0, damaged = 0;  // damaged: not UTF-8
     std::deque<std::string> last;
 
 private:
@@ -44,12 +44,13 @@ class Monkey {
 public:
     Monkey(std::uint32_t seed, std::vector<std::shared_ptr<const Scene>> worlds);
 
-    // One random act and a little time. Returns false, and fault() says why, at the first thing that must never be.
+    // Performs one random action and lets a little time pass. Returns false at the first violation; fault() then
+    // describes it.
     bool act();
     const std::string& fault() const { return fault_; }
-    // The last acts, and what was said last: for whoever looks into a fault.
+    // The last actions and the last announcements, for analysing a fault.
     std::string story() const;
-    const std::map<std::string, long>& done() const { return done_; }  // acts by kind
+    const std::map<std::string, long>& done() const { return done_; }  // number of actions by kind
     double seconds() const { return seconds_; }
     long lines() const { return speech_.lines; }
 
@@ -73,7 +74,7 @@ private:
     void device();
     void setting();
     void world();
-    void owner();  // what the program around the app does
+    void owner();  // acts like the program around the app
     void run(double seconds);
     void check_tick();
     void check_places();
@@ -93,18 +94,18 @@ private:
     std::map<std::string, long> done_;
     std::string fault_;
     double seconds_ = 0.0;
-    // The place was free when it was last looked at, under these circumstances; it must stay so while they are the
-    // same.
+    // Whether the place was free at the last check, and under which circumstances. While these stay the same, it must
+    // remain free.
     struct Free {
         bool known = false;
         std::uint32_t generation = 0, jump = 0;
-        double gain = 0.0;  // of the force, at the last tick
+        double gain = 0.0;  // gain of the force at the last tick
     };
     Free ball_free_[2];
     std::shared_ptr<const Scene> walls_of_;
     std::unique_ptr<BodyWorld> walls_;
-    double least_radius_m_ = 1.0;  // that the setting had: a body takes its size when it enters a world
-    double body_free_m_ = 0.0;     // likewise, of a body of that radius; 0: it was not free
+    double least_radius_m_ = 1.0;  // least value of the setting: a walker takes this size when it enters a world
+    double body_free_m_ = 0.0;  // radius with which the walker's place was free at the last check; 0: it was not free
 };
 
 }  // namespace handrail::test

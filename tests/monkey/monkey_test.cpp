@@ -1,5 +1,5 @@
-// 8,000 random acts (2,400 under a sanitizer; HANDRAIL_ACTS says how many), in eight parts, each with worlds of its
-// own. HANDRAIL_SEED repeats a run.
+// 8,000 random actions (2,400 under a sanitizer; HANDRAIL_ACTS sets the number), in eight parts, each with its own
+// worlds. HANDRAIL_SEED repeats a run.
 #include "tests/monkey/monkey.h"
 
 #include <gtest/gtest.h>
@@ -66,7 +66,7 @@ TEST_P(MonkeySession, never_pushes_beyond_the_ceiling_never_comes_into_a_wall_an
         EXPECT_GT(monkey.done().count(kind), 0U) << kind << " never came about";
     const auto looks = monkey.done().find("ball in its place");
     const auto looked = looks == monkey.done().end() ? 0 : looks->second;
-    // Force must have been on while somebody touched, which fewer acts need not bring about.
+    // There must have been forces while a proxy touched something. A short run may not get that far.
     if (acts >= 1000) {
         EXPECT_GT(looked, 0) << "the ball was never looked at";
     }

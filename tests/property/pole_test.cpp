@@ -48,9 +48,9 @@ OverPole slide_over_pole(int sectors, int ticks) {
     return out;
 }
 
-// The error would be half a degree for 500 triangles and 0.44 and 0.22 for 1,000 without a bound on the work of a tick.
-// Examining all of a thousand triangles takes most of the work that a tick may do. Rounds for which there is no time
-// run on the next ticks.
+// Measured: 0.61 degrees for 500 triangles and 0.68 for 1,000. Without a bound on the work of a tick the limit was half
+// a degree, and 0.44 and 0.22 were measured. Examining all of a thousand triangles takes most of the work that a tick
+// may do. Rounds for which there is no time run on the next ticks.
 TEST(Pole, of_as_many_triangles_as_there_are_candidates_is_felt_within_seven_tenths_of_a_degree) {
     for (const int sectors : {500, 1000}) {
         const OverPole over = slide_over_pole(sectors, 8000);

@@ -1,6 +1,7 @@
-// Guard processes with a device made of numbers, so that the program's side can be tried without any hardware. Started
-// like handrail-guard; the name says how the device behaves: echo, blocks (after 20 exchanges), nan, dies, absent,
-// stubborn (cannot be zeroed), pries (its driver looks for what is none of its business, and tells what it reached).
+// Guard processes with a simulated device, for testing the program's side without hardware. They start like
+// handrail-guard. The name selects the device's behaviour: echo, blocks (after 20 exchanges), nan, dies, absent,
+// stubborn (cannot be set to zero) or pries (its driver tries to reach forbidden resources and reports which it
+// reached).
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
@@ -42,7 +43,7 @@ private:
     int exchanges_ = 0;
 };
 
-// What a driver that was taken over would look for, by the error that it meets; 0 where it got there.
+// What a hijacked driver would try to reach, with the error of each attempt; 0 if it succeeded.
 std::string reached_by_prying() {
     const auto error_of = [](int result) { return result < 0 ? errno : 0; };
     const int file = error_of(::open("/etc/passwd", O_RDONLY | O_CLOEXEC));

@@ -1,5 +1,5 @@
-// Stands in for Force Dimension's libdhd: its symbols and signs, one device with a hand on it. Library axes: x towards
-// the person, y right, z up. The functions beginning with standin_ are the test's own way in.
+// Replaces Force Dimension's libdhd with the same symbols and sign conventions, and one device with a hand on it.
+// Library axes: x towards the person, y right, z up. Tests control it through the functions that begin with standin_.
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -44,7 +44,7 @@ int dhdGetPosition(double* x, double* y, double* z, char) {
     return state.open ? 0 : -1;
 }
 #ifndef STANDIN_LACKS_SET_FORCE
-// Also moves the hand by a millisecond: 0.1 kg, 8 Ns/m.
+// Also moves the hand for a millisecond: 0.1 kg, 8 Ns/m.
 int dhdSetForce(double x, double y, double z, char) {
     const double force[3]{x, y, z};
     for (int i = 0; i < 3; ++i) {

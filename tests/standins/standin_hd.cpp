@@ -1,6 +1,6 @@
-// Stands in for 3D Systems' libHD: its symbols, its own thread that calls back, one device with a hand on it. Library
-// axes: x right, y up, z towards the person, millimetres. The functions beginning with standin_ are the test's own way
-// in.
+// Replaces 3D Systems' libHD with the same symbols, a thread that calls back, and one device with a hand on it. Library
+// axes: x right, y up, z towards the person, millimetres. Tests control it through the functions that begin with
+// standin_.
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -22,7 +22,7 @@ struct State {
 };
 std::mutex mutex;
 State state;
-// Pulled out after so many ticks of a process; 0: it stays.
+// The device is unplugged after this many ticks of the process; 0: it stays.
 const int goes_after = [] {
     const char* ticks = std::getenv("HANDRAIL_STANDIN_GOES_AFTER");
     return ticks ? std::atoi(ticks) : 0;

@@ -1,7 +1,8 @@
-// A sound card that can be pulled out: loaded before OpenAL, it says that the device is gone, and opens none, while the
-// file $STANDIN_SOUND_PULLED is there. And one that is listened to: $STANDIN_SOUND_VOICE gets a line with the steady
-// clock's seconds, "speak" or "hush", for each time when the program's own voice begins, or its gain is taken to zero
-// while it speaks: the only source that buffers are queued to.
+// A sound card that can be pulled out, loaded before OpenAL. While the file $STANDIN_SOUND_PULLED exists, it reports
+// that the device is gone, and opens none.
+// It also observes the program's own voice, the only source to which buffers are queued. $STANDIN_SOUND_VOICE gets a
+// line with the steady clock's seconds and "speak" when the voice begins, or "hush" when its gain goes to zero while it
+// speaks.
 #include <AL/al.h>
 #include <AL/alc.h>
 #include <dlfcn.h>
@@ -20,7 +21,7 @@ bool pulled() {
     return file && ::access(file, F_OK) == 0;
 }
 
-std::atomic<bool> queued_to[4096];  // by the source's number
+std::atomic<bool> queued_to[4096];  // indexed by the source's number
 
 bool is_voice(ALuint source) { return source < std::size(queued_to) && queued_to[source]; }
 

@@ -1,5 +1,5 @@
-// handrail-guard as it is shipped, where umockdev plays the kernel: what it plays is in a folder of its own and behind
-// a Unix socket, which a guard otherwise does not reach.
+// handrail-guard as shipped, with access to umockdev's emulated devices. These are in a separate folder and behind a
+// Unix socket, which a guard otherwise cannot reach.
 #include <cstdlib>
 
 #include "haptic/drivers/guard_process.h"

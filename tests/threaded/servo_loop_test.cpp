@@ -25,7 +25,7 @@ ServoTuning room_tuning() {
     return tuning;
 }
 
-// What the app does before tick i: walks, moves the hand, swaps scenes, changes settings, meets trouble.
+// What the app does before tick i: walk, move the hand, replace scenes, change settings, cause faults.
 class Script {
 public:
     explicit Script(ServoLoop& loop, SimulatedHand& hand, const std::vector<std::shared_ptr<const HapticScene>>& scenes)
@@ -74,7 +74,7 @@ void add(std::vector<std::uint64_t>& bits, const Vec3& v) {
     for (int axis = 0; axis < 3; ++axis) add(bits, v[axis]);
 }
 
-// Every number of a ToolState, bit for bit.
+// Every number of a ToolState as bits.
 std::vector<std::uint64_t> bits_of(const ToolState& tool) {
     std::vector<std::uint64_t> bits;
     for (const double value : {tool.time_s, tool.ball_radius_m, tool.force_gain, tool.contact_s, tool.rate_hz})
@@ -94,7 +94,7 @@ std::vector<std::uint64_t> bits_of(const ToolState& tool) {
     return bits;
 }
 
-// A virtual clock whose sleeper waits until the test lets it go on, so that two threads take turns.
+// A virtual clock whose sleeper waits until the test releases it, so that two threads take turns.
 class TurnClock final : public Clock {
 public:
     double now_s() const override { return clock_.now_s(); }
@@ -148,7 +148,7 @@ TEST(ServoLoop, one_thread_and_two_give_the_same_tool_states_bit_for_bit) {
             clock.sleep_until_s(next_s);
         }
     }
-    EXPECT_TRUE(touched && faulted);  // the script does reach a wall and a fault
+    EXPECT_TRUE(touched && faulted);  // the script must reach a wall and a fault
     {
         TurnClock clock;
         auto hand = std::make_shared<SimulatedHand>();
@@ -199,7 +199,7 @@ TEST(ServoLoop, runs_on_its_own_thread_while_app_and_ears_do_theirs) {
         }
     });
     std::vector<std::weak_ptr<const HapticScene>> swapped;
-    // Paced by what the servo has done, so that a slow machine takes longer and nothing else.
+    // Paced by the servo's ticks, so that a slow machine only takes longer.
     for (int i = 1; loop.tool().ticks < 1500; ++i) {
         script.before_tick(i, clock.now_s());
         if (i % 20 == 0) {
@@ -232,7 +232,7 @@ TEST(ServoLoop, runs_on_its_own_thread_while_app_and_ears_do_theirs) {
         report.durations.worst_s, report.overruns, heard);
 }
 
-// Remembers what it was told.
+// A device that records its commands.
 class NotingDevice final : public HapticDevice {
 public:
     struct Notes {
@@ -259,7 +259,7 @@ private:
     Notes& notes_;
 };
 
-// Pressed into a wall with the force ramped in.
+// Presses into a wall until the force is fully ramped in.
 void press(ServoLoop& loop, NotingDevice::Notes& notes, VirtualClock& clock) {
     notes.forces_n.reserve(100000);
     ServoTuning tuning = room_tuning();
@@ -294,7 +294,8 @@ TEST(ServoLoop, stopping_takes_the_force_away_within_75_ms_then_closes) {
     EXPECT_EQ(notes.opened, 1);
 }
 
-// F12 in virtual time, with no help of the app: whoever sees the key sets the switch, and the next tick is zero.
+// The stop key F12 in virtual time, without the app. The thread that sees the key sets the switch, and the next tick
+// has zero force.
 TEST(ServoLoop, the_stop_switch_is_zero_at_the_next_tick_and_a_lost_keyboard_within_76_of_them) {
     for (const bool stop : {true, false}) {
         VirtualClock clock;
@@ -339,7 +340,7 @@ TEST(ServoLoop, the_stop_switch_is_zero_at_the_next_tick_and_a_lost_keyboard_wit
 
 TEST(ServoLoop, the_destructor_stops_a_running_thread) {
     NotingDevice::Notes notes;
-    VirtualClock clock;  // sleeping moves it: the thread runs as fast as it can
+    VirtualClock clock;  // sleeping advances it, so the thread runs as fast as it can
     {
         ServoLoop loop(std::make_unique<NotingDevice>(notes), clock);
         ASSERT_TRUE(loop.open());
@@ -379,7 +380,7 @@ TEST(ServoLoop, frees_a_scene_only_after_the_servo_has_let_it_go) {
     loop.step();
     EXPECT_EQ(loop.scenes_kept(), 1u);
     EXPECT_TRUE(watch.expired());
-    // Scenes the servo never came to see go too.
+    // Scenes that the servo never used are freed too.
     for (int i = 0; i < 5; ++i) loop.set_scene(test::wall_scene(1.0));
     clock.advance_s(kTick);
     loop.step();
@@ -405,7 +406,7 @@ TEST(ServoLoop, counts_the_events_that_nobody_fetched_in_time) {
     EXPECT_GT(loop.report().counters.lost_events, 100u);
 }
 
-// Two devices are two hands: a thread each over one scene, and what stops one does not stop the other.
+// Two devices are two hands. Each has its own thread on the same scene, and a stop of one does not stop the other.
 TEST(ServoLoop, two_loops_share_a_scene_and_the_stop_key_and_nothing_else) {
     SteadyClock clock;
     ServoSwitches switches;
@@ -421,7 +422,7 @@ TEST(ServoLoop, two_loops_share_a_scene_and_the_stop_key_and_nothing_else) {
     for (std::size_t i = 0; i < hands.size(); ++i) {
         Hand& hand = hands[i];
         DeviceSpec spec = *find_device_spec(i == 0 ? "sim-t" : "sim-f");
-        spec.min_rate_hz = 0.0;  // how busy this machine is does not matter here
+        spec.min_rate_hz = 0.0;  // the load of this machine is irrelevant here
         hand.loop = std::make_unique<ServoLoop>(std::make_unique<SimulatedDevice>(spec, hand.simulated), clock, kTick,
                                                 ServoLoop::Links{&switches, &hand.events});
         ASSERT_TRUE(hand.loop->open());
@@ -441,7 +442,7 @@ TEST(ServoLoop, two_loops_share_a_scene_and_the_stop_key_and_nothing_else) {
             hand.simulated->command.publish(command);
         }
     };
-    // Until it is so; a machine that is busy may take long, one that is wrong never ends.
+    // Waits until the condition is true. A busy machine may take long; with a real fault this never ends.
     const auto until = [&](auto holds) {
         while (!holds()) clock.sleep_until_s(clock.now_s() + kTick);
     };

@@ -1,4 +1,4 @@
-// Entry point for libFuzzer: parsers_fuzzer NAME [what libFuzzer takes]; without a name it lists the names.
+// Entry point for libFuzzer: parsers_fuzzer NAME [arguments of libFuzzer]. Without a name it lists the names.
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -12,10 +12,10 @@
 namespace {
 const handrail::fuzz::Harness* chosen = nullptr;
 
-// Of the processor, unlike libFuzzer's own -timeout: beside other work, one second of it may take a minute.
+// Processor time, unlike libFuzzer's own -timeout: under load, one second of it may take a minute.
 constexpr time_t kMostSeconds = 10;
 
-// A signal handler: it may call what is safe in one only.
+// This is a signal handler, so it may only call functions that are safe in one.
 void end_as_too_slow(int) {
     constexpr char kSentence[] = "This input takes more than 10 s of the processor.\n";
     (void)!write(STDERR_FILENO, kSentence, sizeof kSentence - 1);
@@ -34,7 +34,7 @@ extern "C" int LLVMFuzzerInitialize(int* argument_count, char*** arguments) {
         for (const auto& harness : handrail::fuzz::harnesses())
             if (name && harness.name == name) chosen = &harness;
     };
-    // Where libFuzzer starts this program itself, as it does to minimise a corpus, it leaves out the name.
+    // When libFuzzer starts this program itself, for example to minimise a corpus, it omits the name.
     choose(std::getenv(kOfParent));
     if (chosen) {
         std::signal(SIGPROF, end_as_too_slow);

@@ -1,5 +1,5 @@
-// A hand pushes a crate against a stack, rolls a ball and lifts a plank, and prints where all of it came to and what
-// the hand felt as exact numbers: for comparing builds.
+// A hand pushes a crate against a stack, rolls a ball and lifts a plank. Prints the final poses and the forces on the
+// hand as exact numbers, for comparing builds.
 #include <array>
 #include <cmath>
 #include <cstdio>

@@ -1,4 +1,4 @@
-// Replays every hard case through the touch renderer and prints what came out as exact numbers: for comparing builds.
+// Replays every hard case through the touch renderer and prints the results as exact numbers, for comparing builds.
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -11,7 +11,7 @@ namespace {
 
 using namespace handrail;
 
-// FNV-1a over the bits.
+// Adds the vector's bits to an FNV-1a hash.
 void mix(std::uint64_t& hash, const Vec3& v) {
     for (int axis = 0; axis < 3; ++axis) {
         std::uint64_t bits = 0;

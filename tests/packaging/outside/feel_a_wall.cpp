@@ -1,5 +1,5 @@
-// Feels a wall of a world a tenth of a millimetre deep: starts a metre above the ground where people start, goes east
-// by half a millimetre a tick until something holds the ball, presses, and prints the force in newtons.
+// Presses a tenth of a millimetre deep into a wall of a world. It begins a metre above the ground at a start and moves
+// east by half a millimetre a tick until something holds the proxy. Then it presses and prints the force in newtons.
 #include <cstdio>
 
 #include "haptic/compile/compile_haptic.h"
