@@ -8,6 +8,7 @@
 // - I9: in locally convex free space a step of the hand is not amplified.
 // - I10: the proxy moves no farther in a tick than the cap.
 // - I11: closed loops give the hand no energy.
+// - I12: the proxy sticks inside the friction cone and slides on it (tests/unit/render/touch_test.cpp).
 // - I13: the result is the same far from the origin.
 // - I14: order and number of repetitions of obstacles make no difference.
 // - I15: finer triangles of the same surface make no difference.

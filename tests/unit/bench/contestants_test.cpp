@@ -1,4 +1,4 @@
-// The renderers of the comparison do what is said of them, and what measures them is right.
+// Checks that the renderers of the comparison do what their descriptions say, and that the measurements are correct.
 #include <random>
 
 #include "tests/bench/compare/measure.h"
@@ -131,7 +131,7 @@ TEST(TimeOfImpact, is_the_first_touch_found_by_small_steps) {
             if (scene->closest(0, from + way * (static_cast<double>(k) / kSteps)).distance_m < kRadius)
                 first = static_cast<double>(k) / kSteps;
         if (first > 1.0) {
-            // A graze may be missed by the steps, not by more than their sagitta.
+            // The steps may miss a grazing contact, but only if the overlap is within their sagitta.
             if (part <= 1.0) {
                 EXPECT_NEAR(scene->closest(0, from + way * part).distance_m, kRadius, 2e-8) << i;
             }
@@ -146,7 +146,8 @@ TEST(TimeOfImpact, is_the_first_touch_found_by_small_steps) {
 }
 
 TEST(Reference, follows_a_circle_round_an_edge) {
-    // The exact answer on a box edge: the ball's middle on a circle of its radius about the edge, towards the hand.
+    // The exact solution at the edge of a box: the proxy's centre is on a circle of its radius about the edge, towards
+    // the hand.
     test::TouchWorld box;
     box.box({-.05, -.05, -.1}, {.05, .05, 0});
     const BenchWorld world = world_of(box, {{.03, 0, .02}, {.03, 0, .003}, {.052, 0, .003}}, 0.1);

@@ -1,4 +1,4 @@
-// The outputs of the comparison of renderers: one JSON object, tables, and pictures that can be read without seeing
+// The outputs of the comparison of renderers: one JSON object, tables, and pictures with text for people who cannot see
 // them.
 #include <nlohmann/json.hpp>
 #include <set>
@@ -92,7 +92,7 @@ TEST(BenchPlots, have_a_title_words_for_all_points_and_axes_with_units) {
         EXPECT_EQ(svg.find("nan "), std::string::npos) << name;
         EXPECT_EQ(svg.find("\"nan"), std::string::npos) << name;
         EXPECT_EQ(svg.find("inf"), std::string::npos) << name;
-        // Every element that is opened is closed.
+        // Every opened tag is closed.
         EXPECT_EQ(std::count(svg.begin(), svg.end(), '<'), std::count(svg.begin(), svg.end(), '>')) << name;
     }
 }

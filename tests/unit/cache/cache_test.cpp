@@ -1,4 +1,4 @@
-// What the program works out itself, kept in the person's cache folder.
+// The cache folder of the user, in which the program keeps its own results.
 #include "worlds/cache/cache.h"
 
 #include <fcntl.h>
@@ -21,7 +21,7 @@ namespace cache_test {
 namespace fs = std::filesystem;
 using test::TemporaryFolder;
 
-// Nothing: not kept, or not to be believed.
+// Returns nothing if the entry is missing or not trustworthy.
 std::optional<std::string> taken(const Cache& cache, const std::string& name) {
     const Descriptor file = cache.open(name);
     return file.get() < 0 ? std::nullopt : kept_content(file.get(), name);
@@ -45,7 +45,7 @@ std::vector<std::string> names_in(const fs::path& folder) {
     return names;
 }
 
-// As somebody who is not root, in a process of their own: the exit status of `work`.
+// Runs `work` in a separate process as a user other than root. Returns its exit status.
 int as_nobody(const std::function<bool()>& work) {
     const pid_t child = ::fork();
     if (child == 0) {
@@ -57,7 +57,7 @@ int as_nobody(const std::function<bool()>& work) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-// FIPS 180-2, appendix B.
+// Test vectors of FIPS 180-2, appendix B.
 TEST(Sha256, is_that_of_the_standard) {
     EXPECT_EQ(sha256_of(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
     EXPECT_EQ(sha256_of("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
@@ -120,7 +120,7 @@ TEST(Cache, believes_nothing_that_is_changed_cut_or_of_another_name) {
 TEST(Cache, removes_what_was_not_used_for_the_longest_time) {
     const TemporaryFolder folder;
     const fs::path in = folder.path() / "handrail";
-    const Cache cache(in, 1000);  // bytes; each of these is 264
+    const Cache cache(in, 1000);  // limit in bytes; each of these entries has 264
     const std::string content(200, 'x');
     int ago = 300;
     for (const char* name : {"a", "b", "c"}) {
@@ -224,7 +224,7 @@ TEST(Cache, that_cannot_be_written_keeps_nothing_and_fails_nowhere) {
     EXPECT_FALSE(nowhere);
 }
 
-// Two write and remove the same files under a bound that holds two of them, and nothing half is ever read.
+// Two processes write and remove the same files under a limit that allows two of them. Neither ever reads half a file.
 TEST(Cache, serves_two_processes_at_once) {
     const TemporaryFolder folder;
     const fs::path in = folder.path() / "handrail";

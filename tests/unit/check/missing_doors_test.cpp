@@ -1,4 +1,5 @@
-// A wall where a door is missing: found, cut, and passed by body and hand; kept beside the world and taken away again.
+// A wall that lacks a door. The missing door is found and cut, walker and hand pass it, and it is saved in the world's
+// side file and removed again.
 #include "worlds/check/missing_doors.h"
 
 #include <gmock/gmock.h>
@@ -59,7 +60,7 @@ Scene read_rooms(const std::string& text) {
     return scene ? std::move(*scene) : Scene{};
 }
 
-// The kitchen is shut in: hall to its west, store to its north, and a door leads to neither.
+// The kitchen has no door. The hall is to its west and the store to its north.
 Scene three_rooms() {
     return read_rooms(
         "Building: Three rooms.\nWalls: 20 cm thick.\n\nRoom: Hall, 4 by 6 metres. Door outside in the south wall.\n\n"
@@ -67,7 +68,7 @@ Scene three_rooms() {
         "Room: Store, 4 by 2 metres, north of Kitchen. Door to Hall.\n");
 }
 
-// A ball of a hand, pushed there: how far from where it was to come to.
+// Pushes a proxy from one place to another. Returns how far from the target it ends.
 double short_of(const HapticScene& haptic, const Vec3& from_m, const Vec3& to_m) {
     TouchState state;
     TouchTuning tuning;
@@ -96,7 +97,7 @@ TEST(MissingDoors, are_found_in_the_walls_that_a_room_out_of_reach_has_with_its_
         EXPECT_LE(door.door.through_m, 0.5);
         EXPECT_NEAR(door.door.place_m.z, 0.0, 0.02);
         if (world.graph.rooms[door.to].name != "Hall") continue;
-        // The hall lies from x 0 to 4: the wall's middle is at 4, and kitchen and hall share it from y 0 to 4.
+        // The hall extends from x 0 to 4, so the wall's middle is at 4. Kitchen and hall share it from y 0 to 4.
         EXPECT_NEAR(door.door.place_m.x, 4.0, 0.1);
         EXPECT_NEAR(door.door.place_m.y, 2.0, 0.3);
     }
@@ -105,7 +106,7 @@ TEST(MissingDoors, are_found_in_the_walls_that_a_room_out_of_reach_has_with_its_
 
 TEST(MissingDoors, are_where_one_stands_at_such_a_wall) {
     const World world(three_rooms());
-    const Vec3 stood_m(4.0 - 0.4, 1.0, 0.0);  // in the hall, at the wall of the kitchen
+    const Vec3 stood_m(4.0 - 0.4, 1.0, 0.0);  // in the hall, at the kitchen's wall
     const std::vector<MissingDoor> doors =
         missing_doors(world.scene, world.space, world.graph, world.room("Kitchen"), stood_m);
     ASSERT_FALSE(doors.empty());
@@ -113,7 +114,7 @@ TEST(MissingDoors, are_where_one_stands_at_such_a_wall) {
     EXPECT_NEAR(doors[0].door.place_m.y, 1.0, 0.06);
 }
 
-// The small house of an architect, turned, its inner door forgotten.
+// An architect's small house, turned, without its inner door.
 Scene shut_house(double degrees) {
     std::string text = test::small_house();
     for (const char* instance : {"#122=", "#123=", "#124=", "#125="}) {
@@ -145,7 +146,8 @@ TEST(MissingDoors, are_found_and_made_in_walls_of_any_direction) {
         ASSERT_GE(doors.size(), 1U);
         ASSERT_EQ(doors[0].to, kitchen) << "rooms before the ground outside";
         const MadeDoor& door = doors[0].door;
-        // The wall between has its middle 4 m east of the house's corner and is 4 m long, 0.1 m thick.
+        // The middle of the wall between the rooms is 4 m east of the house's corner. The wall is 4 m long and 0.1 m
+        // thick.
         const Vec3 off = door.place_m - turned({4.0, 2.0, 0.0});
         EXPECT_NEAR(glm::dot(off, turned({1.0, 0.0, 0.0})), 0.0, 0.06);
         EXPECT_LT(std::abs(glm::dot(off, turned({0.0, 1.0, 0.0}))), 1.0);
@@ -159,7 +161,7 @@ TEST(MissingDoors, are_found_and_made_in_walls_of_any_direction) {
         EXPECT_TRUE(after.joined(after.room("Living room"), after.room("Küche")));
         const Vec3 along(std::sin(door.heading_rad), std::cos(door.heading_rad), 0.0);
         EXPECT_TRUE(after.space.straight(door.place_m - along * 0.8, door.place_m + along * 0.8));
-        // Stood at, the door is there.
+        // For a person who stands at the wall, the door is at that place.
         const Vec3 stood_m = turned({4.4, 3.2, 0.0});
         const auto near = missing_doors(before.scene, before.space, before.graph, living, stood_m, 1);
         ASSERT_EQ(near.size(), 1U);
@@ -197,7 +199,7 @@ TEST(ImpassableDoors, of_the_file_are_cut_free_where_a_wall_stands_in_them) {
     EXPECT_FALSE(impassable(after).has_value());
     EXPECT_THAT(after.out_of_reach(), testing::IsEmpty());
     EXPECT_EQ(after.scene.stated->portals.size(), scene.stated->portals.size()) << "it is the same door";
-    // Where a thing stands in it, or where it is no such fault, nothing is offered.
+    // Nothing is offered if an object blocks the door, or for another kind of fault.
     WorldFault other = *fault;
     other.other = "Cupboard";
     EXPECT_FALSE(doorway_cut_free(before.scene, other).has_value());
@@ -219,11 +221,12 @@ TEST(MadeDoors, open_the_wall_to_body_and_hand_and_to_nobody_beside_them) {
     EXPECT_TRUE(after.joined(after.room("Kitchen"), after.room("Hall")));
     EXPECT_FALSE(after.joined(after.room("Kitchen"), after.room("Store")));
     EXPECT_EQ(after.graph.rooms.size(), before.graph.rooms.size());
-    // On foot straight through, and back.
+    // The walker goes straight through in the new world but not in the old one.
     const Vec3 along(std::sin(door.heading_rad), std::cos(door.heading_rad), 0.0), across(along.y, -along.x, 0.0);
     EXPECT_TRUE(after.space.straight(door.place_m - along * 0.8, door.place_m + along * 0.8));
     EXPECT_FALSE(before.space.straight(door.place_m - along * 0.8, door.place_m + along * 0.8));
-    // The hand too, over the whole width and height, and beside and above it there is wall as before.
+    // The hand also passes over the whole width and height of the door. To its sides and above it the wall is
+    // unchanged.
     const auto was = compile_haptic(before.scene, MaterialSource::KeysOnly),
                is = compile_haptic(after.scene, MaterialSource::KeysOnly);
     const auto pushed = [&](const HapticScene& haptic, double right_m, double up_m) {
@@ -237,19 +240,19 @@ TEST(MadeDoors, open_the_wall_to_body_and_hand_and_to_nobody_beside_them) {
         }
     for (const auto& [right_m, up_m] : {std::pair{-0.7, 1.0}, std::pair{0.7, 1.0}, std::pair{0.0, 2.3}})
         EXPECT_GT(pushed(*is, right_m, up_m), 0.4) << right_m << " " << up_m;
-    // A hand within it is stopped by both sides and from above.
+    // Both sides and the top stop a hand in the doorway.
     const Vec3 within = door.place_m + Vec3(0.0, 0.0, 1.0);
     EXPECT_GT(short_of(*is, within, within + across * 0.7), 0.2);
     EXPECT_GT(short_of(*is, within, within - across * 0.7), 0.2);
     EXPECT_GT(short_of(*is, within, within + Vec3(0.0, 0.0, 1.3)), 0.2);
-    // Stated as an opening of the two rooms.
+    // The door is stated as an opening between the two rooms.
     const StatedPortal& stated = after.scene.stated->portals.back();
     EXPECT_EQ(stated.kind, StatedPortalKind::Opening);
     ASSERT_EQ(stated.rooms.size(), 2U);
     EXPECT_EQ(after.scene.stated->portals.size(), before.scene.stated->portals.size() + 1);
 }
 
-// Two rooms of a .map with a wall of two leaves and no floor under it.
+// Two rooms of a .map with a double wall between them that has no floor under it.
 TEST(MadeDoors, go_through_walls_of_several_layers_and_get_a_threshold_where_no_floor_is) {
     std::string brushes;
     const auto room = [&](double west) {

@@ -1,4 +1,4 @@
-// The school, and copies of it with one fault planted in each.
+// The school map, and copies of it with one deliberate fault each.
 #include <fmt/format.h>
 
 #include <functional>
@@ -27,7 +27,7 @@ const std::string& school() {
     return kText;
 }
 
-// A map's text, with its entities to be changed by their class and name.
+// A map's text whose entities can be changed by class and name.
 class MapCopy {
 public:
     explicit MapCopy(std::string text) : text_(std::move(text)) {}
@@ -37,7 +37,7 @@ public:
         text_.erase(begin, end - begin);
         return *this;
     }
-    // In the text of one entity.
+    // Replaces text within one entity.
     MapCopy& replace(const std::string& class_name, const std::string& name, const std::string& what,
                      const std::string& by) {
         const auto [begin, end] = entity(class_name, name);
@@ -57,7 +57,7 @@ public:
         text_ += entity_text;
         return *this;
     }
-    // The brush of the world itself that has this face.
+    // Removes the brush of worldspawn that has this face.
     MapCopy& remove_brush(const std::string& face) {
         const std::size_t at = text_.find(face);
         EXPECT_NE(at, std::string::npos) << face;
@@ -75,7 +75,7 @@ private:
             std::size_t end = text_.find("\n}\n", begin) + 3;
             while (text_.compare(end, 2, "}\n") != 0 && text_.compare(end, 2, "{\n") == 0 &&
                    text_.compare(end, 3, "{\n\"") != 0)
-                end = text_.find("\n}\n", end) + 3;  // its brushes
+                end = text_.find("\n}\n", end) + 3;  // includes the entity's brushes
             if (text_.compare(end, 2, "}\n") == 0) end += 2;
             if (text_.substr(begin, end - begin).find(named) != std::string::npos) return {begin, end};
         }
@@ -97,7 +97,7 @@ struct Found {
     RoomGraph graph;
 };
 
-// `state`: adds what a file with rooms of its own would say.
+// `state` adds what a file that states its rooms would contain.
 Found faults_of(const std::string& map, const std::function<void(Scene&, const RoomGraph&)>& state = {}) {
     Found found;
     Result<Scene> scene = read_quake_map(map, "school.map");
@@ -140,15 +140,15 @@ StatedRoom stated_room(const std::string& name, const Vec2& low, const Vec2& hig
 struct Planted {
     const char* what;
     FaultKind kind;
-    const char* name;  // that the sentence says
+    const char* name;  // must be part of the message
     std::function<MapCopy(MapCopy)> plant;
     std::function<void(Scene&, const RoomGraph&)> state = {};
 };
 
 void PrintTo(const Planted& planted, std::ostream* out) { *out << planted.what; }
 
-// Room 5 lies between 0 and 7.5 m east, 11.1 and 19 m north on the ground floor; its door is at 5.5 m east, in the wall
-// at 11 m, and opens to the corridor south of it. 32 units are one metre.
+// Room 5 extends from 0 to 7.5 m east and from 11.1 to 19 m north on the ground floor. Its door is at 5.5 m east, in
+// the wall at 11 m, and opens to the corridor south of it. 32 units are one metre.
 const std::vector<Planted> kPlanted{
     {"a room without a name", FaultKind::UnnamedRoom, "has no name",
      [](MapCopy map) { return map.remove("info_room", "Room 2"); }},
@@ -298,11 +298,12 @@ TEST_P(CopyOfTheSchool, is_told_its_planted_fault_with_place_and_what_to_do) {
     if (planted.kind != FaultKind::NowhereToStand) {
         EXPECT_GT(fault->source.line, 0) << listed(found);
     }
-    // Nothing is told that has nothing to do with it: at most what follows from the fault at the same place.
+    // Nothing unrelated is reported: at most the consequences of the fault at the same place.
     EXPECT_LE(found.faults.size(), planted.state ? 60U : 6U) << listed(found);
 }
 
-// Of a room with a wall that hangs so far above the floor, and a start in the air before a door of the upper storey.
+// Counts the faults of this kind in a room whose wall begins `joint_m` above the floor. On request there is a start in
+// the air in front of a door of the upper storey.
 std::size_t count_of(FaultKind kind, double joint_m, bool before_door) {
     test::SceneBuilder b;
     b.box({0, 0, -0.2}, {8, 6, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
@@ -332,7 +333,7 @@ TEST(NoFault, is_a_start_before_the_door_of_a_balcony_and_a_joint_under_a_beam) 
     EXPECT_EQ(count_of(FaultKind::Crack, 0.03, true), 1U);
 }
 
-// Beside a wall, a part that the program itself calls by that word.
+// Counts cracks between a wall and a part that has this generated name.
 std::size_t cracks_beside(const char* what, double joint_m) {
     test::SceneBuilder b;
     b.box({0, 0, -0.2}, {8, 6, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);

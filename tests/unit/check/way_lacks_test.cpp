@@ -1,4 +1,5 @@
-// What the best way to a place lacks: on small worlds with one lack each, and against bodies that are tried one by one.
+// Finds what the best route to a place lacks. Checked on small worlds with one obstruction each, and by trying walkers
+// of different sizes one by one.
 #include "worlds/check/way_lacks.h"
 
 #include <gmock/gmock.h>
@@ -24,8 +25,8 @@ namespace way_lacks_test {
 
 using ::testing::HasSubstr;
 
-// Two rooms of 4 by 4 metres side by side; what stands between x = 4 and x = 5 joins or parts them. The second room's
-// floor lies `up_m` higher.
+// Two rooms of 4 by 4 metres next to each other. Whatever is between x = 4 and x = 5 joins or separates them. The floor
+// of the second room is `up_m` higher.
 test::SceneBuilder two_rooms(const Vec3& at, double up_m = 0.0) {
     test::SceneBuilder b;
     const auto wall = [&](const Vec3& from, const Vec3& to) {
@@ -81,12 +82,12 @@ TEST(WayLacks, are_what_stands_in_the_way_of_a_body_and_how_much_there_is) {
             EXPECT_NEAR(found.needs_m, 0.5, 1e-9);
             EXPECT_NEAR(found.at_m.y, at.y + 2.0, 0.1);
         }
-        {  // A wall all across.
+        {  // A wall across the whole width.
             test::SceneBuilder b = two_rooms(at);
             b.box(at + Vec3(4, 0, 0), at + Vec3(5, 4, 4), "wall", SolidRole::Solid, {}, FeatureKind::Wall);
             EXPECT_EQ(lacks_in(*b.share(), there).lack, Lack::Nothing);
         }
-        {  // A beam at 1.3 m over a ledge of half a metre: two lacks, of which neither alone is in the way.
+        {  // A beam at 1.3 m over a ledge of half a metre. The route lacks two things, and neither alone blocks it.
             test::SceneBuilder b = two_rooms(at, 0.5);
             b.box(at + Vec3(4, 0, 1.8), at + Vec3(6, 4, 4), "Beam", SolidRole::Solid, {}, FeatureKind::Wall);
             EXPECT_EQ(lacks_in(*b.share(), there + Vec3(0, 0, 0.5)).lack, Lack::Nothing);
@@ -94,7 +95,7 @@ TEST(WayLacks, are_what_stands_in_the_way_of_a_body_and_how_much_there_is) {
     }
 }
 
-// Of two ways the better is told, and the worst place of it.
+// The better of two routes is reported, with its worst place.
 TEST(WayLacks, are_those_of_the_best_way_at_its_worst_place) {
     test::SceneBuilder b = two_rooms(Vec3(0.0));
     b.box({4, 0, 1.0}, {5, 2, 4}, "Beam", SolidRole::Solid, {}, FeatureKind::Wall);
@@ -107,7 +108,7 @@ TEST(WayLacks, are_those_of_the_best_way_at_its_worst_place) {
     EXPECT_GT(found.at_m.x, 4.2);
 }
 
-// Such a body comes from the start to a place, in a space of its own.
+// Returns whether such a walker gets from the start to a place, in a walkable area computed for its size.
 bool flooded(const Scene& scene, const WalkBody& body, const Vec3& there_m) {
     const Result<WalkSpace> space = make_walk_space(scene, body);
     if (!space) return false;
@@ -117,8 +118,8 @@ bool flooded(const Scene& scene, const WalkBody& body, const Vec3& there_m) {
     return spans_reached(*space, first)[last];
 }
 
-// As much as is told is just what a body may need: one that is a little smaller comes there, one a little larger does
-// not.
+// The reported amount is the limit of what a walker may need. A slightly smaller walker gets there, a slightly larger
+// one does not.
 TEST(WayLacks, agree_with_bodies_that_are_tried_one_by_one) {
     std::mt19937_64 random(test::seed_of_run());
     const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
@@ -164,7 +165,7 @@ TEST(WayLacks, agree_with_bodies_that_are_tried_one_by_one) {
     EXPECT_GE(told, test::scaled(5));
 }
 
-// Stairs that lead up under a floor without enough room for a head, as in many an architect's model.
+// Stairs that lead up under a floor without enough headroom, as in many architects' models.
 TEST(RoomOutOfReach, says_that_stairs_to_it_lead_under_a_floor) {
     test::SceneBuilder b;
     b.box({0, 0, -0.2}, {10, 4, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
@@ -194,8 +195,8 @@ TEST(RoomOutOfReach, says_that_stairs_to_it_lead_under_a_floor) {
     EXPECT_THAT(advice, HasSubstr("at least 1.8 metres of headroom"));
 }
 
-// A row of houses, each with a flight to its gallery and a beam over that, each beam at another height. What is told is
-// what is on the flight itself, of each of them, and nothing of the other flights.
+// A row of houses, each with a flight of stairs to its gallery and a beam over it at a different height. For each
+// flight, only the obstruction on that flight is reported.
 TEST(StairsInOneGo, say_of_each_flight_what_is_in_the_way_on_it) {
     constexpr int kHouses = 7, kSteps = 14;
     constexpr double kUp_m = 2.8, kEach_m = 6.0;
@@ -229,7 +230,7 @@ TEST(StairsInOneGo, say_of_each_flight_what_is_in_the_way_on_it) {
         }
         stated.portals.push_back(portal);
         headroom_m.push_back(1.35 + 0.05 * house);
-        // Over the eighth step, as wide as the flight.
+        // Above the eighth step, as wide as the flight.
         const double step_x = 7.0 - 7 * 0.28, step_top = kUp_m * 8 / (kSteps + 1);
         b.box(at + Vec3(step_x, 0, step_top + headroom_m.back()), at + Vec3(step_x + 0.28, 4, 6), "beam",
               SolidRole::Solid, {}, FeatureKind::Wall);
@@ -248,14 +249,14 @@ TEST(StairsInOneGo, say_of_each_flight_what_is_in_the_way_on_it) {
         ASSERT_TRUE(told.contains(stairs.value)) << house;
         const WorldFault& fault = told.at(stairs.value);
         EXPECT_EQ(fault.lack, Lack::Headroom) << house;
-        // A body is half on the step before or behind.
+        // Part of the walker may still be on the step before or after.
         EXPECT_NEAR(fault.amount, headroom_m[static_cast<std::size_t>(house)], 0.45) << house;
         EXPECT_GT(fault.at_m.y, house * kEach_m) << house;
         EXPECT_LT(fault.at_m.y, house * kEach_m + 4.0) << house;
     }
 }
 
-// What a trial says of where a body comes to is what a whole space of that body says.
+// A trial finds the same reachable places as a complete walkable area for the same walker.
 TEST(TrialSpaces, are_reached_where_whole_spaces_are) {
     std::mt19937_64 random(test::seed_of_run());
     const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
@@ -285,7 +286,7 @@ TEST(TrialSpaces, are_reached_where_whole_spaces_are) {
     }
 }
 
-// A spiral whose lower turns lie under the edge of the floor that they lead to, with 1.8 m of headroom there.
+// A spiral staircase whose lower turns are under the edge of the floor that they lead to, with 1.8 m of headroom there.
 TEST(StairsInOneGo, are_none_where_a_body_bows_its_head_in_a_family_house) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for the stairs under a floor";
     const auto path = test::real_world("fzk-haus.ifc");
@@ -309,7 +310,7 @@ TEST(StairsInOneGo, are_none_where_a_body_bows_its_head_in_a_family_house) {
     EXPECT_TRUE(spans_reached(*space, base)[at]);
 }
 
-// The ground round a building is made with it, and lies under its floors as it should.
+// The ground around a building is generated with it, and is correctly below its floors.
 TEST(ThingFaults, find_none_in_the_ground_that_was_made_round_a_building) {
     const test::TemporaryFolder folder;
     const std::filesystem::path file = folder.path() / "two.rooms";

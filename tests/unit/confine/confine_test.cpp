@@ -1,4 +1,5 @@
-// A confined process tries what it must not do: each attempt in a child of its own, since nothing undoes confinement.
+// A confined process attempts forbidden operations. Each attempt runs in a separate child process, because confinement
+// cannot be undone.
 #include "worlds/confine/confine.h"
 
 #include <arpa/inet.h>
@@ -27,7 +28,7 @@ namespace confine_test {
 namespace fs = std::filesystem;
 
 struct Ending {
-    int status = -1;  // what the attempt returned: 0 if it went through, else errno
+    int status = -1;  // result of the attempt: 0 if it succeeded, else errno
     int signal = 0;
     bool operator==(const Ending&) const = default;
 };
@@ -75,7 +76,7 @@ int connect_error(std::uint16_t port) {
     return error_of(::connect(opened.get(), reinterpret_cast<const sockaddr*>(&to), sizeof to));
 }
 
-// Both need a kernel that offers both, as every system does that Handrail is built for.
+// These tests need a kernel with seccomp and Landlock, which every system has that Handrail is built for.
 class Confined : public testing::Test {
 protected:
     void SetUp() override {
@@ -167,7 +168,7 @@ TEST_F(Driving, opens_only_what_is_permitted_now_or_later) {
     EXPECT_EQ(confined(permissions, [] { return open_error("/etc/passwd"); }), kNotPermitted);
     EXPECT_EQ(confined(permissions, [&] { return open_error(fact); }), kWentThrough);
     EXPECT_EQ(confined(permissions, [&] { return open_error(fact, O_WRONLY); }), kNotPermitted);
-    // A guard that looks for its device again and again, until somebody plugs it in.
+    // A guard tries to open its device repeatedly, until somebody plugs it in.
     const auto look = [&] { return open_error(devices.path() / "event7", O_RDWR); };
     int guards[2] = {-1, -1}, ours[2] = {-1, -1};
     ASSERT_TRUE(::pipe2(guards, O_CLOEXEC) == 0 && ::pipe2(ours, O_CLOEXEC) == 0);
@@ -195,7 +196,7 @@ TEST_F(Driving, starts_no_program_and_goes_on) { EXPECT_EQ(confined(nothing(), e
 TEST_F(Driving, gets_no_socket_but_those_that_are_permitted) {
     for (const int family : {AF_UNIX, AF_INET, AF_INET6, AF_NETLINK, AF_PACKET})
         EXPECT_EQ(confined(nothing(), [=] { return socket_error(family, SOCK_DGRAM); }), kRefused) << family;
-    // The kernel looks at the lower half of the number alone.
+    // The kernel uses only the lower half of the number.
     EXPECT_EQ(
         confined(nothing(), [] { return error_of(::syscall(SYS_socket, (1ULL << 32) | AF_UNIX, SOCK_STREAM, 0)); }),
         kRefused);
@@ -232,7 +233,7 @@ TEST_F(Driving, reaches_no_other_process_but_may_end_itself) {
     EXPECT_EQ(confined(nothing(), [] { return error_of(::kill(::getpid(), SIGKILL)); }).signal, SIGKILL);
 }
 
-// As on a kernel that was built without either, or in a container that hides them.
+// Simulates a kernel that was built without either, or a container that hides them.
 TEST(Confinement, that_the_kernel_does_not_offer_is_reported_and_changes_nothing) {
     const test::TemporaryFolder folder;
     const fs::path file = folder.write("file", "");

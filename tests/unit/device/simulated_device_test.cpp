@@ -10,7 +10,7 @@ namespace simulated_device_test {
 
 constexpr double kTick = 1e-3;
 
-// A device without encoder steps and delay, so that the hand's own mechanics can be compared with formulas.
+// A device without encoder steps and delay, so that formulas can predict the hand's own mechanics.
 DeviceSpec plain_spec() {
     DeviceSpec spec = ideal_device_spec();
     spec.workspace_radius_m = 1e3;
@@ -39,7 +39,7 @@ struct Bench {
 
 TEST(SimulatedDevice, move_puts_the_point_exactly_where_it_is_told_against_any_force) {
     Bench bench(*find_device_spec("sim-t"));
-    const Vec3 target(0.0123456789, -0.01, 0.2);  // off the encoder's steps, and beyond the reach of a hand
+    const Vec3 target(0.0123456789, -0.01, 0.2);  // not on an encoder step, and beyond the device's workspace
     bench.hand->command.publish({HandMode::Move, target, 0.0, Vec3(0.0), 1});
     for (int i = 0; i < 10; ++i) {
         const DeviceSample sample = bench.tick(Vec3(5, 5, 5));
@@ -51,7 +51,7 @@ TEST(SimulatedDevice, move_puts_the_point_exactly_where_it_is_told_against_any_f
 
 TEST(SimulatedDevice, move_with_a_speed_goes_straight_at_that_speed_and_stops_there) {
     Bench bench(*find_device_spec("sim-t"));
-    const Vec3 target(0.03, 0.04, 0.0);  // 50 mm away: 500 ticks at 0.1 m/s
+    const Vec3 target(0.03, 0.04, 0.0);  // distance 50 mm: 500 ticks at 0.1 m/s
     bench.hand->command.publish({HandMode::Move, target, 0.1, Vec3(0.0), 0});
     for (int i = 1; i < 500; ++i) {
         const DeviceSample sample = bench.tick();
@@ -66,7 +66,7 @@ TEST(SimulatedDevice, push_accelerates_a_hand_towards_push_over_damping) {
     Bench bench(plain_spec());
     bench.hand->command.publish({HandMode::Push, Vec3(0.0), 0.0, Vec3(0.35, 0, 0), 0});
     for (int i = 0; i < 2000; ++i) bench.tick();
-    // 0.35 N less 0.05 N of dry friction over 3 Ns/m.
+    // 0.35 N minus 0.05 N of dry friction, divided by 3 Ns/m.
     EXPECT_NEAR(bench.truth().velocity_m_per_s.x, 0.1, 1e-4);
     EXPECT_NEAR(bench.truth().velocity_m_per_s.y, 0.0, 1e-12);
 }
@@ -83,7 +83,7 @@ TEST(SimulatedDevice, rest_leans_on_a_soft_spring_and_follow_on_a_stiff_one) {
         Bench bench(plain_spec());
         bench.hand->command.publish({mode, Vec3(0.0), 0.0, Vec3(0.0), 0});
         for (int i = 0; i < 5000; ++i) bench.tick(Vec3(0, 1, 0));
-        // 1 N from the motors, give or take the dry friction.
+        // 1 N from the motors, plus or minus the dry friction.
         EXPECT_NEAR(bench.truth().position_m.y, 1.0 / stiffness, 0.0501 / stiffness);
     }
 }
@@ -95,8 +95,8 @@ TEST(SimulatedDevice, follows_its_target_with_little_overshoot) {
     for (int i = 0; i < 4000; ++i) farthest = std::max(farthest, bench.tick().position_m.x);
     EXPECT_NEAR(bench.truth().position_m.x, 0.02, 2e-4);
     EXPECT_GT(farthest, 0.019);
-    // Damping ratio 18 / (2 sqrt(300 * 0.4)) = 0.82: overshoot exp(-pi 0.82 / sqrt(1 - 0.82^2)) = 1.1 %, less what dry
-    // friction takes.
+    // Damping ratio 18 / (2 sqrt(300 * 0.4)) = 0.82 gives an overshoot of exp(-pi 0.82 / sqrt(1 - 0.82^2)) = 1.1 %,
+    // reduced by the dry friction.
     EXPECT_LT(farthest, 0.02 * 1.012);
 }
 
@@ -180,7 +180,7 @@ TEST(SimulatedDevice, same_commands_give_the_same_samples_bit_for_bit) {
     EXPECT_EQ(run(), run());
 }
 
-// S126: the axes of the hand are those of the world.
+// The axes of the hand are those of the world.
 TEST(SimulatedDevice, hand_right_forward_up_is_east_north_up_and_a_force_east_pushes_right) {
     for (int axis = 0; axis < 3; ++axis) {
         auto hand = std::make_shared<SimulatedHand>();

@@ -1,4 +1,5 @@
-// The engine on its own thread and in virtual time: what is handed over arrives, and the same calls give the same bits.
+// The engine on its own thread and in virtual time. Everything passed to it arrives, and the same calls give
+// bit-identical results.
 #include "haptic/dynamics/dynamics_loop.h"
 
 #include "tests/unit/dynamics/rig.h"
@@ -16,7 +17,7 @@ std::shared_ptr<const DynamicsScene> ball_on_floor() {
     return builder.build();
 }
 
-// Everything that the app, the hands and the ears exchange with it, in virtual time.
+// Everything that the app, the hands and the sounds exchange with the loop, in virtual time.
 Vec3 play(double from_s) {
     auto loop = std::make_unique<DynamicsLoop>(ball_on_floor(), from_s);
     EXPECT_FALSE(loop->step_until(from_s));
@@ -46,7 +47,7 @@ Vec3 play(double from_s) {
     bool hit = false;
     while (loop->take_event(event)) hit = hit || event.kind == BodyEvent::Kind::Hit;
     EXPECT_TRUE(hit);
-    // Back at the start.
+    // The ball is back at its start.
     EXPECT_TRUE(loop->order({DynamicsLoop::Order::Kind::Restart}));
     loop->step_until(from_s + 2.005);
     loop->newer_frame_for_app();
@@ -76,7 +77,7 @@ TEST(DynamicsLoop, runs_on_a_thread_of_its_own_beside_hands_and_ears) {
     SteadyClock clock;
     auto loop = std::make_unique<DynamicsLoop>(ball_on_floor(), clock.now_s());
     loop->start(clock);
-    loop->start(clock);  // once is enough
+    loop->start(clock);  // a second call changes nothing
     const double end_s = clock.now_s() + 30.0;
     std::uint64_t frames = 0;
     bool fell = false, heard = false;
@@ -103,7 +104,7 @@ TEST(DynamicsLoop, runs_on_a_thread_of_its_own_beside_hands_and_ears) {
     EXPECT_TRUE(fell);
     EXPECT_TRUE(heard);
     EXPECT_GT(frames, 20U);
-    loop->start(clock);  // and again
+    loop->start(clock);  // restarts after the stop
     loop.reset();
 }
 

@@ -1,5 +1,5 @@
-// The hand's side of movable bodies neither allocates nor frees: every way to operator new and delete in this program
-// is counted.
+// The hand's side of movable bodies neither allocates nor frees. The test counts every call of operator new and delete
+// in this program.
 #include "haptic/servo/servo_tick.h"
 #include "tests/support/count_allocations.h"
 #include "tests/unit/dynamics/rig.h"
@@ -37,7 +37,8 @@ TEST(HandBodies, never_allocate_or_free_in_a_tick) {
         held += hand.bodies().holds() != kNoBody;
         contacts += hand.touch.contacts.count;
         hand.send_to(engine);
-        if (i == 2500) engine.restart();  // nothing of the game before holds; the hand's side begins anew inside a tick
+        // Invalidates all earlier contacts, so the hand's side starts anew within a tick.
+        if (i == 2500) engine.restart();
         while (engine.time_s() + Dynamics::kStep_s <= now_s + 1e-3) engine.step(frame, events);
         events.clear();
     }
@@ -46,7 +47,8 @@ TEST(HandBodies, never_allocate_or_free_in_a_tick) {
     EXPECT_GT(contacts, 100);
 }
 
-// The same in the whole tick, with the grip by button and by key, turns, a jump of the workspace and a silent device.
+// The same in the whole tick. The hand grips by button and by key and turns, the workspace jumps, and the device stops
+// answering.
 TEST(ServoTick, never_allocates_or_frees_with_free_bodies) {
     BodyWorldMaker world;
     world.floor();

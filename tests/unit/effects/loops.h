@@ -1,4 +1,4 @@
-// Smooth random closed paths of a hand, and what a law did along one.
+// Smooth random closed paths of a hand, and measurements of a law along one.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,8 @@ namespace handrail::test {
 constexpr double kTick_s = 1e-3;
 constexpr int kLoopTicks = 4000;
 
-// 4 s, three harmonics for each axis, up to `reach_hand_m` from the origin along each axis, hand metres.
+// Lasts 4 s, with three harmonics for each axis. Reaches at most `reach_hand_m` from the origin along each axis, in
+// hand metres.
 inline std::vector<Vec3> random_loop(unsigned seed, double reach_hand_m) {
     std::mt19937 random(seed);
     const auto unit = [&random] { return static_cast<double>(random()) / 4294967296.0; };
@@ -31,7 +32,7 @@ inline std::vector<Vec3> random_loop(unsigned seed, double reach_hand_m) {
     return loop;
 }
 
-// Places of a device that counts in steps.
+// Positions of a device with discrete encoder steps.
 inline std::vector<Vec3> quantised(std::vector<Vec3> path, double quantum_m = 6e-5) {
     for (Vec3& p : path)
         for (int axis = 0; axis < 3; ++axis) p[axis] = quantum_m * std::round(p[axis] / quantum_m);
@@ -39,15 +40,16 @@ inline std::vector<Vec3> quantised(std::vector<Vec3> path, double quantum_m = 6e
 }
 
 struct LoopOutcome {
-    double given_j = 0.0;           // to the hand, over the second round
-    double largest_n = 0.0;         // force
-    double largest_step_n = 0.0;    // change of the force in one tick
-    double steepest_n_per_m = 0.0;  // change of the force for the hand's step, ticks that move at least 0.02 mm
-    double felt = 0.0;              // share of the ticks with a force
+    double given_j = 0.0;         // energy given to the hand in the second round
+    double largest_n = 0.0;       // largest force
+    double largest_step_n = 0.0;  // largest change of the force in one tick
+    // Largest change of force divided by the hand's step, over ticks that move at least 0.02 mm.
+    double steepest_n_per_m = 0.0;
+    double felt = 0.0;  // share of the ticks with a force
 };
 
-// Twice round, hand coordinates times the scale around `centre_m`; measured in the second round, when what began has
-// settled.
+// Follows the loop twice. The path is in hand coordinates times the scale, around `centre_m`. Measures only the second
+// round, after the start has settled.
 inline LoopOutcome go_round(const HapticScene& scene, TouchTuning tuning, const std::vector<Vec3>& loop,
                             const Vec3& centre_m = Vec3(0.0)) {
     TouchState state;

@@ -1,4 +1,4 @@
-// Cushions and clay: the stated force law, no energy given, dents that stay or go, and nothing else changed.
+// Cushions and clay: the documented force law, no energy given, dents that stay or recover, and no other change.
 #include <chrono>
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@ namespace soft_patch_test {
 
 constexpr double kRated = 1000.0;
 
-// A patch of 0.2 by 0.16 hand metres whose corner is at the origin, soft to a depth of 0.03.
+// A patch of 0.2 by 0.16 hand metres with a corner at the origin, soft to a depth of 0.03.
 SoftPatch patch_of(bool plastic, double scale = 1.0, const Vec3& at_m = Vec3(0.0)) {
     SoftPatch patch;
     patch.feature = FeatureId{5};
@@ -34,7 +34,7 @@ std::shared_ptr<const HapticScene> scene_of(const SoftPatch& patch, bool with_ba
     return builder.build();
 }
 
-// The law as the header states it, written down a second time: plain loops in long double, the dent by many small
+// A second implementation of the law that the header documents: plain loops in long double, and the dent by many small
 // explicit steps.
 class Law {
 public:
@@ -83,7 +83,7 @@ public:
             for (std::uint32_t iu = 0; iu < patch_.cells_u; ++iu) {
                 const long double w = std::max(0.0L, e - s_[iv * patch_.cells_u + iu]);
                 const long double k = 3.0L * du * dv / (3.14159265358979323846L * footprint * footprint);
-                // The slope along the face by differences of the energy, not by the formula.
+                // The slope along the face, by finite differences of the energy instead of the formula.
                 const auto energy = [&](long double shift_u, long double shift_v) {
                     const long double x = (iu + 0.5L) * du - glm::dot(own, patch_.u) - shift_u,
                                       y = (iv + 0.5L) * dv - glm::dot(own, patch_.v) - shift_v;
@@ -105,7 +105,7 @@ private:
 };
 
 TEST(SoftPatch, pushes_back_with_stiffness_times_depth_on_an_untouched_face) {
-    // Winkler: 200 N/m of the 1,000 the device has, whatever the scale and wherever inside the face.
+    // Winkler model: 200 N/m of the device's 1,000, at any scale and anywhere inside the face.
     std::mt19937 random(7);
     const auto unit = [&random] { return static_cast<double>(random()) / 4294967296.0; };
     for (const double scale : {1.0, 60.0})
@@ -132,8 +132,8 @@ TEST(SoftPatch, pushes_back_with_stiffness_times_depth_on_an_untouched_face) {
 }
 
 TEST(SoftPatch, follows_its_law_within_two_per_cent) {
-    // Random wandering and pressing against the second implementation, which steps the dent four times as finely.
-    // Whole loops, since their beginning alone hardly presses; under the sanitizers fewer of them.
+    // Random wandering and pressing, compared with the second implementation, which steps the dent four times as
+    // finely. Whole loops are needed, because their beginning hardly presses. Sanitizers get fewer of them.
     const unsigned seeds = static_cast<unsigned>(std::max(2, scaled(6)));
     for (const bool plastic : {false, true})
         for (unsigned seed = 1; seed <= seeds; ++seed) {
@@ -173,7 +173,7 @@ TEST(SoftPatch, gives_no_energy_on_closed_loops) {
                 TouchTuning tuning;
                 tuning.world_m_per_hand_m = scale;
                 tuning.radius_m = 0.004 * scale;
-                // Twice the same way, from the air into the patch, about in it, over its borders, and back.
+                // Follows the same path twice: from the air into the patch, about in it, over its borders, and back.
                 const std::vector<Vec3> smooth = random_loop(seed, 0.06);
                 for (const bool quantum : {false, true}) {
                     const LoopOutcome out =
@@ -186,8 +186,8 @@ TEST(SoftPatch, gives_no_energy_on_closed_loops) {
     std::cout << fmt::format("worst loop {:+.4f} mJ\n", worst * 1e3);
 }
 
-// Presses straight down in the middle until the hand is `depth_m` under the face, rests, and leaves. The force while
-// resting.
+// Presses straight down in the middle until the hand is `depth_m` below the face, rests, and leaves. Returns the force
+// at rest.
 double press_middle(TouchState& state, const HapticScene& scene, double depth_m, int rest_ticks = 300) {
     double force = 0.0;
     const TouchTuning tuning;
@@ -203,7 +203,7 @@ TEST(SoftPatch, a_dent_in_clay_stays_and_one_in_a_cushion_goes) {
     TouchState in_clay, in_cushion;
     const double first_clay = press_middle(in_clay, *clay, 0.02),
                  first_cushion = press_middle(in_cushion, *cushion, 0.02);
-    // Ten minutes elsewhere, a teleport and a fault between.
+    // Ten minutes elsewhere, preceded by a teleport and a fault.
     for (TouchState* state : {&in_clay, &in_cushion}) {
         const auto& scene = state == &in_clay ? clay : cushion;
         state->reset();
@@ -214,7 +214,7 @@ TEST(SoftPatch, a_dent_in_clay_stays_and_one_in_a_cushion_goes) {
         << "the dent is there: of the newton of untouched clay only its rim is left";
     EXPECT_GT(first_clay, 1.0);
     EXPECT_NEAR(press_middle(in_cushion, *cushion, 0.02), first_cushion, 1e-6) << "the cushion is as before";
-    // In another world everything is new; in the same one with something added the dent is kept.
+    // In another world all patches are new. In the same world with an added object the dent remains.
     const auto fresh = scene_of(patch_of(true));
     EXPECT_GT(press_middle(in_clay, *fresh, 0.005, 1), 0.5);
     HapticSceneBuilder builder;
@@ -229,16 +229,16 @@ TEST(SoftPatch, a_cushion_comes_back_with_its_time_constant) {
     patch.recovery_s = 0.2;
     const auto scene = scene_of(patch);
     TouchState state;
-    press_middle(state, *scene, 0.01);  // rests 0.3 s
-    // A wide press has hardly any shear in its middle; this one has, so it comes back faster than the bare cells would,
-    // never slower.
+    press_middle(state, *scene, 0.01);  // rests for 0.3 s
+    // A wide press has hardly any shear in its middle. This one has shear, so it recovers faster than the bare cells
+    // would, never slower.
     const auto probe = [&](double after_s) {
         TouchState again;
         press_middle(again, *scene, 0.01);
         for (int i = 0; i < static_cast<int>(after_s * 1e3); ++i)
             touch_tick(again, *scene, {}, {0.1, 0.08, 0.05}, 1e-3);
         return 200.0 * 0.005 -
-               touch_tick(again, *scene, {}, {0.1, 0.08, 0.0}, 1e-3).force_n.z;  // what a press of 5 mm lacks
+               touch_tick(again, *scene, {}, {0.1, 0.08, 0.0}, 1e-3).force_n.z;  // missing force of a press of 5 mm
     };
     const double early = probe(0.05), later = probe(0.25), late = probe(2.0);
     EXPECT_GT(early, 0.02);
@@ -268,7 +268,7 @@ TEST(SoftPatch, rests_on_its_hard_floor_and_leaves_everything_else_alone) {
         touched += x.contacts.count > 0;
     }
     EXPECT_GT(touched, 500);
-    // On the patch: what is hard is pressed as before, the cushion adds its own.
+    // On the patch: hard surfaces give the same force as before, and the cushion adds its own.
     a.reset();
     b.reset();
     bool on_floor = false;
@@ -279,7 +279,7 @@ TEST(SoftPatch, rests_on_its_hard_floor_and_leaves_everything_else_alone) {
         on_floor = on_floor || x.contacts.count > 0;
     }
     EXPECT_TRUE(on_floor);
-    // From below, through the floor, nothing is soft.
+    // From below, through the floor, the patch is not felt.
     a.reset();
     for (double z = -0.1; z < -0.06; z += 1e-4)
         EXPECT_EQ(touch_tick(a, *soft, tuning, {0.1, 0.08, z}, 1e-3).soft, kNoFeature);
@@ -373,7 +373,8 @@ TEST(SoftPatch, many_share_the_cells_and_wrong_ones_are_refused) {
 }
 
 TEST(SoftPatch, takes_little_of_the_millisecond_however_many_are_awake) {
-    // Eight cushions that share all the cells there may be, pressed at once. Reported, not asserted.
+    // Eight cushions that share the largest possible number of cells, pressed at once. The cost is reported, not
+    // asserted.
     HapticSceneBuilder builder;
     for (int i = 0; i < 8; ++i) builder.add_soft(patch_of(false, 1.0, Vec3(0, 0, -0.004 * i)));
     const auto scene = builder.build();

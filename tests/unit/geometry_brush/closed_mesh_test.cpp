@@ -1,4 +1,4 @@
-// Closed meshes filled with convex solids, against asking point by point.
+// Closed meshes filled with convex solids, compared with point-by-point tests.
 #include "worlds/geometry/closed_mesh.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ std::optional<std::vector<ConvexSolid>> filled(const BlockMesh& mesh, const Fill
     return solids_within(mesh.points_m, mesh.triangles, all_of(mesh), limits);
 }
 
-// How many of the solids hold the place; none where it lies near a side of one, which is nobody's.
+// How many of the solids contain the place. Nothing if it is so near a side that the answer is ambiguous.
 std::optional<int> held(const std::vector<ConvexSolid>& solids, const Vec3& at_m) {
     int in = 0;
     for (const ConvexSolid& solid : solids) {
@@ -56,7 +56,7 @@ TEST(SolidsWithin, hold_each_point_once_that_a_ray_says_is_inside) {
             next[random() % 3] += random() % 2 ? 1 : -1;
             blocks.insert(next);
         }
-        // As drawn, turned about the upright axis, or drawn apart at a slant too.
+        // Blocks as generated, turned about the vertical axis, or also sheared.
         const double turn = seed % 3 == 0 ? 0.0 : 6.0 * unit(random), slant = seed % 3 == 2 ? unit(random) : 0.0;
         const BlockMesh mesh = test::block_mesh(blocks, [&](const Vec3& p) {
             const Vec3 q(p.x + slant * p.z, p.y - 0.5 * slant * p.x, p.z + 0.25 * slant * p.y);
@@ -82,7 +82,7 @@ TEST(SolidsWithin, hold_each_point_once_that_a_ray_says_is_inside) {
     EXPECT_GT(several, test::scaled(60) / 2);
 }
 
-// A ring as thick as a swimming ring, of slanting faces all round.
+// A ring with the proportions of a swimming ring, made of slanting faces.
 BlockMesh ring(int around, int sides) {
     BlockMesh mesh;
     for (int i = 0; i < around; ++i)
@@ -134,7 +134,7 @@ TEST(SolidsWithin, cut_what_is_round_into_parts_of_few_sides) {
             if (i < kSides - 1) ball.triangles.push_back({at(i, k), at(i + 1, k + 1), at(i + 1, k)});
             if (i > 0) ball.triangles.push_back({at(i, k), at(i, k + 1), at(i + 1, k + 1)});
         }
-    for (int k = 0; k < kSides; ++k)  // the poles are one place each
+    for (int k = 0; k < kSides; ++k)  // each pole is a single point
         ball.points_m[at(0, k)] = {0, 0, -1}, ball.points_m[at(kSides, k)] = {0, 0, 1};
     const FillLimits limits;
     const auto solids = filled(ball, limits);
@@ -171,7 +171,7 @@ TEST(SolidsWithin, are_refused_where_the_limits_are_reached_or_a_skin_goes_throu
     few.looks_left = &little;
     EXPECT_FALSE(filled(table, few).has_value());
     EXPECT_EQ(little, 0U);
-    // One leg pulled up through the top.
+    // One leg is pulled up through the top.
     BlockMesh through = table;
     for (Vec3& p : through.points_m)
         if (p.z < 0.01 && p.x < 0.31 && p.y < 0.31) p += Vec3(0.5, 0.5, 2.0);
@@ -197,7 +197,7 @@ TEST(ShellsOf, a_mesh_are_its_pieces_with_what_is_closed_and_which_way_they_are_
     EXPECT_FALSE(shells[1].closed) << "the loose triangle";
     EXPECT_NEAR(shells[2].volume_m3, 27.0, 1e-9);
     EXPECT_TRUE(shells[0].closed && shells[2].closed);
-    // The chest without its loose triangle: 26 blocks, and nothing in the middle.
+    // The chest without its loose triangle gives 26 blocks, and none in the middle.
     mesh.triangles.pop_back();
     const auto solids = filled(mesh);
     ASSERT_TRUE(solids.has_value());

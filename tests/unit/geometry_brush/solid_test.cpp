@@ -19,7 +19,7 @@ Vec3 random_direction(std::mt19937& random) {
     }
 }
 
-// Brute-force twin: every corner is where three planes meet behind all others.
+// Independent brute-force computation: every corner is where three planes meet, behind all others.
 std::vector<Vec3> corners_by_triples(const std::vector<Plane>& planes) {
     std::vector<Vec3> corners;
     for (std::size_t i = 0; i < planes.size(); ++i)
@@ -81,7 +81,7 @@ TEST(SolidFromPlanes, agrees_with_brute_force_on_random_solids_in_any_order_of_p
         const std::vector<Vec3> wanted = corners_by_triples(planes);
         for (const Vec3& p : wanted) EXPECT_TRUE(holds_near(corners, p, 1e-4));
         for (const Vec3& p : corners) EXPECT_TRUE(holds_near(wanted, p, 1e-4));
-        // The faces of a closed surface add up to no area vector.
+        // The area vectors of a closed surface's faces add up to zero.
         Vec3 sum{0.0};
         for (const Polygon& face : built.solid.faces) sum += area_vector_m2(face.points_m);
         EXPECT_LT(glm::length(sum), 1e-4);

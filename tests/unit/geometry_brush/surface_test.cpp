@@ -63,18 +63,18 @@ Vec3 random_point_in(const Polygon& polygon, std::mt19937& random) {
 }
 
 TEST(ExposedSurface, loses_both_sides_of_a_contact_and_one_of_two_equal_faces) {
-    // Two unit cubes side by side: 12 faces, the contact's two are gone.
+    // Two unit cubes next to each other: of 12 faces, the two in contact are hidden.
     const auto side_by_side = exposed({box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {2, 1, 1})});
     EXPECT_EQ(side_by_side.size(), 10U);
     EXPECT_DOUBLE_EQ(total_area(side_by_side), 10.0);
-    // The same cube twice: one cube.
+    // The same cube twice counts as one.
     EXPECT_DOUBLE_EQ(total_area(exposed({box({0, 0, 0}, {1, 1, 1}), box({0, 0, 0}, {1, 1, 1})})), 6.0);
-    // A cube on a plate: the plate's top loses what the cube stands on, the cube its bottom.
+    // A cube on a plate: the plate's top loses the area under the cube, and the cube its bottom.
     EXPECT_DOUBLE_EQ(total_area(exposed({box({0, 0, 0}, {4, 4, 1}), box({1, 1, 1}, {2, 2, 2})})),
                      16.0 + 15.0 + 16.0 + 5.0);
-    // A cube wholly inside another shows nothing.
+    // A cube wholly inside another has no visible surface.
     EXPECT_DOUBLE_EQ(total_area(exposed({box({0, 0, 0}, {4, 4, 4}), box({1, 1, 1}, {2, 2, 2})})), 96.0);
-    // Corners that meet in a point or an edge cover nothing.
+    // Contacts in a point or an edge cover nothing.
     EXPECT_DOUBLE_EQ(
         total_area(exposed({box({0, 0, 0}, {1, 1, 1}), box({1, 1, 1}, {2, 2, 2}), box({1, 1, 0}, {2, 2, 1})})), 16.0);
 }
@@ -88,8 +88,8 @@ TEST(ExposedSurface, lets_doors_and_liquids_cover_nothing_of_the_wall) {
     EXPECT_DOUBLE_EQ(total_area(exposed_surface(water, BoxIndex(boxes), kTolerance)), 11.0);
 }
 
-// Brute-force twin over boxes on a coarse grid, where faces coincide by the dozen: a point of a face is exposed exactly
-// once when the space right before it is free of all solids, and never otherwise.
+// Brute-force check over boxes on a coarse grid, where dozens of faces coincide. A point of a face is exposed exactly
+// once if the space directly in front of it is free of all solids, and never otherwise.
 TEST(ExposedSurface, agrees_with_brute_force_on_boxes_with_coinciding_faces) {
     const int rounds = test::scaled(60);
     for (int seed = 0; seed < rounds; ++seed) {
@@ -201,8 +201,8 @@ std::vector<std::uint32_t> joined(const std::vector<Polygon>& polygons, const st
     return joined_surfaces(pieces, 1e-4);
 }
 
-// A floor on which hundreds of things stand: every place of it is either under one of them or in exactly one piece of
-// what is left.
+// A floor with hundreds of objects on it. Every place of it is either under one of them or in exactly one piece of the
+// rest.
 TEST(ExposedSurface, cuts_a_floor_by_all_that_stands_on_it) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> place(-10.0, 9.0), size(0.1, 0.9), anywhere(-10.0, 10.0);
@@ -251,8 +251,8 @@ TEST(ExposedSurface, cuts_a_floor_by_all_that_stands_on_it) {
     EXPECT_NEAR(area, 400.0 * free / points, 400.0 * 4.0 / std::sqrt(points));
 }
 
-// Among tilted solids, each as often as there is time to read: what shows is what shows of one of each, and it is the
-// first of them that has it.
+// Solids, each repeated thousands of times (fewer if time is short). The exposed surface is that of a single copy of
+// each, and belongs to the first copy.
 TEST(ExposedSurface, shows_once_what_lies_in_one_place_thousands_of_times) {
     std::mt19937 random(11);
     std::uniform_int_distribution<int> place(0, 5), extent(1, 4);
@@ -272,7 +272,8 @@ TEST(ExposedSurface, shows_once_what_lies_in_one_place_thousands_of_times) {
     }
 }
 
-// Hardly apart from each other, so that none is the same as another: still no more shows than of their union.
+// Boxes less than 2 mm apart from each other, none identical to another. The exposed surface is still only that of
+// their union.
 TEST(ExposedSurface, shows_no_more_of_a_heap_than_is_outside) {
     std::mt19937 random(12);
     std::uniform_int_distribution<int> tenths_of_mm(0, 20);
@@ -286,7 +287,7 @@ TEST(ExposedSurface, shows_no_more_of_a_heap_than_is_outside) {
     EXPECT_NEAR(total_area(exposed(heap)), 6.0 * 1.002 * 1.002, 0.01);
 }
 
-// What of the tops of solids that stand in one place shows, seen from above.
+// Visible area, seen from above, of the tops of solids that are in the same place.
 double top_area(const std::vector<ConvexSolid>& shapes, const CutTolerance& tolerance,
                 const std::vector<int>& ranks = {}) {
     std::vector<Aabb> boxes;
@@ -304,19 +305,20 @@ double top_area(const std::vector<ConvexSolid>& shapes, const CutTolerance& tole
 
 TEST(ExposedSurface, keeps_one_of_faces_hardly_apart_however_they_are_set) {
     constexpr CutTolerance kCoarse{1e-3, 1e-3};
-    // Each as large as the next by the tolerance, the third larger than the first by more; the first is the westmost.
+    // Each box is as large as the next within the tolerance, but the third exceeds the first by more. The first is the
+    // westmost.
     EXPECT_NEAR(
         top_area({box({0, 0, 0}, {1, 1, 1}), box({0, 0, 0}, {1 + 7e-7, 1, 1}), box({0, 0, 0}, {1 + 1.4e-6, 1, 1})},
                  kCoarse),
         1.0, 1e-5);
-    // The second sticks out of the first by more than the tolerance, the third lies between.
+    // The second box exceeds the first by more than the tolerance; the third is in between.
     EXPECT_NEAR(
         top_area({box({0, 0, 0}, {1, 1, 1}), box({0, 0, 0}, {1, 1, 1.0012}), box({0, 0, 0}, {1, 1, 1.0006})}, kCoarse),
         1.0, 1e-2);
     EXPECT_NEAR(top_area({box({0, 0, 0}, {1, 1, 1}), box({0, 0, 0}, {1, 1, 1.0012}), box({0, 0, 0}, {1, 1, 1.0006})},
                          kCoarse, {1, 0, 1}),
                 1.0, 1e-2);
-    // Many at random, less than 1 um apart, and again over some tolerances.
+    // Many random boxes, less than 1 um apart, and in other runs farther apart than some tolerances.
     for (int seed = 0; seed < test::scaled(40); ++seed) {
         SCOPED_TRACE(seed);
         std::mt19937 random(static_cast<unsigned>(seed));
@@ -355,7 +357,7 @@ TEST(BoxIndex, finds_the_boxes_that_brute_force_finds_in_rising_order) {
     };
     std::vector<Aabb> boxes;
     for (int i = 0; i < 300; ++i) boxes.push_back(random_box());
-    boxes.emplace_back();  // an empty box is never found
+    boxes.emplace_back();  // a query never finds an empty box
     const BoxIndex index(boxes);
     std::vector<std::uint32_t> found, expected;
     for (int i = 0; i < 300; ++i) {

@@ -1,4 +1,4 @@
-// What archives of the Indoor Mapping Data Format become.
+// Reading archives in the Indoor Mapping Data Format.
 #include <gmock/gmock.h>
 
 #include "tests/support/precompiled.h"
@@ -48,8 +48,8 @@ std::string unit(const std::string& id, const std::string& where, const std::str
                    R"("level_id":")" + level + R"(","category":")" + category + R"(","name":)" + name + more);
 }
 
-// A walkway with an office (a hinged door) and toilets (an opening without a door), stairs and a lift on two levels, an
-// unknown kind of room upstairs, and the main way in from the west.
+// A walkway with an office (a hinged door), toilets (an opening without a door), stairs and a lift on two levels. There
+// is an unknown kind of room upstairs, and the main entrance is in the west.
 std::map<std::string, std::string> venue() {
     std::map<std::string, std::string> files;
     files["manifest.json"] = R"({"version":"1.0.0","language":"en"})";
@@ -122,7 +122,7 @@ TEST(ImdfVenue, units_openings_and_levels_become_rooms_and_doors) {
     ASSERT_TRUE(ways.has_value());
     for (const StatedRoom& room : scene.stated->rooms)
         if (room.name == "Passports" || room.name == "Women's toilets" || room.name == "Acme brewery room") {
-            // Not where the desk stands.
+            // A metre to the side, because the desk is at the room's centre.
             EXPECT_TRUE((*ways)->reachable(scene.starts[0].feet_m, room.at_m + Vec3(1.0, 0.0, 0.0))) << room.name;
         }
 }
@@ -181,7 +181,7 @@ TEST(ImdfVenue, a_room_behind_another_gets_a_doorway_to_it) {
     EXPECT_EQ(honest_report(scene).doors, 0);
 }
 
-// A hall and an annex that counts its levels from another floor.
+// A hall, and an annex that numbers its levels from a different floor.
 std::map<std::string, std::string> with_annex(int hall_ordinal, int annex_ordinal, bool joined) {
     std::map<std::string, std::string> files;
     files["building.geojson"] = collection(
@@ -255,7 +255,7 @@ TEST(ImdfVenue, damage_is_one_sentence) {
     std::string locked = test::zipped(venue());
     locked[locked.find("PK\x01\x02") + 8] = 1;
     EXPECT_THAT(said(locked), HasSubstr("password"));
-    std::string swollen = test::zipped(venue(), true);  // says that it holds more than it can
+    std::string swollen = test::zipped(venue(), true);  // claims a larger size than it has
     for (std::size_t at = swollen.find("PK\x01\x02"); at != std::string::npos; at = swollen.find("PK\x01\x02", at + 1))
         swollen.replace(at + 24, 4, "\xff\xff\xff\x3f");
     EXPECT_THAT(said(swollen), HasSubstr("damaged"));

@@ -62,7 +62,7 @@ TEST(InfoCommand, prints_every_key_as_one_json_object) {
          {"materials", "guessed", "simplified", "left_out", "warnings", "bounds_min_m", "bounds_max_m"})
         EXPECT_TRUE(json.contains(list) && json[list].is_array()) << list;
     EXPECT_EQ(json["format"], "map");
-    EXPECT_EQ(json["brushes"], 9);    // six walls, water, one empty, the door
+    EXPECT_EQ(json["brushes"], 9);    // six walls, water, one empty brush, the door
     EXPECT_EQ(json["polygons"], 48);  // eight boxes
     EXPECT_EQ(json["triangles"], 96);
     EXPECT_EQ(json["liquids"], 1);
@@ -73,12 +73,12 @@ TEST(InfoCommand, prints_every_key_as_one_json_object) {
     EXPECT_EQ(json["materials"], nlohmann::json({"brick", "wood"}));
     EXPECT_EQ(json["bounds_min_m"], nlohmann::json({-0.5, -0.5, -0.5}));
     EXPECT_EQ(json["scale_m_per_unit"], 1.0 / 32.0);
-    EXPECT_EQ(json["guessed"].size(), 3U);  // the last: its rooms
-    // What is modelled for touch, and what is not there and costs nothing.
+    EXPECT_EQ(json["guessed"].size(), 3U);  // the last one is about its rooms
+    // What the touch model contains, and what is absent and costs nothing.
     EXPECT_EQ(json["touch_model"]["boxes"], 7);  // six walls and the door; water is no obstacle
     EXPECT_EQ(json["touch_model"]["brushes"], 0);
     EXPECT_EQ(json["touch_model"]["triangles"], 0);
-    EXPECT_EQ(json["touch_model"]["bodies"], 1);  // the door is set apart, as on entering
+    EXPECT_EQ(json["touch_model"]["bodies"], 1);  // the door is a separate body, as in a session
     EXPECT_EQ(json["touch_model"]["liquids"], 1);
     EXPECT_EQ(json["touch_model"]["liquids_with_drag"], 0);
     EXPECT_EQ(json["touch_model"]["magnets"], 0);
@@ -89,7 +89,7 @@ TEST(InfoCommand, prints_every_key_as_one_json_object) {
     ASSERT_EQ(json["warnings"].size(), 1U);
     EXPECT_EQ(json["warnings"][0]["file"], "room.map");
     EXPECT_EQ(json["warnings"][0]["line"],
-              60);  // after class and message three lines, seven boxes of eight lines, from line 4
+              60);  // class and message take three lines; seven boxes of eight lines follow, from line 4
     EXPECT_EQ(json["warnings"][0]["column"], 1);
     EXPECT_GT(json["peak_memory_bytes"].get<double>(), 1e5);
     EXPECT_GT(json["all_s"].get<double>(), json["load_s"].get<double>())
@@ -114,7 +114,7 @@ TEST(InfoCommand, tells_the_same_in_sentences) {
 
 TEST(InfoCommand, says_what_exploring_makes_of_a_mesh) {
     const test::TemporaryFolder folder;
-    // A floor of four triangles, one of them twice, and a wall.
+    // A floor of four triangles, one of which is repeated, and a wall.
     const std::filesystem::path file = folder.write(
         "hall.obj",
         "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 1 0\nv 0 0 2\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\nf 1 2 5\nf 1 2 6\n");
@@ -128,7 +128,8 @@ TEST(InfoCommand, says_what_exploring_makes_of_a_mesh) {
 
 TEST(InfoCommand, counts_as_moving_only_what_can_go_somewhere) {
     const test::TemporaryFolder folder;
-    // A door of 64 units that slides but for its lip, and one whose lip is as wide as it is: nothing of it would move.
+    // A door of 64 units that slides by its width less the lip, and one whose lip is as wide as itself, so it would not
+    // move.
     const std::string world =
         test::entity("worldspawn", test::key("building", "0"), test::box_brush(0, 0, -8, 512, 512, 0));
     const std::string door = test::box_brush(100, 100, 0, 164, 108, 80);
@@ -152,8 +153,8 @@ TEST(InfoCommand, counts_sides_that_give_way) {
 
 TEST(InfoCommand, says_which_edges_are_rounded_and_which_stay_sharp_and_why) {
     const test::TemporaryFolder folder;
-    // A block of a metre, a plate of a centimetre, and two blocks whose ends meet in part, so that neither covers the
-    // other's.
+    // A block of a metre, a plate of a centimetre, and two blocks whose ends partly meet, so that neither covers the
+    // other's end.
     const std::filesystem::path file = folder.write(
         "edges.map",
         test::entity("worldspawn", "", test::box_brush(0, 0, 0, 100, 100, 100)) +
@@ -198,7 +199,8 @@ TEST(InfoCommand, lists_what_is_too_small_to_feel_at_a_scale_when_asked) {
 
 TEST(InfoCommand, tells_of_rooms_that_nobody_comes_to_on_foot) {
     const test::TemporaryFolder folder;
-    // Beside the room another one without a door, named by the map; first empty, then with a chest that a designer put.
+    // Next to the room there is another one without a door, which the map names. It is first empty; then it contains a
+    // chest that a designer placed.
     const std::string vault = test::entity("func_group", {}, test::room_brushes(300, 0, 0, 460, 192, 96, 16)) +
                               test::entity("info_room", test::key("name", "Vault") + test::key("origin", "380 96 24"));
     const std::string chest =
@@ -243,7 +245,7 @@ TEST(InfoCommand, counts_the_real_maps_as_measured_by_an_independent_reader) {
         EXPECT_EQ(json["triangles"], expected.triangles) << expected.file;
         EXPECT_EQ(json["doors"], expected.doors) << expected.file;
         EXPECT_EQ(json["warnings_in_all"], 0) << expected.file;
-        // Between 16 and 43 percent of a map's surface is hidden; of polygons about a third.
+        // Between 16 and 43 percent of a map's surface is hidden, and about a third of its polygons.
         EXPECT_GT(json["polygons_hidden"].get<double>(), 0.2 * expected.polygons) << expected.file;
         EXPECT_EQ(json["polygons_hidden"].get<int>() + json["polygons_kept"].get<int>(), expected.polygons)
             << expected.file;

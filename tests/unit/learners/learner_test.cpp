@@ -1,4 +1,4 @@
-// What stands in learner.toml, read and written.
+// Reading and writing learner.toml.
 #include "app/learners/learner.h"
 
 #include <gtest/gtest.h>
@@ -61,7 +61,7 @@ TEST(Learner, that_agrees_no_longer_leaves_no_trace_of_having_agreed) {
     EXPECT_EQ(text->find("record"), std::string::npos) << *text;
 }
 
-// The file, the line and what is wrong; which of them is the claim of each row.
+// Each row claims the line of the fault and a part of the message.
 TEST(Learner, that_is_damaged_is_refused_with_file_and_line) {
     struct Row {
         const char* text;

@@ -1,4 +1,4 @@
-// Learners of a data folder, what was exported of them, and deleting them; and the command over all of it.
+// Learners in a data folder: listing them, their exports, and deleting them. Also the command that does all of this.
 #include "app/learners/learners.h"
 
 #include <gtest/gtest.h>
@@ -234,7 +234,8 @@ TEST_F(LearnerCommand, takes_and_withdraws_consent_by_purpose) {
     EXPECT_EQ(run({}).out, "Oak Owl: is remembered. No recordings.\n") << "nothing of it was taken";
 }
 
-// With a bit of everything: recordings that name the learner, additions, settings, exports here and changed since.
+// The learner has some data of every kind: recordings with the learner's name, additions, settings, unchanged exports
+// and exports that were changed since.
 TEST_F(LearnerCommand, deletes_asked_and_searches_and_finds_nothing) {
     ASSERT_EQ(run({.action = "new", .name = "Oak Owl"}).status, 0);
     ASSERT_EQ(run({.action = "new", .name = "Fig Finch"}).status, 0);

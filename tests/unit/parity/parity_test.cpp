@@ -1,5 +1,5 @@
-// What the plugin that Handrail succeeds offered to programs, and ours: the list in docs/developer/adding.md, line by
-// line. Every row is called here.
+// Compares the interface of the plugin that Handrail succeeds with ours, line by line of the list in
+// docs/developer/adding.md. Every row is called here.
 #include <algorithm>
 #include <functional>
 #include <regex>
@@ -17,7 +17,7 @@
 namespace handrail {
 namespace parity_test {
 
-// A hand in virtual time, and a room with one wall in the north of it.
+// A hand in virtual time, in a room with one wall in the north.
 struct Demo {
     VirtualClock clock;
     std::shared_ptr<SimulatedHand> hand = std::make_shared<SimulatedHand>();
@@ -37,7 +37,7 @@ struct Demo {
         tuning.touch.radius_m = 0.12;
         tuning.touch.rated_stiffness_n_per_m = 400.0;
     }
-    // The plugin's order of calls: built and valid, the meshes, started.
+    // Calls in the plugin's order: build and validate, add the meshes, start.
     void begin() {
         ASSERT_TRUE(loop->open());
         loop->set_scene(haptic);
@@ -60,7 +60,7 @@ struct Demo {
         }
         return loop->tool();
     }
-    // In the wall by 3 mm of hand, with force.
+    // Presses the hand 3 mm deep into the wall, with force.
     const ToolState& press() {
         begin();
         put({0.0, 0.01, 0.0});
@@ -81,7 +81,7 @@ const std::vector<Row>& rows() {
          [] {
              Demo demo;
              EXPECT_TRUE(demo.loop->open());
-             // One that is not there says why, in a sentence.
+             // A missing device, which explains the reason in a sentence.
              struct Absent final : HapticDevice {
                  const DeviceSpec& spec() const override { return *find_device_spec("touch"); }
                  Result<void> open() override { return fail("No device of 3D Systems answers."); }
@@ -269,7 +269,7 @@ const std::vector<Row>& rows() {
 }
 
 TEST(ParityWithTheOriginal, every_line_of_the_list_is_called_here_and_names_a_file_that_exists) {
-    // "- `start()`: `ServoLoop::start` (`haptic/servo/servo_loop.h`)"
+    // Such as "- `start()`: `ServoLoop::start` (`haptic/servo/servo_loop.h`)".
     static const std::regex kLine(R"re(- (.+?): .* \(`([^`]+)`\))re");
     std::vector<std::string> listed, called;
     for (const std::string& line : test::list_items("developer/adding.md", "## The original's interface and ours")) {

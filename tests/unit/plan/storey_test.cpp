@@ -1,4 +1,4 @@
-// The open plan of a storey: what is a wall, a window, a door, a room and a thing of it.
+// The floor plan of a storey: its walls, windows, doors, rooms and objects.
 #include "worlds/plan/storey.h"
 #include "tests/support/project_root.h"
 
@@ -18,7 +18,7 @@ struct Plans {
     Scene scene;
     RoomGraph graph;
     std::vector<Storey> storeys;
-    std::vector<Storey> uppers;  // the second plans of those that have one
+    std::vector<Storey> uppers;  // the second plans of storeys that have one
 };
 
 Plans plans_of(Scene scene) {
@@ -55,8 +55,8 @@ bool walled(const Storey& storey, const Vec2& at) {
                        [&](const PlanOutline& wall) { return within(wall, at); });
 }
 
-// A room of 6 by 4 m, walls of 0.2 m: a window of 1 m in the south wall over a sill, one in the north wall from the
-// floor up, a door of 1 m in the east wall to a second room of 3 by 4 m.
+// A room of 6 by 4 m with walls of 0.2 m. It has a window of 1 m over a sill in the south wall and one that begins at
+// the floor in the north wall. A door of 1 m in the east wall leads to a second room of 3 by 4 m.
 struct TwoRooms {
     SceneBuilder build;
     FeatureId pane, low_pane, table, ball;
@@ -105,8 +105,8 @@ TEST(StoreyPlan, closes_windows_and_leaves_doors_open) {
 
 TEST(StoreyPlan, takes_a_front_of_glass_without_walls_beside_it_as_closed) {
     TwoRooms world;
-    // Glass in the middle of the western room, from nowhere to nowhere, a rail that is too low for one, and what is
-    // none.
+    // Glass in the middle of the western room without walls beside it, a banister, which is not glass, and a rail that
+    // is too low.
     world.build.box({4.0, 0.5, 0.0}, {4.05, 1.5, 2.2}, "pane", SolidRole::Solid, "glass");
     world.build.box({5.0, 2.5, 0.0}, {5.05, 3.5, 2.2}, "banister");
     world.build.box({5.0, 0.5, 0.0}, {5.05, 1.5, 0.9}, "rail");
@@ -131,7 +131,7 @@ bool joins(const Storey& storey, const Portal& portal) {
     });
 }
 
-// A hall of 16 by 8 m; across it a deck of two rooms, joined by a door, with steps that lead up to it.
+// A hall of 16 by 8 m. Across it is a deck with two rooms joined by a door, and steps lead up to it.
 TEST(StoreyPlan, of_floors_above_each_other_has_two_parts) {
     SceneBuilder build;
     const auto wall = [&](double x0, double y0, double x1, double y1, double z0) {
@@ -167,11 +167,11 @@ TEST(StoreyPlan, of_floors_above_each_other_has_two_parts) {
         doors += !joins(lower, portal) && std::abs(portal.place_m.y - 4.0) < 0.5 ? 1 : 0;
     }
     EXPECT_EQ(doors, 1U) << "between the two rooms of the deck";
-    // And of a storey without such floors there is no second plan.
+    // A storey without floors above each other has no second plan.
     EXPECT_TRUE(plans_of(std::move(TwoRooms().build.scene())).uppers.empty());
 }
 
-// The roof comes down outside of where anybody can stand: a head meets it, and at the height of a hand nothing is near.
+// The roof comes down beyond the walkable area. A head meets it, but nothing is near at the height of a hand.
 TEST(StoreyPlan, is_closed_where_a_roof_comes_down_too_low_for_a_body) {
     SceneBuilder build;
     const auto wall = [&](double x0, double y0, double x1, double y1) {
@@ -201,7 +201,8 @@ TEST(StoreyPlan, has_no_room_on_a_ledge_outside_that_nothing_leads_to) {
     EXPECT_EQ(floor_at(plans.storeys[0], {4.5, 4.6}), kNothing);
 }
 
-// A hall with wide steps along its middle, 0.2 m high and 1 m deep, up to a gallery of 2 m with walls to either side.
+// A hall with wide steps along its middle, 0.2 m high and 1 m deep. They lead up to a gallery at 2 m with walls on
+// either side.
 Scene hall_with_wide_steps(double first_step_m) {
     SceneBuilder build;
     const auto wall = [&](double x0, double y0, double x1, double y1) {
@@ -232,7 +233,7 @@ TEST(StoreyPlan, has_no_wall_across_wide_steps_that_lead_up_through_the_cut) {
     EXPECT_TRUE(wall_on_steps(plans_of(hall_with_wide_steps(1.0)))) << "nobody climbs the first of these";
 }
 
-// Every door that joins rooms is free of walls from jamb to jamb, and no window is.
+// Every door between rooms has no wall from jamb to jamb, and no window is without wall.
 void is_sound(const Plans& plans, const std::string& world) {
     for (const Storey& storey : plans.storeys) {
         EXPECT_FALSE(storey.rooms.empty());

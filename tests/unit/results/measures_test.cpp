@@ -1,4 +1,4 @@
-// Measures against numbers worked out by hand, and against the plainest way to compute them.
+// Compares measures with numbers worked out by hand, and with the simplest way to compute them.
 #include "app/results/measures.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace measures_test {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-// At 1 m/s along straight lines, ten places a second.
+// Walks at 1 m/s along straight lines, with ten positions a second.
 std::vector<WayPoint> walk_along(const std::vector<Vec3>& corners) {
     std::vector<WayPoint> walk{{0.0, corners.front()}};
     for (std::size_t i = 1; i < corners.size(); ++i) {
@@ -83,7 +83,7 @@ TEST(Pointing, is_circular_and_calls_a_bias_only_what_agrees) {
     EXPECT_NEAR(pointing_error_rad(10 * kDegree, 350 * kDegree), 20 * kDegree, 1e-12);
     EXPECT_NEAR(pointing_error_rad(180 * kDegree, 0.0), 180 * kDegree, 1e-12);
     EXPECT_NEAR(pointing_error_rad(-180 * kDegree, 0.0), 180 * kDegree, 1e-12);
-    // Across the seam: 170, 180 and -170 degrees have their mean at 180, which a plain mean (60) misses.
+    // Across the seam: the mean of 170, 180 and -170 degrees is 180, whereas a plain mean gives 60.
     const std::vector<double> seam = {170 * kDegree, 180 * kDegree, -170 * kDegree};
     const auto across = pointing(seam);
     EXPECT_NEAR(std::abs(across->signed_rad), 180 * kDegree, 1e-9);
@@ -113,7 +113,7 @@ TEST(OrderTau, is_one_for_the_right_order_and_follows_the_swaps_that_mend_it) {
     EXPECT_DOUBLE_EQ(*order_tau(std::vector<std::size_t>{3, 2, 1, 0}), -1.0);
     EXPECT_DOUBLE_EQ(*order_tau(std::vector<std::size_t>{0, 2, 1, 3}), 1.0 - 2.0 / 6.0);
     EXPECT_FALSE(order_tau(std::vector<std::size_t>{0}));
-    // Each swap of neighbours mends one pair of n(n-1)/2: counted by sorting.
+    // Each swap of neighbours corrects one of n(n-1)/2 pairs. The test counts the swaps by sorting.
     std::mt19937 draw(5);
     for (int round = 0; round < 200; ++round) {
         std::vector<std::size_t> order(2 + draw() % 7);
@@ -138,7 +138,7 @@ TEST(TurnsMet, of_a_walk_along_the_route_are_all_met) {
     EXPECT_EQ(met.turns, 2);
     EXPECT_EQ(met.missed, 0);
     EXPECT_EQ(met.early, 0);
-    // Corners cut by half a metre, and a route without turns.
+    // The walk cuts corners by half a metre; then a route without turns.
     EXPECT_EQ(
         turns_met(kRoute, walk_along({{0, 0, 0}, {0.2, 9.5, 0}, {0.5, 10, 0}, {7.5, 10, 0}, {8, 10.5, 0}, {8, 20, 0}}))
             .missed,
@@ -156,7 +156,7 @@ TEST(TurnsMet, that_are_walked_past_are_missed_and_that_are_taken_too_soon_are_e
         kRoute, walk_along({{0, 0, 0}, {0, 7, 0}, {1.5, 7, 0}, {0, 7, 0}, {0, 10, 0}, {8, 10, 0}, {8, 20, 0}}));
     EXPECT_EQ(early.early, 1);
     EXPECT_EQ(early.missed, 0);
-    // To the wrong side is not early.
+    // A turn to the wrong side does not count as early.
     const TurnsMet wrong = turns_met(
         kRoute, walk_along({{0, 0, 0}, {0, 7, 0}, {-1.5, 7, 0}, {0, 7, 0}, {0, 10, 0}, {8, 10, 0}, {8, 20, 0}}));
     EXPECT_EQ(wrong.early, 0);

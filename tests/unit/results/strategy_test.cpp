@@ -1,4 +1,4 @@
-// Strategies of walks that were made by a strategy, with the sway, pauses and wrong turns of people.
+// Detects the strategies of generated walks that follow one, with the sway, pauses and wrong turns of people.
 #include "app/results/strategy.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,8 @@ const std::vector<Hall> kHalls = {
     {16.0, 10.0, {{2.0, 8.0, 0}, {8.0, 5.0, 0}, {14.0, 2.0, 0}, {3.0, 3.0, 0}, {12.0, 8.0, 0}, {8.0, 9.0, 0}}},
 };
 
-// Somebody with a sway of 5 cm, legs 3 degrees off, a pause after one leg in five and a detour on one in twenty.
+// A person with a sway of 5 cm and legs that are 3 degrees off. A pause follows one leg in five, and a detour one in
+// twenty.
 class Person {
 public:
     Person(const Hall& hall, std::uint64_t seed, const Vec3& at) : hall_(hall), draw_(seed), at_(at) {}

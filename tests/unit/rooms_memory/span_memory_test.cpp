@@ -1,4 +1,4 @@
-// What finding places, ways and rooms holds at most, counted by every allocation of this program.
+// Peak memory of finding walkable places, routes and rooms. Every allocation of this program is counted.
 #include <malloc.h>
 
 #include <array>
@@ -19,7 +19,7 @@
 
 namespace {
 
-std::atomic<std::size_t> held{0}, most_held{0}, room_for{~std::size_t{0}};  // room_for: beyond it there is no memory
+std::atomic<std::size_t> held{0}, most_held{0}, room_for{~std::size_t{0}};  // room_for: allocations beyond it fail
 
 void* counted(std::size_t bytes, const std::nothrow_t&) noexcept {
     void* made = held + bytes > room_for ? nullptr : std::malloc(bytes);
@@ -55,8 +55,8 @@ void operator delete[](void* made, std::size_t) noexcept { given_back(made); }
 namespace handrail {
 namespace {
 
-// A sanitizer gets an office that it can walk through in seconds; there what a world takes however small it is weighs
-// more (238 bytes).
+// A sanitizer gets an office that it can process in seconds. There the fixed memory of a world weighs more (238 bytes
+// per place).
 constexpr bool kSmall = test::kSanitizerScale < 1.0;
 constexpr int kBrushes = kSmall ? 500 : 2'000;
 constexpr double kMost_bytes = kSmall ? 300.0 : 150.0;
@@ -84,7 +84,7 @@ TEST(SpanMemory, is_at_most_150_bytes_for_each_place_to_stand_at_the_peak) {
 // A flat exported in millimetres and read in metres: 60 by 40 km of floor.
 TEST(SpanMemory, is_bounded_in_a_world_that_is_too_large_to_be_looked_at_whole) {
     if (kSmall) GTEST_SKIP() << "too large for a sanitizer";
-    (void)phrase("direction.ahead");  // the texts of the language are there before anything is counted
+    (void)phrase("direction.ahead");  // loads the texts of the language before counting begins
     std::string mesh;
     auto box = [&, points = 0](double x0, double y0, double x1, double y1, double z1) mutable {
         for (const double z : {0.0, z1})

@@ -1,4 +1,4 @@
-// Stands alone because it replaces malloc and the locks of the whole program, to count who calls them.
+// A separate program, because it replaces malloc and the locks of the whole program to count their calls.
 #include <dlfcn.h>
 #include <pthread.h>
 #include <semaphore.h>
@@ -18,7 +18,7 @@
 
 namespace {
 
-// Counted only on the thread and in the stretch that asks for it.
+// Counts only on the thread, and during the time, in which `counting` is set.
 thread_local bool counting = false;
 thread_local int allocations = 0, locks = 0, clocks = 0;
 
@@ -55,7 +55,7 @@ void free(void* old) {
     __libc_free(old);
 }
 
-// The next definition of a library function; looked up once, outside what is counted.
+// The next definition of a library function. It is looked up once, outside the counted section.
 #define HANDRAIL_NEXT(name) reinterpret_cast<decltype(&name)>(dlsym(RTLD_NEXT, #name))
 
 int pthread_mutex_lock(pthread_mutex_t* mutex) noexcept {
@@ -128,7 +128,7 @@ TEST_F(ServoRealtime, the_counters_see_allocations_locks_and_clocks) {
     EXPECT_GE(counts.clocks, 1);
 }
 
-// A crowded room: boxes and triangles at random around the hand, so that candidates come and go.
+// A crowded room with random boxes and triangles around the hand, so that candidates change often.
 std::shared_ptr<const HapticScene> crowded_scene(unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> place(-0.1, 0.1), size(0.003, 0.02);
@@ -204,7 +204,7 @@ TEST_F(ServoRealtime, the_loop_around_it_allocates_and_frees_nothing_either) {
     hand->command.publish({HandMode::Follow, Vec3(0, 0.03, 0), 0.0, Vec3(0.0), 0});
     Counts sum;
     for (int swap = 0; swap < 20; ++swap) {
-        loop.set_scene(test::wall_scene(0.02));  // the one before is freed on this side
+        loop.set_scene(test::wall_scene(0.02));  // this thread frees the scene before it
         const Counts counts = count([&] {
             for (int i = 0; i < 200; ++i) {
                 loop.step();
@@ -218,7 +218,7 @@ TEST_F(ServoRealtime, the_loop_around_it_allocates_and_frees_nothing_either) {
     EXPECT_EQ(sum.locks, 0);
 }
 
-// What the servo holds in place of a real device, with a guard process of its own at the other end.
+// A guarded device, which the servo uses in place of a real one. A separate guard process is at the other end.
 TEST_F(ServoRealtime, a_guarded_device_is_read_and_written_without_allocating_locking_or_a_clock) {
     GuardedDevice device(*find_device_spec("falcon"), test::built_program("standin_guard"), {"echo"});
     const auto opened = device.open();

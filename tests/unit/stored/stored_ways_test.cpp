@@ -1,4 +1,4 @@
-// Where one can stand and the rooms found there, kept for the next start.
+// The walkable area and the rooms found in it, stored for the next start.
 #include "worlds/stored/stored_ways.h"
 #include "tests/support/project_root.h"
 
@@ -85,7 +85,7 @@ TEST(StoredWays, have_a_key_of_the_same_scene_and_body_alone) {
     const std::string key = ways_key(world.scene, world.body);
     EXPECT_EQ(key.size(), 64U);
     EXPECT_EQ(ways_key(Scene(world.scene), world.body), key);
-    // With one more door, or one thing called otherwise; what is reported of the reading does not count.
+    // The key changes with one more door or a different name. Warnings from reading the file do not count.
     Scene other = with_made_doors(world.scene, std::vector{MadeDoor{{4.0, 3.0, 0.0}, 0.5 * kPi, 0.9, 0.3, "between"}});
     EXPECT_NE(ways_key(other, world.body), key);
     other = world.scene;
@@ -120,7 +120,7 @@ TEST(StoredWays, are_named_in_the_language_that_is_spoken_now) {
     EXPECT_NE(meant.rooms[0].name, world.graph.rooms[0].name);
 }
 
-// The cache's digest finds what is changed (unit_cache); what is cut is found here too.
+// The cache's digest detects changes (unit_cache). Truncation is also detected here.
 TEST(StoredWays, cut_anywhere_are_not_there) {
     const World world("tests/unit/ifc/worlds/small_house.ifc");
     const std::string whole = world.bytes(), plain = unpacked_ways(whole);
@@ -139,11 +139,11 @@ TEST(StoredWays, that_say_to_be_larger_than_any_take_no_memory) {
     EXPECT_EQ(unpacked_ways(bytes), "");
 }
 
-// Somebody who knows the form: other values, compressed as they should be.
+// Simulates an attacker who knows the format: changed values, correctly compressed.
 TEST(StoredWays, made_up_hold_together_or_are_not_there) {
     const World world("worlds/maps/first_room.map");
     const std::string values = unpacked_ways(world.bytes());
-    // How many bytes there are when unpacked, and those compressed.
+    // The size before compression, then the compressed bytes.
     const auto file_of = [&](const std::string& changed) {
         std::string packed(::compressBound(static_cast<uLong>(changed.size())), '\0');
         auto made = static_cast<uLongf>(packed.size());
@@ -162,12 +162,12 @@ TEST(StoredWays, made_up_hold_together_or_are_not_there) {
     for (int round = 0; round < 200; ++round) {
         std::string changed = values;
         for (std::uint32_t edits = 1 + random() % 3; edits > 0; --edits) {
-            // Half of them where the counts and the rooms are: at the ends.
+            // Half of the edits are at the two ends, where the counts and the rooms are.
             const std::size_t reach = random() % 2 ? changed.size() : std::min<std::size_t>(changed.size(), 600);
             const std::size_t at = random() % reach;
             changed[random() % 4 ? at : changed.size() - 1 - at] = static_cast<char>(random() % 3 ? random() : 0xff);
         }
-        // What the program itself is given holds together as well, whatever the reader process made of it.
+        // Data that goes directly to the program is checked in the same way, whatever the reader process made of it.
         EXPECT_EQ(ways_from(changed, world.body, world.scene).has_value(), world.from(file_of(changed)).has_value());
         const std::optional<FoundWays> made = ways_from(changed, world.body, world.scene);
         if (!made) {

@@ -1,4 +1,4 @@
-// The contract of `handrail touch`: what goes in, what comes out, what is refused.
+// The contract of `handrail touch`: its input, its output and what it refuses.
 #include <sstream>
 
 #include "app/main/commands.h"
@@ -21,7 +21,7 @@ struct Row {
     const std::string& fault() const { return cells.at(12); }
 };
 
-// RFC 4180, one line per row (no test name holds a line break).
+// RFC 4180 with one line per row, because no name in the tests contains a line break.
 std::vector<Row> rows_of(const std::string& csv) {
     std::vector<Row> rows;
     std::istringstream lines(csv);
@@ -50,7 +50,7 @@ std::vector<Row> rows_of(const std::string& csv) {
     return rows;
 }
 
-// The table's top is at z = 0: 128 x 128 x 32 units, 4 m wide at 1/32 m per unit.
+// The table's top is at z = 0. It has 128 x 128 x 32 units and is 4 m wide at 1/32 m per unit.
 class TouchCommand : public testing::Test {
 protected:
     TemporaryFolder folder_;
@@ -76,7 +76,7 @@ protected:
         EXPECT_EQ(run(csv), 0) << error_;
         return rows_of(content_of(arguments_.out_csv));
     }
-    // Down at 0.1 m/s to `depth` below the table's top, then held.
+    // Moves down at 0.1 m/s to `depth` below the table's top, then holds.
     static std::string press(double depth, int hold = 50) {
         std::string csv = "t,x,y,z\n";
         int i = 0;
@@ -110,7 +110,7 @@ TEST_F(TouchCommand, presses_back_with_800_newtons_per_metre_and_names_what_it_t
     EXPECT_EQ(last.fault(), "");
 }
 
-// A crate of 1 kg, half a metre wide, on a floor; the hand goes 20 cm into where its side was.
+// A crate of 1 kg, half a metre wide, on a floor. The hand moves 20 cm beyond the original place of its side.
 TEST_F(TouchCommand, pushes_what_is_free_to_move_in_virtual_time_with_the_same_bits_each_time) {
     const auto world = [](const std::string& free) {
         return entity("worldspawn", "", room_brushes(-128, -128, 0, 128, 128, 96)) +
@@ -123,12 +123,12 @@ TEST_F(TouchCommand, pushes_what_is_free_to_move_in_virtual_time_with_the_same_b
     const auto pushed = [&](const std::string& free) {
         arguments_.world = folder_.write("crate.map", world(free));
         std::vector<Row> out = rows(push);
-        for (Row& row : out) row.cells.pop_back();  // how long it took
+        for (Row& row : out) row.cells.pop_back();  // removes the duration of the tick
         return out;
     };
     const std::vector<Row> fixed = pushed(""), first = pushed(key("free", "1") + key("mass", "1"));
     ASSERT_EQ(fixed.size(), first.size());
-    // What is fixed holds the proxy at its side; what is free goes along, and its friction is felt.
+    // A fixed crate holds the proxy at its side. A free crate moves along, and the hand feels its friction.
     const double side_m = fixed.back().proxy().x;
     EXPECT_NEAR(side_m, -0.25 - 0.005, 0.01);
     EXPECT_GT(first.back().proxy().x, side_m + 0.15);
@@ -138,7 +138,7 @@ TEST_F(TouchCommand, pushes_what_is_free_to_move_in_virtual_time_with_the_same_b
     for (std::size_t i = 0; i < first.size(); ++i) ASSERT_EQ(again[i].cells, first[i].cells) << "row " << i;
 }
 
-// Rows far apart in time end, and what was pushed has come to rest by then.
+// Rows far apart in time do not run for ever, and a pushed body has come to rest by then.
 TEST_F(TouchCommand, ends_with_rows_that_are_a_year_apart_where_things_move) {
     arguments_.world =
         folder_.write("crate.map", entity("worldspawn", "", room_brushes(-128, -128, 0, 128, 128, 96)) +
@@ -158,12 +158,12 @@ TEST_F(TouchCommand, takes_radius_stiffness_scale_and_map_scale) {
     arguments_.scale_world_m_per_hand_m = 1.0;
     arguments_.radius_m = 0.005;
     arguments_.common.map_scale_m_per_unit = 1.0 / 64.0;
-    // The table is now 1 m from its middle to its edge: beside it there is nothing.
+    // The table now reaches 1 m from its middle to its edge; there is nothing outside it.
     EXPECT_EQ(rows("t,x,y,z\n0,1.5,0,0.01\n0.001,1.5,0,0.009\n0.002,1.5,0,-0.1\n").back().force(), Vec3(0.0));
 }
 
 TEST_F(TouchCommand, rubs_with_the_friction_and_damping_it_is_given) {
-    arguments_.friction_kinetic = 0.4;  // sets both
+    arguments_.friction_kinetic = 0.4;  // sets static friction too
     std::string csv = press(0.0);
     for (int i = 1; i <= 400; ++i) csv += fmt::format("{},{},0,0\n", 1.0 + i * 1e-3, i * 1e-4);
     Row last = rows(csv).back();
@@ -218,7 +218,7 @@ TEST_F(TouchCommand, applies_the_rating_peak_force_and_jump_check_of_a_device) {
     EXPECT_NEAR(last.force().z, std::min(0.8 * spec->rated_stiffness_n_per_m * 0.006, spec->peak_force_n), 1e-9);
     last = rows(press(0.1)).back();
     EXPECT_NEAR(last.force().z, spec->peak_force_n, 1e-12);
-    // A spike is one bad row; a real jump is one bad row too, and then the new place is believed.
+    // A spike gives one bad row. So does a real jump, after which the new place is accepted.
     const std::vector<Row> spike = rows("t,x,y,z\n0,0,0,1\n1,0,0,1.06\n2,0,0,1.001\n3,0.03,0,1\n4,0.031,0,1\n");
     EXPECT_EQ(spike[1].fault(), "jump");
     EXPECT_EQ(spike[1].proxy(), Vec3(0, 0, 1));

@@ -1,5 +1,5 @@
-// The validators find what does not hold together, and nothing in what we make; what a caller must not do ends the
-// program and names the place.
+// The validators find inconsistencies, and find none in what the program generates. Violating a caller's contract ends
+// the program and names the place.
 #include <functional>
 
 #include "app/core/desk/desk.h"
@@ -38,7 +38,7 @@ TEST(Validate, finds_nothing_wrong_with_what_is_made_of_worlds) {
         }
         const BodySize size = body_size(scene, 0.25);
         const auto made = Navigation::make(scene, walk_body(scene, size.radius_m, size.height_m, size.step_up_m));
-        if (!made) continue;  // nothing to walk on
+        if (!made) continue;  // nothing to walk on in this world
         const auto space = validate((*made)->space());
         EXPECT_TRUE(space) << space.error().message;
         const auto rooms = validate(make_rooms(scene, (*made)->space()), (*made)->space());
