@@ -29,7 +29,7 @@ Feature feature(FeatureKind kind, std::string name, MaterialId material, Vec3 mi
     return f;
 }
 
-// A room of 6 by 4 metres: a plaster wall, a carpet floor, an oak door, a pool, and something without a name.
+// A room of 6 by 4 metres: a plaster wall, a carpet floor, an oak door, a pool, and a feature without a name.
 std::shared_ptr<const Scene> room() {
     auto scene = std::make_shared<Scene>();
     scene->materials.resize(4);
@@ -50,7 +50,7 @@ std::shared_ptr<const Scene> room() {
     return scene;
 }
 
-// A planner with its sinks on virtual time, ticked every 5 ms as the audio thread does it.
+// A planner with its sinks in virtual time, ticked every 5 ms like the audio thread.
 class CuePlannerTest : public ::testing::Test {
 protected:
     explicit CuePlannerTest(double words_per_minute = 0.0) : speech(words_per_minute) { planner.enter_world(room()); }
@@ -110,7 +110,7 @@ protected:
     CuePlanner planner{Settings{}};
 };
 
-// The same with a voice that takes its time: 240 words a minute, so a word lasts 0.25 s.
+// The same with a voice that takes realistic time: 240 words a minute, so a word lasts 0.25 s.
 class CuePlannerWithVoice : public CuePlannerTest {
 protected:
     CuePlannerWithVoice() : CuePlannerTest(240.0) {}
@@ -191,7 +191,7 @@ TEST_F(CuePlannerTest, nothing_is_said_twice_within_5_s_whatever_happens) {
         }
         last[line.utterance.text] = line.time_s;
     }
-    EXPECT_EQ(last.size(), 5U);  // four names and the answer were said at all
+    EXPECT_EQ(last.size(), 5U);  // exactly the four names and the answer were said
 }
 
 TEST_F(CuePlannerTest, chatter_of_one_feature_within_50_ms_sounds_once) {
@@ -249,7 +249,7 @@ TEST_F(CuePlannerTest, slide_loop_follows_speed_and_ends_with_the_slide) {
 
     tick({event(ContactEventKind::Slide, kFloor, 0.2)});
     ASSERT_TRUE(audio.loop(SoundKind::Slide));
-    wait(0.2);  // the hand rests: no more events
+    wait(0.2);  // the hand rests and causes no more events
     EXPECT_FALSE(audio.loop(SoundKind::Slide));
     tick({event(ContactEventKind::Slide, kFloor, 0.001)});
     EXPECT_FALSE(audio.loop(SoundKind::Slide)) << "1 mm/s is inaudible";
@@ -411,8 +411,8 @@ TEST_F(CuePlannerTest, fault_sounds_and_speaks_as_an_alarm) {
     EXPECT_THAT(heard(), ElementsAre(SoundKind::Alarm));
 }
 
-// A sink that takes time: what is said of a device that may push cuts what was said of it before, and does not wait
-// behind it.
+// With a sink that takes time. The message that a device may push interrupts earlier messages about that device,
+// instead of waiting behind them.
 TEST_F(CuePlannerWithVoice, that_a_device_may_push_waits_for_no_other_alarm) {
     ContactEvent fault = event(ContactEventKind::FaultRaised, kNoFeature.value);
     fault.fault = Fault::DeviceSilent;
@@ -651,7 +651,7 @@ TEST_F(CuePlannerWithVoice, sound_dictionary_names_first_and_plays_when_the_voic
     EXPECT_EQ(audio.world_sounds().size(), 1U);
     wait(0.6);
     EXPECT_TRUE(audio.world_sounds().empty()) << "a loop ends by itself";
-    // A key ends it at once, and what was not played yet is not played.
+    // A key ends the sound at once, and sounds that were waiting are not played.
     tick({}, {shown});
     wait(1.5);
     EXPECT_EQ(audio.world_sounds().size(), 1U);
@@ -724,7 +724,7 @@ TEST_F(CuePlannerTest, keeps_the_last_500_lines) {
 
 TEST_F(CuePlannerTest, says_nothing_of_a_thing_without_a_name_and_survives_having_no_world) {
     begin(kNameless);
-    begin(4711);  // not in this world
+    begin(4711);  // this number does not exist in the world
     wait(0.1);
     CuePlanner empty{Settings{}};
     const std::vector<ContactEvent> touch{event(ContactEventKind::Begin, kNorth)};
@@ -827,7 +827,7 @@ TEST_F(CuePlannerWithVoice, any_key_interrupts_an_answer_but_no_warning_that_has
     tick({}, {request(CueRequestKind::Interrupt)});
     EXPECT_FALSE(speech.speaking());
     for (const SpeechClass warns : {SpeechClass::Warning, SpeechClass::Alarm}) {
-        // Pressed before anybody can have heard what it is about.
+        // The key comes before anybody can have understood the warning.
         tick({}, {text("Edge. Drop, two metres deep, and more words", warns)});
         wait(0.3);
         tick({}, {request(CueRequestKind::Interrupt), text("To the key")});
@@ -836,13 +836,13 @@ TEST_F(CuePlannerWithVoice, any_key_interrupts_an_answer_but_no_warning_that_has
         wait(8.0);
         EXPECT_EQ(said().back(), "To the key") << "and then comes what the key asked for";
         wait(6.0);
-        // Heard long enough: a key ends it.
+        // Long enough was heard, so a key ends the warning.
         tick({}, {text("A warning of so many words that it goes on for a while and then for some more", warns)});
         wait(CuePlanner::kWarningHeard_s + 0.1);
         ASSERT_TRUE(speech.speaking());
         tick({}, {request(CueRequestKind::Interrupt)});
         EXPECT_FALSE(speech.speaking());
-        // The key that silences everything does so at once.
+        // The key that silences everything always works at once.
         tick({}, {text("One more warning", warns)});
         tick({}, {request(CueRequestKind::StopSpeech)});
         EXPECT_FALSE(speech.speaking());
@@ -904,7 +904,7 @@ TEST_F(CuePlannerTest, with_two_hands_says_which_one_touches_and_keeps_their_sou
     ASSERT_EQ(audio.sounds().size(), 2U);
     EXPECT_EQ(audio.sounds()[0].cue.position_m, Vec3(1.0, 2.0, 3.0));
     EXPECT_EQ(audio.sounds()[1].cue.position_m, Vec3(-2.0, 0.0, 1.0)) << "where that hand is";
-    // Both slide; one stops.
+    // Both hands slide; one stops.
     tick({event(ContactEventKind::Slide, kNorth), of_left(event(ContactEventKind::Slide, kDoor), {-2.0, 0.0, 1.0})});
     ASSERT_TRUE(audio.loop(SoundKind::Slide, 0) && audio.loop(SoundKind::Slide, 1));
     EXPECT_EQ(audio.loop(SoundKind::Slide, 0)->material, SoundClass::Plaster);
@@ -912,7 +912,7 @@ TEST_F(CuePlannerTest, with_two_hands_says_which_one_touches_and_keeps_their_sou
     tick({of_left(event(ContactEventKind::End, kDoor), {-2.0, 0.0, 1.0})});
     EXPECT_TRUE(audio.loop(SoundKind::Slide, 0));
     EXPECT_FALSE(audio.loop(SoundKind::Slide, 1));
-    // The same thing by the other hand is news.
+    // The same object under the other hand is announced again.
     tick({of_left(event(ContactEventKind::Begin, kNorth), {-1.0, 4.0, 1.0})});
     wait(0.1);
     EXPECT_EQ(said().back(), "Left hand: North wall, plaster");

@@ -18,9 +18,9 @@ TEST(Speakable, makes_one_line_of_several) {
 
 TEST(Speakable, reads_what_is_no_utf8_as_latin1) {
     EXPECT_EQ(speakable("Caf\xe9"), "Café");
-    EXPECT_EQ(speakable("\xc0\xaf"), "À¯");              // overlong slash is not a slash
-    EXPECT_EQ(speakable("\xe6\x9d"), "æ");               // cut sequence: 9d is a control in Latin-1
-    EXPECT_EQ(speakable("\xed\xa0\x80x"), "í\u00a0 x");  // a surrogate is no character; 80 is a control
+    EXPECT_EQ(speakable("\xc0\xaf"), "À¯");              // an overlong slash does not count as a slash
+    EXPECT_EQ(speakable("\xe6\x9d"), "æ");               // truncated sequence: 9d is a control character in Latin-1
+    EXPECT_EQ(speakable("\xed\xa0\x80x"), "í\u00a0 x");  // a surrogate is not a character; 80 is a control character
 }
 
 TEST(Speakable, has_no_direction_controls_and_no_line_separators) {

@@ -1,4 +1,5 @@
-// What it costs, reported and not asserted: machines differ. The numbers of docs/results.md are printed here.
+// Reports the cost of the engine without asserting it, because machines differ. It prints the numbers of
+// docs/results.md.
 #include <algorithm>
 #include <chrono>
 
@@ -37,7 +38,7 @@ TEST(DynamicsCost, of_a_step_is_printed) {
         std::vector<double> took;
         std::uint32_t awake = 0;
         for (int i = 0; i < scaled(480); ++i) {
-            for (std::uint32_t b = 0; b < bodies; ++b) {  // none may fall asleep
+            for (std::uint32_t b = 0; b < bodies; ++b) {  // prevents bodies from falling asleep
                 HandPush push;
                 push.time_s = engine.time_s();
                 push.dt_s = Dynamics::kStep_s;

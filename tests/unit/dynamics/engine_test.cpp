@@ -1,4 +1,4 @@
-// The engine alone: what falls, slides, rolls, stacks and sleeps, to the bit the same every time.
+// The engine alone: bodies fall, slide, roll, stack and sleep, bit-identically every time.
 #include <bit>
 #include <random>
 
@@ -8,7 +8,7 @@
 namespace handrail::test {
 namespace engine_test {
 
-// Twenty boxes, balls and cylinders over a floor of tiles with a wall.
+// Twenty boxes, balls and cylinders above a floor of tiles with a wall.
 std::shared_ptr<const DynamicsScene> heap(unsigned seed, const Vec3& at = Vec3(0.0)) {
     std::mt19937 random(seed);
     const auto unit = [&] { return random() / 4294967296.0; };
@@ -43,7 +43,7 @@ std::uint64_t bits_of(const Dynamics& engine) {
     return sum;
 }
 
-// The same pushes on the same steps.
+// Applies the same pushes on the same steps.
 std::uint64_t play(Dynamics& engine, std::uint32_t game, int steps) {
     DynamicsFrame frame;
     std::vector<BodyEvent> events;
@@ -67,7 +67,7 @@ TEST(Dynamics, gives_the_same_bits_in_two_runs_and_after_a_restart) {
         const int steps = scaled(600);
         Dynamics a(heap(seed));
         const std::uint64_t first = play(a, 1, steps);
-        // Another heap history.
+        // Allocates, so that the second engine runs with a different state of the memory heap.
         auto clutter = std::make_unique<std::vector<std::vector<int>>>(137, std::vector<int>(91));
         Dynamics b(heap(seed));
         EXPECT_EQ(play(b, 1, steps), first);
@@ -83,13 +83,13 @@ TEST(Dynamics, is_the_same_far_from_the_origin_when_the_scene_says_where_its_zer
     Dynamics near(heap(4)), far(heap(4, Vec3(5000.0, -3000.0, 200.0)));
     run(near, scaled(480));
     run(far, scaled(480));
-    // The scene's own rounding at 5 km is 1e-12 m, and the heap makes more of it; it must settle to a heap of the same
-    // kind, not of other physics.
+    // At 5 km the scene is rounded to 1e-12 m, and the heap of bodies amplifies that. It must still settle to a heap of
+    // the same kind, by the same physics.
     for (std::uint32_t i = 0; i < 20; ++i) {
         EXPECT_GT(far.middle(i).position_m.z - 200.0, 0.03) << i;
         EXPECT_LT(glm::length(far.speed_m_per_s(i)), 8.0) << i;
     }
-    // One body alone is the same to a micrometre.
+    // A single body gives the same result to a micrometre.
     for (const Vec3& at : {Vec3(0.0), Vec3(5000.0, -3000.0, 200.0)}) {
         DynamicsSceneBuilder builder(at);
         builder.add_fixed_box({at + Vec3(-5, -5, -1), at + Vec3(5, 5, 0)});
@@ -114,7 +114,7 @@ TEST(Dynamics, falls_slides_and_rolls_as_the_formulas_say) {
         run(engine, 60);
         EXPECT_NEAR(engine.speed_m_per_s(0).z, -9.81 * 0.25, 1e-9);
     }
-    // A ball down ten degrees: 5/7 g sin after a second.
+    // A ball rolls down ten degrees: 5/7 g sin after a second.
     {
         const double slope = kPi / 18.0;
         DynamicsSceneBuilder builder;
@@ -127,7 +127,7 @@ TEST(Dynamics, falls_slides_and_rolls_as_the_formulas_say) {
         run(engine, 240);
         EXPECT_NEAR(engine.speed_m_per_s(0).x, 5.0 / 7.0 * 9.81 * std::sin(slope), 0.005);
     }
-    // A crate that slides comes to rest after v^2 / (2 mu g).
+    // A sliding crate stops after v^2 / (2 mu g).
     {
         DynamicsSceneBuilder builder;
         builder.add_fixed_box({Vec3(-50, -5, -1), Vec3(50, 5, 0)});
@@ -137,7 +137,7 @@ TEST(Dynamics, falls_slides_and_rolls_as_the_formulas_say) {
         Dynamics engine(builder.build());
         run(engine, 10);
         HandPush push = push_of(engine);
-        push.force_n = Vec3(4.0 * 2.0 / Dynamics::kStep_s, 0, 0);  // 2 m/s at once
+        push.force_n = Vec3(4.0 * 2.0 / Dynamics::kStep_s, 0, 0);  // accelerates it to 2 m/s in one step
         engine.push(0, push);
         run(engine, 480);
         EXPECT_NEAR(engine.middle(0).position_m.x, 2.0 * 2.0 / (2.0 * 0.4 * 9.81), 0.02);
@@ -160,7 +160,7 @@ TEST(Dynamics, lets_a_stack_of_five_stand_and_sleep) {
         EXPECT_LT(std::abs(engine.middle(i).position_m.x), 2e-3);
         EXPECT_FALSE(engine.awake(i)) << i;
     }
-    // A hand that comes near wakes the one it comes to.
+    // An approaching hand wakes the body that it approaches.
     engine.place_hand(0, {Vec3(0.17, 0, 1.35), 0.02, 0.0});
     run(engine, 1);
     EXPECT_TRUE(engine.awake(4));
@@ -169,7 +169,7 @@ TEST(Dynamics, lets_a_stack_of_five_stand_and_sleep) {
 TEST(Dynamics, lets_nothing_through_walls_floors_and_sheets_however_fast) {
     std::mt19937 random(11);
     const auto unit = [&] { return random() / 4294967296.0; };
-    const auto three = [&] {  // drawn in this order by every compiler
+    const auto three = [&] {  // separate statements, because compilers evaluate arguments in different orders
         const double x = unit(), y = unit();
         return Vec3(x, y, unit());
     };
@@ -177,7 +177,7 @@ TEST(Dynamics, lets_nothing_through_walls_floors_and_sheets_however_fast) {
         SCOPED_TRACE(run_number);
         DynamicsSceneBuilder builder;
         builder.add_fixed_box({Vec3(-2, -2, -0.1), Vec3(2, 2, 0)});
-        for (int side = 0; side < 4; ++side) {  // walls of 5 cm, one of them a sheet
+        for (int side = 0; side < 4; ++side) {  // walls of 5 cm, except for one sheet
             const double s = side % 2 ? 1.0 : -1.0;
             if (side == 3) {
                 builder.add_sheet({-2, 2, 0}, {2, 2, 0}, {2, 2, 4});
@@ -255,7 +255,7 @@ TEST(Dynamics, keeps_the_number_of_moving_bodies_bounded_and_forgets_none) {
     for (std::uint32_t i = 0; i < kBalls; ++i) EXPECT_NEAR(engine.middle(i).position_m.z, 0.1, 2e-3) << i;
 }
 
-// `count` boxes of 0.4 m in rows, `apart_m` from middle to middle; they fall from `z_m`.
+// `count` boxes of 0.4 m in rows, `apart_m` between their centres, which fall from `z_m`.
 std::shared_ptr<const DynamicsScene> many_boxes(std::uint32_t count, double apart_m, double z_m,
                                                 const BodyNature& nature) {
     DynamicsSceneBuilder builder;
@@ -268,7 +268,7 @@ std::shared_ptr<const DynamicsScene> many_boxes(std::uint32_t count, double apar
     return builder.build();
 }
 
-// So near each other that each one that moves keeps its neighbours awake.
+// The boxes are so close that each moving one keeps its neighbours awake.
 TEST(Dynamics, lets_every_body_sleep_that_rests_also_those_that_had_to_wait) {
     for (const double z_m : {0.2, 0.3, 1.2})
         for (const bool elastic : {false, true}) {
@@ -281,7 +281,8 @@ TEST(Dynamics, lets_every_body_sleep_that_rests_also_those_that_had_to_wait) {
         }
 }
 
-// A hundred at a time. So do all 2,048 that fit, in 44 s of the world's time, which takes as long to compute.
+// A hundred at a time. All 2,048 that fit also come to rest, in 44 s of the world's time, which take as long to
+// compute.
 TEST(Dynamics, brings_600_bodies_to_rest_where_they_stand) {
     constexpr std::uint32_t kBodies = 600;
     Dynamics engine(many_boxes(kBodies, 0.5, 0.2, nature(4)));
@@ -356,20 +357,20 @@ TEST(Dynamics, carries_a_body_on_a_lift_and_stops_a_door_before_one_that_is_jamm
     DynamicsFrame frame;
     std::vector<BodyEvent> events;
     bool blocked = false;
-    for (int i = 0; i < 720; ++i) {  // the lift goes up two metres in two seconds, the door would close to x = 0.95
+    for (int i = 0; i < 720; ++i) {  // the lift rises two metres in two seconds; the door would close to x = 0.95
         const double part = std::min(1.0, i / 480.0);
         engine.drive(lift, {Vec3(-2, 0, 2.0 * part), {}, 1.0});
         engine.drive(door, {Vec3(0.2 + 0.75 * part, 0, 0), {}, 1.0});
         engine.step(frame, events);
         blocked = blocked || frame.blocked == door;
-        EXPECT_LT(engine.middle(1).position_m.x, 0.87) << i;  // never into the wall, which begins at 1
+        EXPECT_LT(engine.middle(1).position_m.x, 0.87) << i;  // never reaches the wall, which begins at 1
     }
     EXPECT_NEAR(engine.middle(0).position_m.z, 2.25, 5e-3);
     EXPECT_NEAR(engine.middle(0).position_m.x, -2.0, 5e-3);
     EXPECT_TRUE(blocked);
     EXPECT_TRUE(engine.blocked(door));
     EXPECT_NEAR(engine.middle(1).position_m.x, 0.85, 0.01);
-    // It opens again as soon as it is sent back.
+    // The door opens again as soon as it is sent back.
     for (int i = 0; i < 120; ++i) {
         engine.drive(door, {Vec3(0.2, 0, 0), {}, 1.0});
         engine.step(frame, events);
@@ -390,10 +391,10 @@ TEST(Dynamics, keeps_bodies_out_of_somebody_who_walks) {
     engine.push(0, push);
     for (int i = 0; i < 480; ++i) {
         run(engine, 1);
-        // The capsule is round below: a ball of 0.1 m touches it with its middle 0.316 m from the axis.
+        // The bottom of the capsule is round: a ball of 0.1 m touches it with its centre 0.316 m from the axis.
         EXPECT_GT(glm::length(Vec2(engine.middle(0).position_m)), 0.31) << i;
     }
-    // Walking on, the ball is pushed along and not walked over.
+    // A walker who continues pushes the ball along and does not walk over it.
     for (int i = 0; i < 240; ++i) {
         engine.walker(Vec3(-0.005 * i, 0, 0), 0.25, 1.7);
         run(engine, 1);
@@ -415,10 +416,10 @@ TEST(Dynamics, leads_a_body_by_keys_with_no_more_than_the_force_it_is_given) {
     run(engine, 480);
     EXPECT_LT(glm::length(engine.middle(0).position_m - Vec3(0.5, 0.5, 0.65)), 0.01);
     EXPECT_NEAR(std::abs(engine.middle(0).rotation.z), std::sqrt(0.5), 0.01);
-    engine.lead(1, Vec3(2, 0, 0.65), 50.0);  // 12 kg weigh 118 N
+    engine.lead(1, Vec3(2, 0, 0.65), 50.0);  // 12 kg weigh 118 N, more than 50 N
     run(engine, 480);
     EXPECT_NEAR(engine.middle(1).position_m.z, 0.15, 5e-3);
-    EXPECT_LT(engine.middle(0).position_m.z, 0.2);  // let go, it fell
+    EXPECT_LT(engine.middle(0).position_m.z, 0.2);  // fell after it was released
 }
 
 TEST(Dynamics, tells_of_an_impact_what_was_hit_and_how_hard) {
@@ -454,7 +455,7 @@ TEST(Dynamics, refuses_bodies_without_volume_or_with_senseless_numbers) {
     EXPECT_EQ(add(ball, nature(1, -1)), BodyFault::BadNature);
     EXPECT_EQ(add(ball, nature(1), Vec3(std::nan(""), 0, 0)), BodyFault::BadPlace);
     EXPECT_EQ(add(ball, nature(1)), BodyFault::None);
-    Dynamics engine(builder.build());  // no building at all: it falls and is put back
+    Dynamics engine(builder.build());  // without any building, the body falls and is put back
     HandPush bad;
     bad.body = 7;
     bad.dt_s = 1e-3;

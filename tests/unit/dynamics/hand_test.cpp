@@ -1,5 +1,5 @@
-// A hand and bodies in one closed loop, in virtual time: what is felt of weight, friction and mass, and that it gives
-// the hand no energy.
+// A hand and bodies in one closed loop, in virtual time: how weight, friction and mass feel, and that they give the
+// hand no energy.
 #include <random>
 
 #include "tests/support/scale.h"
@@ -29,12 +29,12 @@ TEST(HeldBody, lets_a_crate_of_four_kilograms_break_away_at_its_friction_and_the
                 return HandIntent{Vec3(0.0), Vec3(0.05 * now, 0, 0)};
             },
             [&](const Vec3& hand, double, double) { return rig.render(0, hand); });
-        // Three quarters of a millimetre of the hand a second; the push of 0.05 N a second is then 0.02 N above what it
-        // broke at.
+        // A speed of three quarters of a millimetre of the hand a second. The push grows by 0.05 N a second, so it is
+        // then 0.02 N above the force at which the body broke loose.
         if (i > 1500 && rig.engine.speed_m_per_s(0).x > 0.015) breaks_n = -rig.hands[0]->force_n.x;
     }
     EXPECT_NEAR(breaks_n, 0.4 * 4.0 * 9.81 / 20.0, 0.05 * 0.785);
-    // Pushed on by a hand that keeps 10 mm/s: the sliding friction.
+    // A hand that keeps 10 mm/s pushes the body on and measures the sliding friction.
     BodyWorldMaker same;
     same.floor();
     same.body(box_of(0.2), Vec3(0, 0, 0.2), n);
@@ -75,7 +75,7 @@ TEST(HeldBody, weighs_in_the_grip_what_it_weighs) {
         EXPECT_EQ(rig.hands[0]->bodies().holds(), 0U);
         EXPECT_GT(rig.engine.middle(0).position_m.z, 0.25);
         EXPECT_NEAR(mean_n, kg * 9.81 / 20.0, 0.02 * kg * 9.81 / 20.0 + 1e-3);
-        // Let go it falls, and lies where it was before.
+        // When released, the body falls and comes to rest where it was before.
         rig.hands[0]->want_grip = false;
         for (int i = 0; i < 1500; ++i)
             loop.tick(
@@ -115,8 +115,8 @@ TEST(HeldBody, has_the_mass_it_has) {
     }
 }
 
-// The hand is led exactly, without delay and encoder, on a random closed way of four seconds and rests a second; no
-// damping at all.
+// The hand follows a prescribed path exactly, without delay and encoder: a random closed path of four seconds, then a
+// second of rest. There is no damping at all.
 double worst_energy_mj(bool push, double kg, int seeds) {
     double worst = -1e9;
     for (int seed = 1; seed <= seeds; ++seed) {
@@ -282,7 +282,7 @@ TEST(HeldBody, squeezed_between_hand_and_wall_stands_still_and_is_felt_as_the_wa
             at.push_back(rig.engine.middle(0).position_m.x);
         }
         EXPECT_LT(peak_to_peak(force), 0.35);
-        EXPECT_LT(std::abs(at.back()), 0.006);  // a third of a millimetre of the hand
+        EXPECT_LT(std::abs(at.back()), 0.006);  // a third of a millimetre in the hand's scale
         EXPECT_LT(rig.hands[0]->force_n.x, -1.2);
     }
 }
@@ -291,7 +291,7 @@ TEST(HandBodies, pushes_a_row_and_a_stack_and_none_goes_through_another) {
     BodyWorldMaker world;
     world.floor();
     for (int i = 0; i < 3; ++i) world.body(box_of(0.15), Vec3(0.31 * i, 0, 0.15), nature(1.0, 0.3));
-    world.body(box_of(0.15), Vec3(0, 0, 0.45), nature(1.0, 0.3));  // on the first
+    world.body(box_of(0.15), Vec3(0, 0, 0.45), nature(1.0, 0.3));  // stands on the first body
     HandSetup setup;
     setup.origin_m = Vec3(-0.15 - 0.04 - 0.02, 0, 0.12);
     BodyRig rig(world, {setup});
@@ -318,13 +318,13 @@ TEST(HandBodies, a_plank_jammed_in_a_corridor_holds_and_gives_no_more_than_the_c
     world.floor();
     world.box({Vec3(-3, 0.25, 0), Vec3(3, 0.5, 1)}, kWall);
     world.box({Vec3(-3, -0.5, 0), Vec3(3, -0.25, 1)}, kWall);
-    // Half a metre wide and longer than that: turned, it jams.
+    // Half a metre wide and longer than that, so the plank jams when it is turned.
     const DynamicsPiece plank = make_box_piece({Vec3(-0.3, -0.1, -0.1), Vec3(0.3, 0.1, 0.1)});
     world.body(plank, Vec3(0, 0, 0.1), nature(2.0, 0.6));
     HandSetup setup;
     setup.ceiling_n = 2.5;
     setup.friction = 0.3;
-    setup.origin_m = Vec3(-0.3 - 0.04 - 0.02, 0.08, 0.1);  // beside its middle, so it turns
+    setup.origin_m = Vec3(-0.3 - 0.04 - 0.02, 0.08, 0.1);  // away from the plank's middle, so that it turns
     BodyRig rig(world, {setup});
     ClosedLoop loop(light_hand(3.0), Vec3(0.0));
     double most_n = 0.0;
@@ -380,7 +380,7 @@ TEST(HandBodies, keeps_what_it_holds_upright_and_turns_it_by_quarters) {
     const DynamicsPiece plank = make_box_piece({Vec3(-0.4, -0.1, -0.05), Vec3(0.4, 0.1, 0.05)});
     world.body(plank, Vec3(0, 0, 0.05), nature(1.0));
     HandSetup setup;
-    setup.origin_m = Vec3(0.3, 0, 0.09);  // far from its middle
+    setup.origin_m = Vec3(0.3, 0, 0.09);  // far from its centre
     BodyRig rig(world, {setup});
     rig.hands[0]->want_grip = true;
     ClosedLoop loop(light_hand(3.0), Vec3(0.0));
@@ -395,7 +395,7 @@ TEST(HandBodies, keeps_what_it_holds_upright_and_turns_it_by_quarters) {
     run(2000, 0.04);
     const Placement lifted = rig.engine.middle(0);
     EXPECT_GT(lifted.position_m.z, 0.4);
-    EXPECT_GT(std::abs(lifted.rotation.w), std::cos(0.5 * 0.35));  // its weight turns it by under 20 degrees
+    EXPECT_GT(std::abs(lifted.rotation.w), std::cos(0.5 * 0.35));  // its weight turns it by less than 20 degrees
     rig.hands[0]->bodies().turn_held(rotation_about({0, 0, 1}, kPi / 2));
     run(1500, 0.04);
     const Rotation turned = rig.engine.middle(0).rotation;
@@ -429,7 +429,7 @@ TEST(HandBodies, gives_the_same_bits_in_two_runs) {
     EXPECT_EQ(play(), play());
 }
 
-// The same hand twice: one of the two looks at every body on every tick.
+// Runs the same hand twice; one of them examines every body on every tick.
 TEST(HandBodies, looks_only_at_what_moves_and_shows_the_same_as_if_it_looked_at_all) {
     BodyWorldMaker world;
     world.floor();
@@ -445,11 +445,11 @@ TEST(HandBodies, looks_only_at_what_moves_and_shows_the_same_as_if_it_looked_at_
     std::size_t most = 0, least = 24;
     for (int i = 0; i < 12000; ++i) {
         const double now_s = Dynamics::kStep_s + 1e-3 * i;
-        // Comes near the first ones, holds one of them for a while, and leaves.
+        // Approaches the first bodies, holds one of them for a while, and leaves.
         const Vec3 goal = Vec3(-0.6 + 0.25e-3 * std::min(i, 6000), 0.02, 0.12 + (i > 7000 ? 1.0 : 0.0)) / setup.scale;
         for (Hand* each : {&hand, &twin}) {
             each->want_grip = i % 3000 > 2500;
-            if (i % 50 != 7) each->hear(frame);  // and sometimes it misses one
+            if (i % 50 != 7) each->hear(frame);  // sometimes the hand misses a frame
         }
         twin.bodies().show_all();
         hand.tick(goal, now_s, 1e-3);

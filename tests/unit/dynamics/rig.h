@@ -1,5 +1,4 @@
-// Small worlds with bodies in code, and one or two hands that touch them through the whole of the hand's side, in
-// virtual time.
+// Small worlds with bodies made in code. One or two hands touch them through the complete hand's side, in virtual time.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -15,12 +14,12 @@
 
 namespace handrail::test {
 
-inline constexpr FeatureId kFloor{1}, kWall{2}, kThing{5};  // bodies are kThing and the numbers after it
+inline constexpr FeatureId kFloor{1}, kWall{2}, kThing{5};  // bodies have kThing and the numbers after it
 
 inline DynamicsPiece box_of(double half_m) { return make_box_piece({Vec3(-half_m), Vec3(half_m)}); }
 inline DynamicsPiece ball_of(double radius_m) { return make_piece(RoundShape(SphereShape{Vec3(0.0), radius_m})); }
 
-// Neither bounces nor rolls by itself.
+// A material that does not bounce and has no rolling friction.
 inline BodyNature nature(double kg, double friction = 0.4) {
     BodyNature n;
     n.mass_kg = kg;
@@ -30,14 +29,14 @@ inline BodyNature nature(double kg, double friction = 0.4) {
     return n;
 }
 
-// Steps, and throws the events away.
+// Runs steps and discards the events.
 inline void run(Dynamics& engine, int steps) {
     DynamicsFrame frame;
     std::vector<BodyEvent> events;
     for (int i = 0; i < steps; ++i) engine.step(frame, events);
 }
 
-// A push on body 0 in the step that comes, without any force yet.
+// A push on body 0 for the next step, still without a force.
 inline HandPush push_of(const Dynamics& engine) {
     HandPush push;
     push.time_s = engine.time_s();
@@ -47,7 +46,7 @@ inline HandPush push_of(const Dynamics& engine) {
     return push;
 }
 
-// The two views of one world: what is felt and what moves.
+// Builds the two views of one world: one for touch and one for dynamics.
 class BodyWorldMaker {
 public:
     explicit BodyWorldMaker(const Vec3& origin_m = Vec3(0.0)) : bodies_(origin_m) {}
@@ -57,7 +56,7 @@ public:
         bodies_.add_fixed_box(box_m, feature);
     }
     void floor(const Vec3& at = Vec3(0.0)) { box({at + Vec3(-50, -50, -1), at + Vec3(50, 50, 0)}); }
-    // A box or ball; its name is kThing and its number more.
+    // Adds a box or ball; its feature is kThing plus its number.
     std::uint32_t body(const DynamicsPiece& piece, const Vec3& at_m, const BodyNature& nature) {
         const FeatureId feature{kThing.value + count_};
         HapticSceneBuilder own;
@@ -84,11 +83,11 @@ struct HandSetup {
     double stiffness_n_per_m = 800.0, damping_ns_per_m = 5.0, friction = 0.0;
     double grip_n_per_m = 400.0, grip_ns_per_m = 5.0;
     double ceiling_n = 1e9;
-    int latency_ticks = 1;  // from the end of an engine's step to its frame with the hand
-    Vec3 origin_m{0.0};     // world place of the hand's zero
+    int latency_ticks = 1;  // delay from the end of an engine's step until its frame reaches the hand
+    Vec3 origin_m{0.0};     // place in the world of the hand's origin
 };
 
-// One hand on a shared engine.
+// A hand on a shared engine.
 class Hand {
 public:
     Hand(unsigned number, std::shared_ptr<const HapticScene> felt, const DynamicsScene& moves, const HandSetup& as)
@@ -103,7 +102,7 @@ public:
         bodies_.enter(&moves);
     }
 
-    // Before the hands' ticks at this time: what the engine has said by now.
+    // Call this before the hands' ticks at this time, with the engine's latest frame.
     void hear(const DynamicsFrame& frame) { bodies_.hear(frame); }
     Vec3 tick(const Vec3& hand_m, double now_s, double dt_s) {
         const Vec3 goal = setup.origin_m + hand_m * setup.scale;
@@ -145,7 +144,7 @@ private:
     std::uint64_t poses_number_ = 1;
 };
 
-// Engine and hands on one clock of milliseconds.
+// Engine and hands on one clock with milliseconds.
 class BodyRig {
 public:
     BodyRig(BodyWorldMaker& maker, const std::vector<HandSetup>& setups)
@@ -153,11 +152,11 @@ public:
         const auto felt = maker.felt();
         for (unsigned i = 0; i < setups.size(); ++i)
             hands.push_back(std::make_unique<Hand>(i, felt, *moves, setups[i]));
-        engine.step(frame_, events);  // the first word, so that everything is known when a hand comes
+        engine.step(frame_, events);  // the first frame, so that everything is known when a hand arrives
         heard_ = frame_;
     }
 
-    // Renders hand i; the last one moves the engine on.
+    // Renders hand i. Rendering the last hand also advances the engine.
     Vec3 render(std::size_t i, const Vec3& hand_m, double dt_s = 1e-3) {
         Hand& hand = *hands[i];
         if (i == 0)

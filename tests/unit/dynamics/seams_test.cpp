@@ -1,4 +1,4 @@
-// Flush parts of a building: nothing that slides or rolls over them is caught, and nothing true is lost.
+// Flush parts of a building: bodies that slide or roll over the seams do not catch, and real contacts are kept.
 #include "haptic/dynamics/seams.h"
 
 #include <random>
@@ -9,7 +9,7 @@
 namespace handrail::test {
 namespace seams_test {
 
-// Speeds a body up at once.
+// Sets the speed of a body in one step.
 void throw_it(Dynamics& engine, const Vec3& speed, const Vec3& turning, double inertia) {
     HandPush push = push_of(engine);
     push.force_n = speed * (engine.scene().bodies[0].nature.mass_kg / Dynamics::kStep_s);
@@ -134,7 +134,7 @@ TEST(Seams, leave_a_true_step_a_wall_and_a_hole_what_they_are) {
     }
 }
 
-// The twin looks at every part of the building where the compiled scene names neighbours.
+// The independent check examines every part of the building, where the compiled scene lists only neighbours.
 TEST(Seams, are_judged_by_the_neighbours_as_by_all_parts_in_any_order_and_far_away) {
     std::mt19937 random(5);
     const auto unit = [&] { return random() / 4294967296.0; };
@@ -143,7 +143,7 @@ TEST(Seams, are_judged_by_the_neighbours_as_by_all_parts_in_any_order_and_far_aw
         const Vec3 zero = round % 2 ? Vec3(0.0) : Vec3(4000.0, -2500.0, 100.0);
         std::vector<Aabb> boxes;
         for (int i = 0; i < 30;
-             ++i) {  // on a grid, so that many are flush; some overlap, some have lips of half a millimetre
+             ++i) {  // on a grid, so that many are flush; some overlap, and some have lips of half a millimetre
             const Vec3 low(std::floor(unit() * 4) * 0.5, std::floor(unit() * 4) * 0.5, std::floor(unit() * 2) * 0.5);
             const Vec3 size = Vec3(0.5) * Vec3(1 + std::floor(unit() * 2), 1 + std::floor(unit() * 2), 1);
             const double lip = unit() < 0.3 ? 5e-4 : 0.0;
@@ -161,7 +161,8 @@ TEST(Seams, are_judged_by_the_neighbours_as_by_all_parts_in_any_order_and_far_aw
             const Polygon& face = is.solid.faces[static_cast<std::size_t>(unit() * 6.0)];
             Vec3 at = face.points_m[0] + (face.points_m[1] - face.points_m[0]) * unit() +
                       (face.points_m[3] - face.points_m[0]) * unit();
-            if (ask % 3 == 0) at = face.points_m[0] + (face.points_m[1] - face.points_m[0]) * unit();  // an edge
+            // A point on an edge.
+            if (ask % 3 == 0) at = face.points_m[0] + (face.points_m[1] - face.points_m[0]) * unit();
             at += Vec3(unit() - 0.5, unit() - 0.5, unit() - 0.5) * 4e-3;
             const Vec3 normal = glm::normalize(Vec3(unit() - 0.5, unit() - 0.5, unit() - 0.5));
             const Vec3 body = at + Vec3(unit() - 0.5, unit() - 0.5, unit()) * 0.3;

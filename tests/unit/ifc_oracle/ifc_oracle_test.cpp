@@ -1,6 +1,6 @@
-// Our reading of IFC files against that of Debian's own library, a snapshot of 2019: which parts and rooms there are,
-// where they stand, and how much they hold, part by part. The library leaves some openings in their walls and some
-// roofs over their rooms uncut, and makes circles of fewer sides; elsewhere ours is neither less nor more.
+// Compares our reading of IFC files with that of Debian's own library, a snapshot of 2019. Compares which parts and
+// rooms exist, their places and their volumes, part by part. The library leaves some openings in walls and some roofs
+// over rooms uncut, and approximates circles with fewer sides. Elsewhere both must agree.
 #include <gmock/gmock.h>
 
 #include <set>
@@ -19,14 +19,14 @@ namespace ifc_oracle_test {
 namespace fs = std::filesystem;
 
 constexpr double kSamePlace_m = 2e-3, kSameVolume = 0.01, kLeastVolume_m3 = 1e-6;
-constexpr double kRound_m = 5e-3, kRoundVolume = 0.03;  // what circles of other numbers of sides differ by
+constexpr double kRound_m = 5e-3, kRoundVolume = 0.03;  // tolerance for circles with different numbers of sides
 
 struct OurPart {
     PartRole role = PartRole::Other;
     std::string name;
-    Aabb box;  // from the file's own origin; empty: no form, or a piece of furniture in its place
+    Aabb box;  // relative to the file's own origin; empty: no geometry, or a piece of furniture in its place
     double volume_m3 = 0.0;
-    bool solid = false;  // wholly
+    bool solid = false;  // consists entirely of solids
 };
 
 Aabb moved(const Aabb& box, const Vec3& by_m) { return box.empty() ? box : Aabb{box.min_m + by_m, box.max_m + by_m}; }
@@ -68,7 +68,7 @@ double apart_m(const Aabb& a, const Aabb& b) {
     return std::max({apart.x, apart.y, apart.z});
 }
 
-// What a building for touch has no use for, and a rafter or a stud that belongs to nothing.
+// Kinds that a building for touch does not need, and rafters or studs that belong to no assembly.
 bool is_left_out(const std::string& kind) {
     static const std::set<std::string> kinds{"IfcSite",           "IfcBuilding", "IfcBuildingStorey", "IfcAnnotation",
                                              "IfcVirtualElement", "IfcGrid",     "IfcMember",         "IfcPlate"};
@@ -76,7 +76,7 @@ bool is_left_out(const std::string& kind) {
 }
 
 struct Compared {
-    std::map<std::string, int> kinds;  // with a form in both
+    std::map<std::string, int> kinds;  // parts that have geometry in both readings, by kind
     int places = 0, other_places = 0, volumes = 0, less = 0;
 };
 
@@ -137,16 +137,16 @@ struct Known {
 TEST(PackagedIfc, has_the_same_parts_of_real_buildings_in_the_same_places) {
     bool any = false;
     for (const Known& known :
-         {// It leaves the corner windows upstairs in their walls.
+         {// The library leaves the openings of the corner windows upstairs uncut.
           Known{"duplex-apartment.ifc",
                 {{"IfcSpace", 21}, {"IfcDoor", 14}, {"IfcWindow", 24}, {"IfcFurnishingElement", 61}},
                 0,
                 148,
                 2},
-          // One of two gables alike is less, whose volumes are the same with us.
+          // The library gives one of two identical gables a larger volume; in our reading both are equal.
           Known{"fzk-haus.ifc", {{"IfcSpace", 7}, {"IfcDoor", 5}, {"IfcWindow", 11}}, 0, 35, 1},
-          // Elsewhere are two round columns, and a room under an arched roof. It leaves some openings of walls uncut,
-          // other ones each time.
+          // Two round columns and a room under an arched roof differ in place. The library leaves some wall openings
+          // uncut, and not the same ones each time.
           Known{"institute.ifczip",
                 {{"IfcSpace", 82}, {"IfcDoor", 77}, {"IfcWindow", 206}, {"IfcWallStandardCase", 119}},
                 3,

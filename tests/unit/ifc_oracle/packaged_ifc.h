@@ -1,5 +1,5 @@
-// What libifcplusplus, the IFC library that Debian has, makes of a file: an independent reading to hold ours against.
-// Its headers stand in packaged_ifc.cpp alone. One thread; what it says may differ from run to run, since it keeps
+// Reads a file with libifcplusplus, the IFC library in Debian: an independent reading to compare ours with. Only
+// packaged_ifc.cpp includes its headers. Single-threaded. Its results may differ from run to run, because it orders
 // parts by their addresses.
 #pragma once
 
@@ -13,12 +13,12 @@ namespace handrail::test {
 
 struct PackagedPart {
     std::string kind;             // "IfcWall"
-    Aabb box;                     // of its body, openings cut; from the file's own origin
-    double closed_volume_m3 = 0;  // of its closed meshes
-    int open = 0;                 // meshes that are not closed
+    Aabb box;                     // of the part's geometry with openings cut; relative to the file's own origin
+    double closed_volume_m3 = 0;  // total volume of its closed meshes
+    int open = 0;                 // number of meshes that are not closed
 };
 
-// Products by GlobalId, those without a form too.
+// All products by GlobalId, including those without geometry.
 std::map<std::string, PackagedPart> parts_by_package(std::string_view file);
 
 }  // namespace handrail::test

@@ -1,4 +1,4 @@
-// Files read in a process of their own, and what is kept of them.
+// Files that a separate process reads, and the cache of the results.
 #include "app/import/import_world.h"
 
 #include <gmock/gmock.h>
@@ -29,7 +29,7 @@ namespace import_world_test {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-// A model of our own, blown up by furniture that has no shape: enough bytes to be kept.
+// One of our own models, enlarged with furniture without geometry until it is large enough to be cached.
 std::string large_house() {
     std::string more;
     for (int i = 0; i < 1200; ++i)
@@ -104,7 +104,7 @@ TEST(ImportedWorld, is_read_anew_when_anything_it_was_made_of_has_changed) {
     ASSERT_TRUE(speak_language("en").has_value());
 }
 
-// A corner of three points that are in a file of their own, which is named `buffer`.
+// A triangle whose three points are in a separate file, named `buffer`.
 std::string ramp_gltf(const std::string& buffer) {
     return R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"name":"Ramp"}],
         "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
@@ -121,7 +121,7 @@ TEST(ImportedWorld, looks_at_the_files_beside_it_too) {
     const test::TemporaryFolder folder;
     const auto write_bin = [&](float far) { folder.write("ramp.bin", ramp_bytes(far)); };
     write_bin(4.0F);
-    // Blanks make it large enough to be kept.
+    // Blanks make it large enough to be cached.
     const fs::path path = folder.write("ramp.gltf", ramp_gltf("ramp.bin") + std::string(kLeastKept_bytes, ' '));
     const ImportHow how{Cache(folder.path() / "cache"), find_reader_program(), {}};
     for (const bool again : {false, true}) {
@@ -159,7 +159,7 @@ TEST(ImportedWorld, is_read_anew_if_what_was_kept_is_damaged) {
     }
 }
 
-// Until November 2026 the cache was next to the file, and its header said what it had been made of.
+// Until November 2026 the cache was next to the file, and its header named the source file.
 TEST(ImportedWorld, takes_nothing_of_another_world_and_nothing_next_to_the_file) {
     const test::TemporaryFolder folder;
     const std::string another = test::replaced(large_house(), "a chair of no shape", "a table of no shape");
@@ -189,7 +189,7 @@ TEST(ImportedWorld, takes_nothing_of_another_world_and_nothing_next_to_the_file)
 TEST(KeptScene, cut_at_every_byte_is_damaged) {
     const Result<Scene> scene = read_ifc(test::small_house(), "house.ifc");
     ASSERT_TRUE(scene.has_value());
-    Scene small = *scene;  // a few of its solids, so that each byte can be tried
+    Scene small = *scene;  // only a few of its solids, so that the test can change each byte
     small.solids.resize(3);
     small.surfaces.clear();
     const std::string bytes = stored(small);
@@ -274,7 +274,7 @@ TEST(ReaderProcess, says_what_the_reader_said_with_its_line) {
     EXPECT_THAT(missing.error().sentence(), HasSubstr("none.ifc"));
 }
 
-// A stand-in for the reader that does what a script says.
+// Replaces the reader with a shell script.
 fs::path stand_in(const test::TemporaryFolder& folder, const std::string& script) {
     const fs::path program = folder.write("reader.sh", "#!/bin/sh\n" + script + "\n");
     fs::permissions(program, fs::perms::owner_all);
@@ -307,7 +307,7 @@ TEST(ReaderProcess, that_ends_in_any_way_is_one_sentence) {
 TEST(ReaderProcess, that_works_is_not_given_up_by_the_clock) {
     const test::TemporaryFolder folder;
     const fs::path path = folder.write("house.ifc", test::small_house());
-    // It works for four times as long as a process may rest.
+    // The reader works four times as long as a process may be idle.
     const std::string works = "end=$(($(date +%s) + 8)); while [ $(date +%s) -lt $end ]; do :; done; exit 77";
     const auto read = read_apart(path, {}, stand_in(folder, works), {2'000'000'000, 50, 2.0});
     ASSERT_FALSE(read.has_value());
@@ -329,7 +329,7 @@ TEST(ReaderProcess, is_bounded_in_memory) {
     const auto much = read_apart(bomb, {}, find_reader_program(), {60'000'000, 60, 60.0});
     ASSERT_FALSE(much.has_value());
     EXPECT_THAT(much.error().sentence(), HasSubstr("gigabytes of memory"));
-    fs::resize_file(bomb, 80'000'000);  // there is no room for the file itself
+    fs::resize_file(bomb, 80'000'000);  // the file alone exceeds the memory limit
     const auto larger = read_apart(bomb, {}, find_reader_program(), {60'000'000, 60, 60.0});
     ASSERT_FALSE(larger.has_value());
     EXPECT_THAT(larger.error().sentence(), HasSubstr("gigabytes of memory"));
@@ -352,7 +352,7 @@ TEST(ReaderProcess, ends_at_once_when_it_is_not_wanted_any_more) {
     EXPECT_NE(::kill(process, 0), 0) << "it is gone and waited for";
 }
 
-// The reader that is shipped, stopped in the middle of its work.
+// The shipped reader, stopped in the middle of its work.
 TEST(ReaderProcess, is_confined_and_has_no_environment) {
 #if defined(HANDRAIL_SANITIZED)
     GTEST_SKIP() << "a sanitizer keeps its options";
@@ -434,7 +434,7 @@ TEST(RequestedFiles, are_opened_for_a_reader_that_was_taken_over_only_where_the_
     serves.join();
 }
 
-// One that requests and never takes what it gets must not hold the program up.
+// A reader that sends requests but never takes the answers must not block the program.
 TEST(RequestedFiles, do_not_hold_up_the_program_where_a_reader_takes_no_answer) {
     const test::TemporaryFolder folder;
     const fs::path world = folder.write("house.map", "the world");
@@ -449,8 +449,8 @@ TEST(RequestedFiles, do_not_hold_up_the_program_where_a_reader_takes_no_answer) 
     EXPECT_FALSE(goes_on);
 }
 
-// Nothing is copied, so whoever writes the file anew cuts off what is still to be looked at. A reader may be quicker
-// than the hand that stops it, and has then read all of it.
+// The file is not copied, so truncating it removes data that the reader has yet to read. The reader may finish before
+// the test stops it; then the test tries again.
 TEST(ReaderProcess, says_so_where_the_file_is_cut_short_meanwhile) {
     const test::TemporaryFolder folder;
     bool said = false;
@@ -475,7 +475,7 @@ TEST(ReaderProcess, says_so_where_the_file_is_cut_short_meanwhile) {
     EXPECT_TRUE(said);
 }
 
-// Gone, or dead and not yet waited for by whoever inherited it.
+// True if the process is gone, or dead but not yet waited for by its parent.
 bool is_dead(pid_t process) {
     const std::string stat = test::content_of(fmt::format("/proc/{}/stat", process));
     const std::size_t after = stat.rfind(')');
@@ -490,7 +490,7 @@ TEST(ReaderProcess, dies_with_the_program_even_where_that_is_killed) {
     ASSERT_GE(program, 0);
     if (program == 0) {
         ReadOptions options;
-        // The reader is stopped in the middle of its work, so that it cannot end by itself.
+        // Stops the reader in the middle of its work, so that it cannot end on its own.
         options.stage = [&](std::string_view) {
             const std::string children = test::content_of(fmt::format("/proc/self/task/{}/children", ::getpid()));
             ::kill(static_cast<pid_t>(std::stoi(children)), SIGSTOP);

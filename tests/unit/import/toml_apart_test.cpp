@@ -1,5 +1,5 @@
-// TOML that others made, parsed by a reader process: the same values, and nothing that this process dies of or
-// believes.
+// TOML from others, which a reader process parses. The values are correct, and nothing in the text can crash or deceive
+// this process.
 #include "app/import/toml_apart.h"
 
 #include <fmt/format.h>
@@ -28,13 +28,13 @@ const std::string kMarks =
 
 class TomlApartTest : public testing::Test {
 protected:
-    // In place of handrail-reader; 3 is the answer.
+    // Runs a script in place of handrail-reader; descriptor 3 takes the answer.
     TomlApart by(const std::string& script, ReaderLimits limits = {1'000'000'000, 5, 60.0}) {
         const fs::path program = folder_.write(fmt::format("reader{}.sh", ++count_), "#!/bin/sh\n" + script + "\n");
         fs::permissions(program, fs::perms::owner_all);
         return TomlApart(program, limits);
     }
-    // One that answers any text with these bytes.
+    // A reader that answers any text with these bytes.
     TomlApart answering(const std::string& bytes) {
         const fs::path answer = folder_.write(fmt::format("answer{}", ++count_), bytes);
         return by(fmt::format("cat {} >&3", answer.string()));
@@ -101,7 +101,7 @@ TEST_F(TomlApartTest, is_one_sentence_however_the_reader_ends) {
     EXPECT_THAT(sentence_of(large), HasSubstr("16"));
 }
 
-// A text that takes the reader over can make it answer anything.
+// A text that hijacks the reader can make it answer anything.
 TEST_F(TomlApartTest, believes_no_answer_that_toml_cannot_give) {
     TomlValue text, moment, deep, wrong_line;
     text.value = std::string("a\xff");
@@ -219,7 +219,7 @@ TEST_F(SideFileApart, that_ends_its_reader_and_has_no_other_place_is_not_written
     EXPECT_TRUE(file.save());
 }
 
-// Somebody else writes it while this session runs.
+// Another program writes the file while this session runs.
 TEST_F(SideFileApart, that_came_meanwhile_and_ends_its_reader_is_not_written_over) {
     SideFile file = opened();
     add(file, "here");
@@ -233,7 +233,7 @@ TEST_F(SideFileApart, that_came_meanwhile_and_ends_its_reader_is_not_written_ove
     EXPECT_THAT(names_in(opened()), ElementsAre("here", "there"));
 }
 
-// A file of this program's own form needs no process to be written again.
+// A file in this program's own format needs no reader process to be saved again.
 TEST_F(SideFileApart, is_saved_without_a_reader_where_nobody_else_wrote_it) {
     const fs::path count = folder_.path() / "count";
     SideFile file = opened(by(fmt::format("echo x >> {}; exit 1", count.string())));

@@ -1,4 +1,5 @@
-// Whatever a model holds, it ends in a world or one sentence, within the limits, and never in a broken reader.
+// Whatever a model contains, reading it gives a world or a message of one sentence, within the limits, and never breaks
+// the reader.
 #include <gmock/gmock.h>
 
 #include <cstdlib>
@@ -18,12 +19,12 @@ namespace torture_test {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-constexpr double kLongest_s = 65.0;  // the limit of 60 s, and what a busy machine adds
+constexpr double kLongest_s = 65.0;  // the limit of 60 s, plus a margin for a busy machine
 
-// HANDRAIL_LONG_TORTURE=1: all cuts and the largest files, a matter of minutes.
+// HANDRAIL_LONG_TORTURE=1 tests all truncations and the largest files, which takes minutes.
 bool at_length() { return std::getenv("HANDRAIL_LONG_TORTURE") != nullptr; }
 
-// A world (empty), or the sentence. Fails where the reader broke down or took too long.
+// Returns the error message; empty if the file gave a world. Fails if the reader crashed or took too long.
 std::string outcome(const fs::path& path) {
     const SteadyClock clock;
     const double begun_s = clock.now_s();
@@ -58,7 +59,7 @@ TEST(ImportTorture, every_way_to_harm_a_model_ends_in_a_world_or_a_sentence) {
     EXPECT_NE(outcome(folder.write("zeros.ifc", std::string(2'000'000, '\0'))), "");
     (void)outcome(folder.write("far.ifc", test::replaced(house, "((8.2,", "((1.E308,")));
     (void)outcome(folder.write("circle.ifc", test::replaced(house, "IFCLOCALPLACEMENT($,", "IFCLOCALPLACEMENT(#13,")));
-    // A tree of unions in which every node is named twice by the next: two to the power of 60 shapes.
+    // A tree of unions in which each node refers to the one before twice: two to the power of 60 shapes.
     std::string more;
     for (int i = 0; i < 60; ++i)
         more += fmt::format("#{}=IFCBOOLEANRESULT(.UNION.,#{},#{});\n", 5000 + i, i == 0 ? 24 : 4999 + i,
@@ -101,7 +102,8 @@ TEST(ImportTorture, models_cut_anywhere_are_told_and_never_half_a_building) {
 }
 
 TEST(ImportTorture, real_models_and_large_offices_are_read_within_the_limits) {
-    // All that are at hand. Doors that nobody can pass are reported with their lines: French windows with a railing.
+    // Reads all available models. Doors that nobody can pass are reported with their lines: they are French windows
+    // with a railing.
     constexpr int kFrenchWindows = 20;
     int shut = 0;
     std::vector<fs::path> models;

@@ -1,11 +1,11 @@
-// Friction and light touch, with the hand's tremor, encoder steps, noise and delay, open and closed loop.
+// Friction and light touch under the hand's tremor, encoder steps, noise and delay, in open and closed loop.
 #include "tests/support/scale.h"
 #include "tests/unit/loop/loop_rig.h"
 
 namespace handrail::test {
 namespace friction_test {
 
-constexpr double kStiffness = 1000.0;  // a millimetre is a newton
+constexpr double kStiffness = 1000.0;  // 1 kN/m: a millimetre is a newton
 
 TouchTuning rubbing(double mu_static, double mu_kinetic) {
     TouchTuning tuning = loop_tuning(kStiffness);
@@ -15,12 +15,13 @@ TouchTuning rubbing(double mu_static, double mu_kinetic) {
 }
 
 struct Rub {
-    std::vector<double> along_n;        // force along the way of the hand
-    std::vector<double> speed_m_per_s;  // of the hand along it
+    std::vector<double> along_n;        // force along the hand's motion
+    std::vector<double> speed_m_per_s;  // speed of the hand along it
     std::vector<double> place_m;
 };
 
-// A hand of 300 N/m presses 10 N and creeps along; forces from the moment it has settled.
+// A hand of 300 N/m presses with 10 N and creeps along the wall. Returns forces from the moment at which it has
+// settled.
 Rub creep(const TiltedWall& wall, const TouchTuning& tuning, double speed_m_per_s, double seconds, std::uint32_t seed) {
     LoopSettings settings;
     settings.hand.mass_kg = 0.4;
@@ -41,7 +42,7 @@ Rub creep(const TiltedWall& wall, const TouchTuning& tuning, double speed_m_per_
                                   Vec3(0.0)};
             },
             render);
-        // Until the hand's spring is drawn out to the friction, it sticks.
+        // The hand sticks until its spring is stretched to the friction force.
         if (i * 1e-3 < 2.0 + 4.0 / 300.0 / std::max(speed_m_per_s, 1e-4)) continue;
         rub.along_n.push_back(glm::dot(tick.commanded_n, wall.along));
         rub.speed_m_per_s.push_back(glm::dot(tick.velocity_m_per_s, wall.along));
@@ -50,7 +51,7 @@ Rub creep(const TiltedWall& wall, const TouchTuning& tuning, double speed_m_per_
     return rub;
 }
 
-TEST(Friction, a_creeping_press_of_ten_newtons_does_not_chatter) {  // T24, closed loop
+TEST(Friction, a_creeping_press_of_ten_newtons_does_not_chatter) {  // closed loop
     std::uint32_t seed = 0;
     for (const double speed : {0.001, 0.002, 0.005})
         for (const auto& [mu_static, mu_kinetic] : {std::pair{0.4, 0.4}, {0.3, 0.3}, {0.5, 0.4}}) {
@@ -68,7 +69,7 @@ TEST(Friction, a_creeping_press_of_ten_newtons_does_not_chatter) {  // T24, clos
         }
 }
 
-TEST(Friction, of_a_hand_led_along_trembling_is_steady) {  // T24, open loop
+TEST(Friction, of_a_hand_led_along_trembling_is_steady) {  // open loop
     for (const std::uint32_t seed : {1U, 2U, 3U, 4U}) {
         const TiltedWall wall(seed);
         TouchTuning tuning = rubbing(0.4, 0.4);
@@ -95,7 +96,7 @@ TEST(Friction, of_a_hand_led_along_trembling_is_steady) {  // T24, open loop
     }
 }
 
-TEST(Friction, holds_against_a_steady_pull_and_tremor_for_a_minute) {  // T24, drift
+TEST(Friction, holds_against_a_steady_pull_and_tremor_for_a_minute) {  // drift
     for (const std::uint32_t seed : {7U, 8U}) {
         const TiltedWall wall(seed);
         const TouchTuning tuning = rubbing(0.4, 0.4);
@@ -118,7 +119,7 @@ TEST(Friction, holds_against_a_steady_pull_and_tremor_for_a_minute) {  // T24, d
                                                      wall.along * pull};
                 },
                 render);
-            // Over whole periods of the tremor.
+            // Averages over whole periods of the tremor.
             const double place = glm::dot(tick.hand_m, wall.along) / 1000.0;
             if (i >= ticks / 2 - 1000 && i < ticks / 2) settled_m += place;
             if (i >= ticks - 1000) last_m += place;
@@ -143,12 +144,12 @@ TEST(LightTouch, answers_the_smallest_movement_and_adds_nothing_to_noise) {
                     .force_n);
         };
         for (int i = 0; i <= 100; ++i) force_at(depth_m * i / 100, 0.0);
-        // No dead band: one micrometre along the wall is one millinewton, both ways, and through zero.
-        for (int i = 0; i < 200; ++i) force_at(depth_m, 0.0);  // let the speed filter come to rest
+        // There is no dead band: a micrometre along the wall is a millinewton, in both directions and through zero.
+        for (int i = 0; i < 200; ++i) force_at(depth_m, 0.0);  // the speed filter comes to rest
         for (const double way_m : {1e-6, 5e-6, 20e-6, 5e-6, -1e-6, -20e-6, 0.0})
             EXPECT_NEAR(force_at(depth_m, way_m).y, -kStiffness * way_m, 1e-9) << mu;
-        // Sliding, it pulls with the whole cone; stopped, it sticks again where it is, and gives way like a spring at
-        // once.
+        // While sliding, the pull is the full cone. After a stop the proxy sticks again where it is and immediately
+        // acts like a spring.
         double way_m = 0.0;
         for (; way_m < 5e-3; way_m += 10e-6) force_at(depth_m, way_m);
         for (int i = 0; i < 50; ++i) force_at(depth_m, way_m);
@@ -195,7 +196,7 @@ TEST(LightTouch, does_not_chatter_with_tremor_and_white_noise) {
                 last_true = tick.hand_m;
             }
             SCOPED_TRACE(fmt::format("seed {}, {} m/s", seed, speed));
-            // The sensor's own noise times the stiffness is all there may be, and the damping's share of it.
+            // The output may contain only the sensor's noise times the stiffness, plus the damping's share of it.
             const double noise_out = rms_above(noise_out_n, 30.0, 1e-3),
                          noise_along = rms_above(noise_along_n, 30.0, 1e-3);
             EXPECT_LE(rms_above(along_n, 30.0, 1e-3), 1.1 * std::max(noise_out, noise_along));

@@ -1,4 +1,4 @@
-// Walls for the closed loop: half-spaces of a random lie, touched through touch_tick as the program does.
+// Walls for the closed loop: half-spaces in a random orientation, touched through touch_tick as in the program.
 #pragma once
 
 #include <random>
@@ -10,7 +10,7 @@
 
 namespace handrail::test {
 
-// A box whose one face is the plane through the origin; the frame's x axis points out of it.
+// A box with one face on the plane through the origin; the frame's x axis points out of that face.
 struct TiltedWall {
     Motion motion;
     std::shared_ptr<const HapticScene> scene;
@@ -26,7 +26,7 @@ struct TiltedWall {
         along = motion.turn * Vec3(0, 1, 0);
         across = motion.turn * Vec3(0, 0, 1);
     }
-    // The world's directions are the wall's own: x out of it.
+    // Converts between world directions and the wall's own, whose x axis points outwards.
     Vec3 to_world(const Vec3& own) const { return motion(own); }
     Vec3 to_own(const Vec3& world) const { return motion.back(world); }
 };
@@ -39,7 +39,7 @@ inline TouchTuning loop_tuning(double stiffness_n_per_m, double damping_ns_per_m
     return tuning;
 }
 
-// The renderer of the program as the loop asks for it; keeps its own state.
+// The program's renderer in the form that the loop calls; it keeps its own state.
 inline ClosedLoop::Render touch_renderer(std::shared_ptr<const HapticScene> scene, const TouchTuning& tuning) {
     auto state = std::make_shared<TouchState>();
     return [=](const Vec3& measured_m, double, double since_s) {
@@ -47,7 +47,7 @@ inline ClosedLoop::Render touch_renderer(std::shared_ptr<const HapticScene> scen
     };
 }
 
-// Half the highest stiffness that a light grip holds, with damping of the device and of the renderer.
+// Half the highest stiffness that is stable for a light grip, with damping by the device and the renderer.
 inline double safe_stiffness_n_per_m(double delay_s, double damping_ns_per_m) {
     DeviceSpec spec;
     spec.rated_stiffness_n_per_m = 1e9;

@@ -1,16 +1,17 @@
-// Hands of every weight and grip on walls as stiff as the rule allows, with delay, encoder steps and dry friction.
+// Hands of every mass and grip on walls with the greatest stiffness that the rule allows, with delay, encoder steps and
+// dry friction.
 #include "tests/support/scale.h"
 #include "tests/unit/loop/loop_rig.h"
 
 namespace handrail::test {
 namespace stability_test {
 
-TEST(Stability, a_hand_that_presses_six_newtons_comes_to_rest_at_the_stiffness_of_the_rule) {  // T23
+TEST(Stability, a_hand_that_presses_six_newtons_comes_to_rest_at_the_stiffness_of_the_rule) {
     std::uint32_t seed = 0;
     for (const double mass_kg : {0.1, 0.3, 0.5})
         for (const double grip : {1.0, 3.0, 10.0})
             for (const double delay_s : {0.0, 1e-3, 2e-3}) {
-                // The rule with and without damping by the renderer; then the guard has to keep what is left.
+                // The rule with and without damping by the renderer. Without it the guard must provide the rest.
                 for (const double damping : {5.0, 0.0}) {
                     ++seed;
                     SCOPED_TRACE(fmt::format("mass {} kg, grip {} Ns/m, delay {} s, damping {} Ns/m, seed {}", mass_kg,
@@ -38,7 +39,7 @@ TEST(Stability, a_hand_that_presses_six_newtons_comes_to_rest_at_the_stiffness_o
                         if (i > 2 * ticks / 3) places.push_back(glm::dot(tick.hand_m - rest, wall.out));
                     }
                     EXPECT_LT(peak_to_peak(places), 0.3e-3);
-                    if (damping > 0.0) {  // undamped, a hand that is let fly into the wall may bounce before it rests
+                    if (damping > 0.0) {  // without damping, a hand that flies into the wall may bounce before it rests
                         EXPECT_LT(given_j, 1e-3);
                     }
                     EXPECT_LT(places.back(), 0.0) << "it never touched";
@@ -90,8 +91,8 @@ TEST(PassivityGuard, lets_an_undamped_wall_be_stiffer_and_never_steps) {
             6.0, 6.0);
     EXPECT_GE(limit[1], 1.25 * limit[0]) << limit[0] << " without, " << limit[1] << " with";
 
-    // A clean sweep in and out, at encoder steps and without: what the guard adds changes no faster than the spring's
-    // own force.
+    // A clean sweep in and out, with and without encoder steps. The guard's contribution changes no faster than the
+    // spring's own force.
     for (const double quantum_m : {0.0, 0.06e-3}) {
         TouchState plain, guarded;
         TouchTuning tuning = loop_tuning(1500.0, 0.0);
@@ -114,7 +115,7 @@ TEST(PassivityGuard, leaves_damped_surfaces_alone_to_the_last_bit) {
     LoopSettings settings;
     settings.hand.damping_ns_per_m = 1.2;
     settings.hand.spring_n_per_m = 300.0;
-    TouchTuning tuning = loop_tuning(4000.0, 2.0);  // too stiff: the loop rings, and the guard would have work
+    TouchTuning tuning = loop_tuning(4000.0, 2.0);  // so stiff that the loop rings and the guard would have to act
     std::vector<Vec3> forces[2];
     for (const bool guard : {false, true}) {
         tuning.passivity_guard = guard;

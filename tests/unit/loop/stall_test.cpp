@@ -1,5 +1,4 @@
-// The loop stops for a while, again and again, under a hand that presses in and out: the whole servo tick with its
-// limiter.
+// The loop stalls repeatedly while a hand presses in and out. Runs the whole servo tick with its limiter.
 #include "haptic/servo/servo_tick.h"
 #include "tests/unit/loop/loop_rig.h"
 
@@ -13,11 +12,11 @@ struct Sweep {
     double fastest_m_per_s = 0.0;
 };
 
-// Six seconds of a 2 Hz sweep by 20 mm, half of it in the wall; counted from the second second on. silent: the device
-// gives no answer and the servo goes on; otherwise the servo itself stops and the motor holds.
+// Six seconds of a 2 Hz sweep by 20 mm, half of it inside the wall, measured after the first second. silent: the device
+// does not answer and the servo continues; otherwise the servo itself stalls and the motor holds its force.
 Sweep sweep(const TiltedWall& wall, double stall_s, bool silent, std::uint32_t seed) {
     DeviceSpec spec = *find_device_spec("sim-f");
-    spec.peak_force_n = 1e9;  // a motor at its limit would hide the peaks
+    spec.peak_force_n = 1e9;  // a motor limit would hide the peaks
     LoopSettings settings;
     settings.hand.mass_kg = 0.4;
     settings.hand.damping_ns_per_m = 3.2;
@@ -63,7 +62,7 @@ Sweep sweep(const TiltedWall& wall, double stall_s, bool silent, std::uint32_t s
     return seen;
 }
 
-TEST(Stalls, neither_throw_the_hand_nor_feed_it) {  // T25
+TEST(Stalls, neither_throw_the_hand_nor_feed_it) {
     for (const std::uint32_t seed : {0U, 41U, 42U}) {
         const TiltedWall wall(seed);
         const Sweep undisturbed = sweep(wall, 0.0, false, seed);

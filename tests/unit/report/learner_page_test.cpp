@@ -1,4 +1,4 @@
-// The report of a learner over several sessions.
+// The report on a learner over several sessions.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-// Two sessions and a third: to the library worse, better and best; once to the gym.
+// Three sessions with a route to the library that gets better each time. The second also has a route to the gym.
 std::vector<SessionReport> three_sessions() {
     const auto session = [](const char* started, double seconds, double ratio, double missed, double help) {
         SessionReport report;

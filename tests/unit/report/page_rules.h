@@ -1,5 +1,5 @@
-// What a page must keep to be read by everybody: a small parser of our own and the rules that can be decided without a
-// browser. For pages that we make; it knows what they use of HTML and takes everything else for a fault.
+// Accessibility rules for pages that can be checked without a browser, with a small HTML parser. It is only for pages
+// that the program makes. It knows the HTML that they use and treats everything else as a fault.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace handrail::test {
 
-// Each fault in a few words: "no language", "heading h4 after h2". Empty: all rules hold.
+// Returns each fault in a few words, such as "no language" or "heading h4 after h2". Empty: the page obeys all rules.
 std::vector<std::string> page_faults(std::string_view html);
 
-// The page's text as a screen reader goes through it, one element a line; what is hidden from it is left out.
+// The page's text as a screen reader presents it, one element a line, without elements that are hidden from it.
 std::string spoken_text(std::string_view html);
 
-// Läsbarhetsindex, Björnsson 1968: words a sentence and the percentage of words of more than six letters. Under 40 is
-// easy to read.
+// Läsbarhetsindex, Björnsson 1968: words per sentence plus the percentage of words with more than six letters. Below 40
+// a text is easy to read.
 double lix_of(const std::string& text);
 
 }  // namespace handrail::test

@@ -1,4 +1,4 @@
-// The report of a session: easy words, a page that everybody can read, tables that read back the same.
+// The report of a session: easy words, an accessible page, and tables that read back unchanged.
 #include "app/report/report_page.h"
 
 #include <gmock/gmock.h>
@@ -16,7 +16,7 @@
 namespace handrail::test {
 namespace report_page_test {
 
-// Two rooms of 6 by 4 and 3 by 4 m side by side with a door between.
+// Two rooms of 6 by 4 and 3 by 4 m next to each other, with a door between them.
 Storey two_rooms() {
     Storey storey;
     storey.world = "School";
@@ -142,7 +142,7 @@ TEST(ReportWords, tell_the_way_through_the_rooms) {
     EXPECT_TRUE(plan_words(still).empty());
 }
 
-// Small rooms side by side and one upon another, with long names, and things that were touched in one place.
+// Small rooms next to each other and above each other, with long names, and objects that were touched at one place.
 TEST(ReportPage, writes_no_name_over_another_on_the_plan) {
     SessionReport report = sample();
     for (int i = 0; i < 30; ++i) {
@@ -265,7 +265,7 @@ TEST(PageRules, find_each_fault_that_is_put_into_a_page) {
     EXPECT_THAT(broken("h1{", "@import url(x.css);h1{"), Contains("a request from the style"));
     EXPECT_THAT(broken("</ul>", ""), testing::Not(testing::IsEmpty()));
     EXPECT_THAT(broken("default-src 'none'", "default-src *"), Contains("no policy against requests"));
-    // All at once, as a checker in a browser would be asked: at least six.
+    // All faults at once, as for the checkers in a browser. At least six must be found.
     std::string worst = page;
     for (const auto& [what, by] :
          std::vector<std::pair<std::string, std::string>>{{" lang=\"en\"", ""},

@@ -1,5 +1,5 @@
-// What is written for others, when the disk gives way at any step: each file is the old one or whole, exactly what is
-// told to be written is, and what leaves a learner's data is never without its note.
+// Exported files when the disk fails at any step. Each file is either the old one or complete, and exactly the reported
+// files are written. Nothing leaves a learner's data without being noted there.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -51,7 +51,7 @@ TEST(ExportFaults, each_file_of_a_world_is_the_old_one_or_whole_and_no_other_is_
     std::map<std::string, std::string> whole;
     for (const char* name : kFiles) whole[name] = test::content_of(home.path() / name);
 
-    // Under a sanitizer a few of the steps: all go through the same code.
+    // A sanitizer gets only a few of the steps, because all run the same code.
     const long stride = test::kSanitizerScale < 1.0 ? 5 : 1;
     for (const WriteFault fault : {WriteFault::Error, WriteFault::ShortThenError}) {
         int failures = 0;

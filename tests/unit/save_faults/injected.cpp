@@ -30,7 +30,7 @@ Function next(const char* name) {
     return reinterpret_cast<Function>(::dlsym(RTLD_NEXT, name));
 }
 
-// True where this call is the one that fails.
+// Returns whether this call is the one that must fail.
 bool fails() {
     if (!disk.armed) return false;
     const bool now = disk.calls++ == disk.at;
@@ -66,7 +66,7 @@ bool NoMemory::struck() { return memory.struck; }
 
 }  // namespace handrail::test
 
-// ---- the system's calls ----
+// ---- replacements of the system's calls ----
 
 using handrail::test::disk;
 using handrail::test::fails;

@@ -1,6 +1,6 @@
-// Saving and loading when the disk or the memory gives way at any step: the answer is a sentence or std::bad_alloc, and
-// every file is wholly the old or wholly the new one. toml++ 3.3 ends the program where it cannot make its own error
-// for want of memory; files are whole then too, which a child process shows.
+// Saving and loading when the disk or the memory fails at any step. The result is a message or std::bad_alloc, and
+// every file is either entirely old or entirely new. toml++ 3.3 ends the program if it has no memory for its own error.
+// Files are intact then too, which a child process shows.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -40,13 +40,13 @@ SideEntry mark(const std::string& name, double x) {
     return {{"name", name}, {"place_m", std::vector<double>{x, 0.1, -3.25}}};
 }
 
-// Something of a person's that is saved as one file.
+// Some data of the user that is saved as one file.
 struct Kept {
     std::string name;
-    std::string file;  // below the folder
-    // Makes ready what is saved, and returns what saves it: false where it told of a failure.
+    std::string file;  // relative to the folder
+    // Prepares the data and returns a function that saves it. That function returns false if it reported a failure.
     std::function<std::function<bool()>(const fs::path& folder)> change;
-    bool tells;  // of a failure
+    bool tells;  // whether it reports a failure
 };
 
 std::vector<Kept> all_kept() {
@@ -89,7 +89,7 @@ std::vector<Kept> all_kept() {
     };
 }
 
-// A folder as a person has it, with a file of each kind.
+// A user's folder with a file of each kind.
 struct Home {
     Home() {
         folder.write("a.map", "x");
@@ -108,10 +108,10 @@ struct Home {
     TemporaryFolder folder;
 };
 
-// As it stands after a save that works.
+// The file's text after a successful save.
 std::string saved(const Kept& kept) {
     const Home home;
-    // Where paths are kept, they are those of the folder: every home is looked at as if it were at the same place.
+    // Stored paths include the folder, so the folder is replaced by a fixed word in every text.
     EXPECT_TRUE(kept.change(home.folder.path())()) << kept.name;
     std::string text = test::content_of(home.folder.path() / kept.file);
     for (std::size_t at; (at = text.find(home.folder.path().string())) != std::string::npos;)
@@ -119,7 +119,7 @@ std::string saved(const Kept& kept) {
     return text;
 }
 
-// Where memory is short comments may go and a number may have more zeros; nothing else.
+// If memory is short, comments may be lost and numbers may get more zeros; nothing else may change.
 std::vector<std::string> meaning(const Kept& kept, const std::string& text) {
     const TemporaryFolder folder;
     folder.write("a.map", "x");
@@ -147,7 +147,8 @@ bool same_meaning(const Kept& kept, const std::string& text, const std::string& 
     return text == after || (!after.empty() && meaning(kept, text) == meaning(kept, after));
 }
 
-// Old or new as a whole, nothing else touched, nothing left beside it. True: the new one.
+// Checks that the file is entirely old or entirely new, that nothing else changed, and that no other file remains.
+// Returns true if it is new.
 bool expect_whole(const Kept& kept, const Home& home, const std::map<std::string, std::string>& before,
                   const std::string& after) {
     std::map<std::string, std::string> now = home.all();
@@ -213,7 +214,7 @@ TEST(SaveFaults, writes_that_take_only_a_part_or_are_interrupted_are_gone_on_wit
             const auto before = home.all();
             const auto save = kept.change(home.folder.path());
             {
-                const BrokenDisk broken(fault, 1, error);  // the first write, after the file was made
+                const BrokenDisk broken(fault, 1, error);  // the first write after the file was created
                 EXPECT_TRUE(save());
                 EXPECT_TRUE(BrokenDisk::struck());
             }
@@ -236,17 +237,18 @@ TEST(SaveFaults, disk_that_runs_full_in_the_middle_leaves_the_old_file) {
     }
 }
 
-// Every allocation up to a few hundred, then ever fewer of them.
+// Visits every allocation up to a few hundred, then fewer and fewer of them.
 long next_step(long step) { return step + 1 + step / (test::kSanitizerScale < 1.0 ? 10 : 60); }
 
 enum class End { Worked, Told, NoMemory, Died };
 
-// What came of `act` in a child process that has no memory from the n-th allocation on. `struck`: it came to that one.
+// Runs `act` in a child process that has no memory from the n-th allocation on. Returns how it ended; `struck` is set
+// if it reached that allocation.
 End in_child(const std::function<bool()>& act, long step, bool all_after, bool& struck) {
     const pid_t child = ::fork();
     if (child == 0) {
         if (const int nowhere = ::open("/dev/null", O_WRONLY); nowhere >= 0)
-            ::dup2(nowhere, STDERR_FILENO);  // what terminate() has to say
+            ::dup2(nowhere, STDERR_FILENO);  // discards the message of terminate()
         int end = 0;
         {
             const NoMemory none(step, all_after);
@@ -309,7 +311,7 @@ TEST(SaveFaults, what_memory_did_not_suffice_for_is_saved_the_next_time) {
     EXPECT_TRUE(expect_whole(kept, home, before, after));
 }
 
-// The folders of learners or of recordings that are there, however empty.
+// Existing folders of learners or of recordings, including empty ones.
 std::vector<std::string> folders_in(const fs::path& folder) {
     std::vector<std::string> names;
     std::error_code ec;
@@ -326,10 +328,10 @@ bool begins_recording(const fs::path& folder) {
     return begun.has_value();
 }
 
-// What is begun in a folder of its own: that folder is whole, or is not there.
+// Data that begins in its own folder: that folder is complete or does not exist.
 struct Begun {
     const char* name;
-    const char* folders;  // where those folders are
+    const char* folders;  // parent of those folders
     bool (*begin)(const fs::path& folder);
 };
 constexpr std::array kAllBegun{Begun{"a learner", "learners", makes_learner},
@@ -365,7 +367,7 @@ TEST(SaveFaults, what_has_a_folder_of_its_own_leaves_no_empty_one_if_an_allocati
             const TemporaryFolder folder;
             const End end = in_child([&] { return one.begin(folder.path()); }, step, false, struck);
             ++ends[static_cast<int>(end)];
-            // A child that died could put nothing away.
+            // A child that died could not clean up.
             if (end != End::Died) {
                 EXPECT_EQ(folders_in(folder.path() / one.folders).size(), end == End::Worked ? 1U : 0U)
                     << one.name << ", allocation " << step;
@@ -377,7 +379,7 @@ TEST(SaveFaults, what_has_a_folder_of_its_own_leaves_no_empty_one_if_an_allocati
     }
 }
 
-// A consent that was given or withdrawn is in the file, or the caller is told that it is not.
+// A consent that was given or withdrawn is in the file, or the caller gets an error.
 TEST(SaveFaults, learner_who_is_changed_is_the_old_one_or_the_new_one) {
     const TemporaryFolder folder;
     const Learners learners(folder.path());
@@ -407,7 +409,7 @@ TEST(SaveFaults, learner_who_is_changed_is_the_old_one_or_the_new_one) {
     }
 }
 
-// Something that is read, told as one text: the same whenever it works.
+// Some data that is read and summarised as text, which is the same after every successful read.
 struct Read {
     std::string name;
     std::function<std::string(const fs::path& folder)> read;

@@ -1,4 +1,4 @@
-// Every setting has its words in every language, and no words are left of settings that are no more.
+// Every setting has texts in every language, and no texts remain for settings that no longer exist.
 #include <gmock/gmock.h>
 
 #include <set>
@@ -11,7 +11,7 @@ namespace handrail {
 namespace setting_texts_test {
 using testing::HasSubstr;
 
-// The keys of all texts that are made of names in the tables.
+// The keys of all texts that are composed of names in the tables.
 std::set<std::string> made_keys() {
     std::set<std::string> keys{"setting.keys"};
     const auto add_unit = [&](std::string_view unit) {

@@ -96,7 +96,7 @@ TEST(Settings, name_the_nearest_key_when_one_is_unknown_and_apply_the_rest) {
 TEST(Settings, name_the_nearest_key_of_the_same_table_before_nearer_ones_elsewhere) {
     const TemporaryFolder folder;
     SettingsStore store;
-    // "walk.scale" is nearer to workspace's key and "speech.speed_m_per_s" is another table's word for word.
+    // "walk.scale" is nearest to the workspace's key; "speech.speed_m_per_s" exists word for word in another table.
     const auto problems = store.load_file(
         folder.write("settings.toml",
                      "[speech]\nspeed_m_per_s = 30\n[workspace]\nbody_radius_m = 2\n[spaech]\nverbosity = 1\n"),
@@ -194,7 +194,7 @@ TEST(Settings, keep_overrides_by_device_name_and_keys_by_command) {
     EXPECT_FALSE(store.set("workspace.device.falcon.scale", "5000", SettingSource::Live));
 }
 
-// Such a command had no key at all, and nobody was told.
+// Formerly such a command had no key at all, without any message.
 TEST(Settings, refuse_keys_that_nobody_can_press_with_their_line) {
     const TemporaryFolder folder;
     SettingsStore store({"where", "home", "look", "use", "again", "quit"});
@@ -244,7 +244,7 @@ TEST(Profiles, are_kept_by_device_and_serial_number_and_say_where_they_come_from
         << "what is not understood is kept";
 }
 
-// A labyrinth that fixes its scale is felt at that scale on every device, also on one that has a scale of its own.
+// A labyrinth that fixes its scale has that scale on every device, including devices with their own scale.
 TEST(SettingsStore, lets_a_world_decide_for_devices_that_have_a_value_of_their_own) {
     const test::TemporaryFolder folder;
     SettingsStore store;
@@ -315,7 +315,8 @@ TEST(SaveSettings, keeps_the_meaning_of_a_file_written_in_an_unusual_way) {
     ASSERT_TRUE(store.set("haptic.friction_mu", "0.1", SettingSource::Live));
     ASSERT_TRUE(store.save_user_file());
     SettingsStore again;
-    EXPECT_THAT(again.load_file(file, SettingSource::UserFile), SizeIs(1)) << content_of(file);  // speech.other
+    // The unknown entry speech.other.
+    EXPECT_THAT(again.load_file(file, SettingSource::UserFile), SizeIs(1)) << content_of(file);
     EXPECT_EQ(shown(again), shown(store));
     EXPECT_THAT(content_of(file), HasSubstr("other"));
 }
@@ -353,7 +354,7 @@ TEST(SaveSettings, never_replaces_a_damaged_file_and_says_so) {
 TEST(SaveSettings, never_replaces_what_cannot_be_read) {
     const TemporaryFolder folder;
     SettingsStore store;
-    const auto problems = store.load_file(folder.path(), SettingSource::UserFile);  // a folder
+    const auto problems = store.load_file(folder.path(), SettingSource::UserFile);  // a folder instead of a file
     ASSERT_THAT(problems, SizeIs(1));
     EXPECT_THAT(problems[0].sentence(), HasSubstr("folder"));
     ASSERT_TRUE(store.set("workspace.scale", "42", SettingSource::Live));
@@ -366,7 +367,7 @@ TEST(SaveSettings, never_replaces_what_cannot_be_read) {
     EXPECT_FALSE(store.save_user_file());
 }
 
-// The file size limit of the process stands in for a full disk: writing stops half way with an error.
+// The file size limit of the process simulates a full disk: writing stops half way with an error.
 TEST(SaveSettings, leaves_the_old_file_whole_when_the_disk_is_full) {
     const TemporaryFolder folder;
     const std::string old = "[workspace]\nscale = 30\n# " + std::string(5000, 'x') + "\n";
@@ -414,7 +415,7 @@ TEST(LoadSettings, survives_a_file_cut_at_every_byte_and_every_byte_replaced) {
         }
 }
 
-// Any legal live changes, over any earlier file of the same kind, read back exactly.
+// Any legal changes during a session, saved over any earlier file of the same kind, read back exactly.
 RC_GTEST_PROP(SaveSettings, reads_back_what_it_saved, ()) {
     const TemporaryFolder folder;
     const fs::path file = folder.path() / "settings.toml";

@@ -1,4 +1,4 @@
-// TOML files as plain values: the same as toml++ finds in them, and written so that they are found again.
+// TOML files as plain values: they equal the values that toml++ reads, and read back unchanged after writing.
 #include "settings/toml_value.h"
 
 #include <gmock/gmock.h>
@@ -83,7 +83,7 @@ TEST(TomlValue, of_a_damaged_file_is_its_fault_with_the_place) {
     EXPECT_FALSE(damaged.error().message.empty());
 }
 
-// toml++ bounds how deep brackets are, but not how many names one key joins.
+// toml++ limits the depth of brackets, but not the number of names in a dotted key.
 TEST(TomlValue, is_refused_where_tables_are_too_deep_in_each_other) {
     std::string key = "\n[a";
     for (int i = 1; i < 2000; ++i) key += ".a";

@@ -1,4 +1,4 @@
-// The instructor's desk: a socket for one person, orders to the lesson, and lines about it.
+// The instructor's desk: a socket for one person, commands to the lesson, and reports about it.
 #include "app/teaching/desk.h"
 #include "tests/support/child_process.h"
 
@@ -69,7 +69,7 @@ TEST(Desk, takes_the_place_of_one_left_behind_and_is_private) {
     EXPECT_FALSE(err.str().empty());
 }
 
-// The desk of another process: a socket in the folder that says its title and keeps what it is told.
+// A desk of another process: a socket in the folder that sends its title and records what it receives.
 class OtherDesk {
 public:
     OtherDesk(const std::filesystem::path& file, const std::string& title)
@@ -85,7 +85,7 @@ public:
         if (serving_.joinable()) serving_.join();
         ::close(listening_);
     }
-    // All that it was told; waits until the other side has gone. Once.
+    // Everything that was received. Waits until the other side has disconnected; call it once.
     const std::string& told() {
         serving_.join();
         return told_;

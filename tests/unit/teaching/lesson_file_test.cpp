@@ -1,4 +1,4 @@
-// Lesson files: what is read stands in them, and each mistake is one sentence with its line.
+// Lesson files: all their contents are read, and each mistake gives one sentence with its line.
 #include "app/teaching/lesson_file.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace lesson_file_test {
 
 const std::filesystem::path kSeed = test::project_root() / "tests/fuzz/inputs/lesson/seeds/everything.lesson.toml";
 
-// The seed with a world beside it.
+// The sample lesson, with a world next to it.
 class Given {
 public:
     Given() { folder_.write("box.map", "{\n\"classname\" \"worldspawn\"\n}\n"); }
@@ -22,7 +22,7 @@ public:
         return read_lesson_text(text, folder_.path() / "a.lesson.toml", {});
     }
     std::string seed() const { return *read_whole_file(kSeed, 1 << 20); }
-    // The sentence about the seed with one text in place of another.
+    // Replaces one text in the sample and returns the message that it causes.
     std::string refused(const std::string& what, const std::string& by) const {
         std::string text = seed();
         const std::size_t at = text.find(what);
@@ -120,7 +120,7 @@ TEST(LessonFileRead, is_whole_or_refused_in_one_sentence_wherever_it_is_cut) {
         if (lesson) ++taken;
         else EXPECT_NE(lesson.error().sentence().find("a.lesson.toml"), std::string::npos) << at;
     }
-    EXPECT_GT(taken, 0U);  // between two of its sessions it is a lesson too
+    EXPECT_GT(taken, 0U);  // cut between two of its sessions, it is still a lesson
     EXPECT_LT(taken, text.size() / 2);
 }
 
@@ -137,7 +137,7 @@ TEST(LessonFileRead, finds_its_world_by_name_or_beside_it_where_both_have_travel
     EXPECT_NE(given.refused("world = \"box.map\"", "world = \"bax\"").find("bax"), std::string::npos);
 }
 
-// A lesson that the program saves finds its world from its own folder, wherever that folder is put.
+// A lesson that the program saves refers to its world relative to its own folder, so both can be moved together.
 TEST(LessonFileRead, made_by_the_program_names_its_world_from_its_own_folder) {
     const test::TemporaryFolder home;
     const auto lessons = home.path() / "data/lessons", worlds = home.path() / "worlds";

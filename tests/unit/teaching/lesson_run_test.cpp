@@ -1,5 +1,5 @@
-// Lessons taught in a headless session of our school: scripted pupils, a pupil who walks the way, a blocked door, and
-// the same once more.
+// Lessons in a headless session of our school: scripted learners, a learner who walks the route, a blocked door, and a
+// replay.
 #include "app/teaching/lesson_check.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ const std::shared_ptr<TaughtWorld>& school() {
     return kWorld;
 }
 
-// Somebody who walks along places by sticks, opens what is shut, and hears what is said.
+// A learner who walks to places by stick, opens closed doors, and hears announcements.
 class Walker20 {
 public:
     Walker20(const std::shared_ptr<TaughtWorld>& world, std::size_t session, const HandFacts& hand = {},
@@ -37,7 +37,7 @@ public:
             WorldEntered{make_ready_at(world->scene(), world->base().stand_m, world->base_heading_rad())}, 0.0);
         run_.emplace(begin_lesson(world, session, {}, headless_.app()));
         for (int i = 0; hand.present && hand_is_known && i < 50; ++i)
-            headless_.advance();  // until it is known where the hand is
+            headless_.advance();  // until the session knows where the hand is
     }
     TeachingRun& run() { return *run_; }
     HeadlessSession& headless() { return headless_; }
@@ -47,7 +47,7 @@ public:
             headless_.advance();
         }
     }
-    // Until the lesson puts the body elsewhere, or the last of the places is reached.
+    // Walks until the lesson moves the walker elsewhere, or the last place is reached.
     bool walk(const std::vector<Vec3>& places, double at_most_s = 120.0) {
         std::size_t next = 0;
         double stuck_s = 0.0;
@@ -64,7 +64,7 @@ public:
             live(0.02);
             const Vec3 moved = headless_.app().feet_m() - feet;
             const double moved_m = glm::length(moved);
-            if (moved_m > 1.0) return true;  // the lesson has put it back
+            if (moved_m > 1.0) return true;  // the lesson has moved the walker back
             gone_m_ += std::hypot(moved.x, moved.y);
             stuck_s = std::abs(off) < 0.3 && moved_m < 1e-3 ? stuck_s + 0.02 : 0.0;
             if (stuck_s < 0.5) continue;
@@ -78,7 +78,7 @@ public:
         headless_.app().apply(Steered{}, headless_.now_s());
         return next == places.size();
     }
-    // "I am done", facing that way; degrees from north.
+    // Turns to a heading, in degrees from north, and says "I am done".
     void answer_facing(double heading_deg) {
         headless_.app().apply(Placed{headless_.app().feet_m(), radians_from_degrees(heading_deg)}, headless_.now_s());
         live(0.3);
@@ -89,7 +89,7 @@ public:
         headless_.app().apply(CommandUp{Command::TaskDone}, headless_.now_s());
         live(0.3);
     }
-    // The device's hand goes to a place before it, device frame, and stays.
+    // Moves the device's hand to a place in the device's frame, where it stays.
     void move_hand(const Vec3& to_m) {
         HandCommand command;
         command.mode = HandMode::Move;
@@ -98,7 +98,7 @@ public:
         headless_.hand().command.publish(command);
         live(1.0);
     }
-    // On the level, by walk(): every step of it.
+    // Horizontal distance covered by walk(), counting every step.
     double gone_m() const { return gone_m_; }
     bool heard(const std::string& words) const {
         return std::any_of(speech_.lines().begin(), speech_.lines().end(),
@@ -182,14 +182,14 @@ TEST(LessonTaught, blocks_a_door_and_finds_that_somebody_went_another_way) {
     EXPECT_EQ(lap.measures.at("reached"), 1.0);
     EXPECT_EQ(lap.measures.at("detour"), 1.0);
     EXPECT_GT(lap.measures.at("detour_time"), 0.0);
-    // To the lift and from there round, over the shortest way round that was planned; the lap ends a metre and a half
+    // The lap goes to the lift and from there along the shortest detour that was planned. It ends a metre and a half
     // before the stop.
     constexpr double kArrived_m = 1.5;
     const double shortest_m = level_way_m(shortest.points_m) - kArrived_m;
     const double to_lift_m = level_way_m(to_lift.points_m), round_m = level_way_m(round.points_m) - kArrived_m;
     EXPECT_GT((to_lift_m + round_m) / shortest_m, 1.1) << "that was no way round";
     EXPECT_NEAR(lap.measures.at("path_ratio"), (to_lift_m + round_m) / shortest_m, 0.07);
-    // Over places a quarter metre apart a way is up to a thirtieth shorter than by every step of it.
+    // Measured between places a quarter metre apart, a path is up to a thirtieth shorter than the sum of all steps.
     EXPECT_NEAR(lap.measures.at("path_ratio"), gone_m / shortest_m, 0.035);
     pupil.run().end(pupil.headless().now_s());
     pupil.live(1.0);
@@ -258,7 +258,7 @@ TEST(Pointing, is_by_the_devices_hand_where_it_went_and_else_by_facing) {
     pupil.move_hand({0.03 * std::sin(right_rad), 0.03 * std::cos(right_rad), 0.0});
     pupil.answer();
     EXPECT_TRUE(pupil.heard("That is the right direction.")) << pupil.all();
-    // The hand stays where it is: one points by facing.
+    // The hand stays still, so the learner points by facing.
     pupil.answer_facing(bearing_deg(*world, "Drinking fountain") + 12.0);
     EXPECT_TRUE(pupil.heard("You pointed 12 degrees too far right. Your answer counts.")) << pupil.all();
     ASSERT_EQ(pupil.run().results().size(), 1U) << pupil.all();
@@ -279,7 +279,7 @@ TEST(Pointing, is_judged_from_where_one_was_put_for_the_question) {
     pupil.answer();
     pupil.live(1.0);
     ASSERT_TRUE(pupil.heard("Face Trophy case")) << pupil.all();
-    // The hand has not moved, so facing north, as the base does, is the answer.
+    // The hand has not moved, so the answer is the direction faced: north, as at the base.
     pupil.answer();
     const double off_deg = std::remainder(-bearing_deg(*world, "Trophy case"), 360.0);
     EXPECT_TRUE(
@@ -316,7 +316,7 @@ TEST(Learning, that_is_done_at_once_is_stated_as_nothing_and_else_as_it_was_in_t
     pupil.run().tick(pupil.headless().now_s(), elsewhere);
     pupil.run().next(pupil.headless().now_s());
     pupil.live(0.5);
-    // Along the wall, and out of the hall.
+    // Trails along the wall, out of the hall.
     pupil.headless().press(Command::TrailRight);
     pupil.live(8.0);
     pupil.headless().app().apply(CommandUp{Command::TrailRight}, pupil.headless().now_s());
@@ -329,7 +329,7 @@ TEST(Learning, that_is_done_at_once_is_stated_as_nothing_and_else_as_it_was_in_t
     EXPECT_TRUE(pupil.run().results()[1].measures.contains("exits_percent"));
 }
 
-// Base, landmarks, a way with less help each lap, pointing and a distance, in a house that architects drew.
+// Base, landmarks, a route with less help in each lap, pointing and a distance, in a house by real architects.
 TEST(LessonTaught, in_a_real_building_is_walked_measured_and_finished) {
     const auto file = test::real_world("duplex-apartment.ifc");
     if (!file) GTEST_SKIP() << test::needs_real_world("duplex-apartment.ifc");
@@ -394,7 +394,7 @@ to = ["Stove"]
     EXPECT_GT(pupil.run().results()[3].measures.at("distance_judged"), 0.3);
 }
 
-// One route of one stop, as "Prepare a lesson" writes it, whose stop the hand is near from the start.
+// A route with one stop, as "Prepare a lesson" writes it. The hand is near the stop from the start.
 TEST(LessonTaught, leads_to_a_stop_that_hand_or_feet_are_near_from_the_start) {
     LessonFile lesson = *read_lesson(kWorlds / "school.lesson.toml", {});
     const Vec3 base_m = school()->base().stand_m;
@@ -523,7 +523,7 @@ TEST(LessonInItsWorld, is_refused_where_it_names_what_is_not_there) {
 
 TEST(LessonInItsWorld, may_ask_for_any_thing_of_it_and_for_nothing_that_is_under_the_learners_feet) {
     LessonFile lesson = *read_lesson(kWorlds / "school.lesson.toml", {});
-    lesson.sessions[0].steps[1].to = {"Lift door"};  // which is neither a landmark nor a stop
+    lesson.sessions[0].steps[1].to = {"Lift door"};  // neither a landmark nor a stop
     const auto world = TaughtWorld::find(lesson, school()->scene());
     ASSERT_TRUE(world) << world.error().sentence();
     ASSERT_TRUE((*world)->place("lift door"));
@@ -542,7 +542,7 @@ TEST(LessonInItsWorld, may_ask_for_any_thing_of_it_and_for_nothing_that_is_under
     EXPECT_FALSE(TaughtWorld::find(lesson, school()->scene())) << "nobody comes to it on the route";
 }
 
-// The reader of a building lays ground around it: a base there begins no session of walls.
+// The reader of a building adds ground around it. A base on that ground begins no session about walls.
 TEST(LessonInItsWorld, has_no_percent_of_walls_outside_and_prepares_no_learning_of_it) {
     const auto file = test::project_root() / "tests/fuzz/inputs/ifc/seeds/small_house.ifc";
     const auto scene = test::world_once(file);

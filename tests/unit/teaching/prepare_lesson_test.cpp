@@ -1,4 +1,4 @@
-// A lesson put together in the program, key by key, and taught.
+// A lesson that is prepared in the program, key by key, and then taught.
 #include <gtest/gtest.h>
 
 #include <cctype>
@@ -55,7 +55,7 @@ private:
 TEST(PreparingALesson, takes_under_60_keys_and_5_minutes_in_our_school_and_the_file_can_be_taught) {
     const auto scene = test::world_once(kSchool);
     Instructor instructor(scene);
-    // A way is planned: to the lower corridor, and from there on to the library.
+    // Plans a route: to the lower corridor, and from there to the library.
     instructor.key("Shift+4");
     instructor.type("lower c");
     instructor.key("Enter");
@@ -105,7 +105,7 @@ TEST(PreparingALesson, saves_nothing_that_has_no_landmark_or_no_route) {
     instructor.key("Enter");
     EXPECT_FALSE(instructor.headless().app().requests().take_lesson_draft());
     EXPECT_FALSE(instructor.headless().app().dialogue().typing());
-    // And the list stays open: the next keys are for it, and do not move the person.
+    // The list stays open, so the next keys operate it and do not move the walker.
     const Vec3 stood = instructor.headless().app().feet_m();
     EXPECT_NE(instructor.at().find("Save"), std::string::npos) << instructor.at();
     instructor.key("Up");
@@ -115,8 +115,8 @@ TEST(PreparingALesson, saves_nothing_that_has_no_landmark_or_no_route) {
     EXPECT_EQ(instructor.headless().app().feet_m(), stood);
 }
 
-// Whatever the order in which landmarks are chosen, the question has that of the route; and nobody is asked for what
-// they stand on.
+// The question uses the order of the route, whatever the order in which landmarks were chosen. It never includes the
+// landmark at the learner's feet.
 TEST(PreparingALesson, asks_for_the_order_in_which_the_route_comes_to_landmarks) {
     const auto scene = test::world_once(kSchool);
     const auto order_after = [&](const std::vector<const char*>& landmarks) {

@@ -1,5 +1,5 @@
-// The wizard with servo, cue planner and a voice that takes its time, on a virtual clock: the program's set-up without
-// its threads. The hand is a simulated device's or a Falcon's of bytes.
+// The set-up wizard with servo, cue planner and a voice that takes realistic time, on a virtual clock without threads.
+// The hand is on a simulated device or an emulated Falcon.
 #pragma once
 
 #include "app/wizard/wizard_session.h"
@@ -10,14 +10,14 @@
 
 namespace handrail::test {
 
-// A device and the hand that holds it.
+// A device and the hand on it.
 class HeldDevice {
 public:
     virtual ~HeldDevice() = default;
     virtual Result<void> open(const std::function<void(const std::string&)>& tell) = 0;
     virtual HandFacts facts() const = 0;
     virtual HapticDevice& device() = 0;
-    // The hand is to be at a place of the device's frame from now on, as well as it can.
+    // Sets the place, in the device's frame, that the hand tries to keep from now on.
     virtual void aim(const Vec3& at_m) = 0;
     virtual void button(bool down) = 0;
     virtual Vec3 force_on_hand_n() = 0;
@@ -50,7 +50,7 @@ private:
     SimulatedDevice device_;
 };
 
-// Asleep at first, wakes at the second try, finds its zero when it is moved.
+// Asleep at first, wakes at the second attempt, and finds its zero when it is moved.
 class HeldFalcon final : public HeldDevice {
 public:
     explicit HeldFalcon(VirtualClock& clock);
@@ -77,7 +77,7 @@ class WizardRig {
 public:
     explicit WizardRig(std::string_view only = "", HeldDevice* held = nullptr, VirtualClock* clock = nullptr);
 
-    // One millisecond of everything.
+    // Advances everything by one millisecond.
     void advance();
     template <class Condition>
     bool run_until(Condition&& condition, double most_s = 60.0) {
@@ -97,7 +97,7 @@ public:
     bool has_said(std::string_view words) const;
     double now_s() const { return clock_.now_s(); }
     double force_n() { return held_ ? glm::length(held_->force_on_hand_n()) : 0.0; }
-    DeviceProfile profile() const;  // of the held device; empty where there is none
+    DeviceProfile profile() const;  // profile of the held device; empty if there is none
     int clicks() const;
 
     SettingsStore store;
@@ -121,20 +121,19 @@ private:
     std::vector<std::string> news_;
 };
 
-// A person who knows what to do, does it when a question is over, and is brisk about it: hand speed 25 cm/s, 0.3 s to
-// react.
+// A person who knows what to do and answers briskly when a question ends: hand speed 25 cm/s, 0.3 s to react.
 class BriskPerson {
 public:
     BriskPerson(WizardRig& rig, HeldDevice* held) : rig_(rig), held_(held) {}
-    // Answers everything, from now to the end. False when the wizard did not end within `most_s`.
+    // Answers every question to the end. Returns false if the wizard did not end within `most_s`.
     bool answer_all(double most_s);
 
-    double felt_n = 0.35;  // what they notice
+    double felt_n = 0.35;  // least force that the person notices
 
 private:
     void advance();
     void wait(double for_s);
-    void go(const Vec3& to_share);  // of the device's radius
+    void go(const Vec3& to_share);  // in units of the device's radius
     void answer_one();
 
     WizardRig& rig_;

@@ -19,7 +19,7 @@ std::string joined(const std::vector<std::string>& lines) {
     return text;
 }
 
-// Each of these was said, in this order.
+// Checks that each of these was said, in this order.
 void expect_in_order(const std::vector<std::string>& lines, std::initializer_list<const char*> wanted) {
     auto from = lines.begin();
     for (const char* words : wanted) {
@@ -65,8 +65,8 @@ TEST(WizardFromStartToEnd, with_a_simulated_touch_takes_a_brisk_person_less_than
     EXPECT_EQ(profile.hand, HoldingHand::Left);
     EXPECT_NEAR(profile.width_m.value(), 1.4 * 0.075, 0.01);
     EXPECT_NEAR(profile.depth_m.value(), 1.3 * 0.075, 0.01);
-    // Measured from 0.6 ahead to 0.7 behind: the middle lies 0.05 radii behind; 5 parts ahead of the body and 3 behind
-    // are asked for.
+    // Measured from 0.6 ahead to 0.7 behind, so the middle is 0.05 radii behind. The wizard wants 5 parts of the depth
+    // ahead of the body and 3 behind.
     EXPECT_NEAR(profile.offset_ahead_m.value(), (0.125 * 1.3 + 0.05) * 0.075, 0.003);
     EXPECT_EQ(profile.scale, 60.0);
     EXPECT_EQ(rig.store.values().walk.step_length_m, 0.65);
@@ -224,7 +224,7 @@ TEST(Wizard, the_stop_key_takes_all_force_at_once) {
     held.aim({0.0, 0.0, 0.01});
     ASSERT_TRUE(rig.run_until([&] { return rig.force_n() > 0.3; }));
     rig.key("F12");
-    rig.run(0.003);  // the tick that hears of it and the device's own delay
+    rig.run(0.003);  // the tick that receives the key, and the device's own delay
     EXPECT_EQ(rig.force_n(), 0.0);
     rig.run(1.0);
     EXPECT_EQ(rig.force_n(), 0.0);
@@ -337,7 +337,7 @@ TEST(Wizard, goes_on_without_a_device_that_is_unplugged_and_without_its_force) {
         << "after the alarm";
 }
 
-// With Enter, or with the force key, which the sentence of some faults names.
+// Either Enter or the force key confirms, because the message of some faults names the force key.
 TEST(Wizard, a_latched_fault_is_told_and_confirmed_with_enter_or_the_force_key) {
     for (const char* key : {"Enter", "F"}) {
         SCOPED_TRACE(key);
@@ -423,7 +423,7 @@ TEST(WizardWords, are_said_and_typed_in_german_or_as_ever) {
     EXPECT_EQ(parse_wizard_line("schluss")->events.size(), 2U);
 }
 
-// What the German texts tell a person to type is understood.
+// The program understands the words that the German texts ask a person to type.
 TEST(WizardWords, that_german_texts_name_are_understood) {
     const InLanguage german("de");
     int seen = 0;
