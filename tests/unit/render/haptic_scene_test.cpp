@@ -1,5 +1,5 @@
-// Every kind of obstacle in one scene: what is nearest, which surface it is, how many there are, near and far from the
-// world's zero.
+// Every kind of obstacle in one scene: the nearest point, the surface hit, and the number of contacts, near the world's
+// origin and far from it.
 #include "haptic/render/haptic_scene.h"
 
 #include "haptic/render/proxy_solver.h"
@@ -11,7 +11,7 @@ namespace haptic_scene_test {
 
 SurfaceLabel label(std::uint32_t feature) { return {FeatureId{feature}, 0, false}; }
 
-// One of every kind along x, ten metres apart, each 2 m wide and 2 m high, standing on z = 0.
+// One obstacle of every kind along x, ten metres apart, each 2 m wide and 2 m high and standing on z = 0.
 std::shared_ptr<const HapticScene> one_of_each(const Vec3& at) {
     HapticSceneBuilder builder;
     const auto x = [&](int i) { return at + Vec3(10.0 * i, 0.0, 0.0); };
@@ -58,7 +58,7 @@ TEST(HapticScene, knows_place_and_surface_of_every_kind_near_and_far) {
             std::uint32_t feature;
         };
         const double rounding = at == Vec3(0.0) ? 1e-12 : 1e-9;
-        // Of the sloping sides: 1 m out along the normal of each, from a point that lies on it.
+        // Points 1 m outside each sloping side, along the normal from a point on that side.
         const Vec3 slope = glm::normalize(Vec3(1, 0, 1)), slant = glm::normalize(Vec3(2, 0, 1));
         for (const Row& row : {Row{0, {0, -3, 1}, 3, 10},
                                {0, {0, 3, 1}, 3, 10},
@@ -100,7 +100,7 @@ TEST(HapticScene, holds_a_ball_at_every_kind_with_the_label_of_the_face) {
     }
 }
 
-// Sliding over round solids pressed deeper than the ball's radius takes a round or two, not dozens.
+// Sliding over round solids takes one or two rounds, not dozens, even if the hand is deeper than the proxy's radius.
 TEST(HapticScene, round_solids_are_slid_over_in_few_rounds) {
     TouchWorld sphere, capsule, cylinder, cone;
     sphere.sphere({0, 0, 0}, .05);
@@ -116,7 +116,7 @@ TEST(HapticScene, round_solids_are_slid_over_in_few_rounds) {
             double rounds = 0, ticks = 0;
             for (double lift = 0.03; lift > -depth; lift -= 1e-4)
                 touch_tick(state, *scene, tuning, {0, 0, 0.055 + lift}, 1e-3);
-            // Held still until the ball has come down to its place, then round at 0.1 m/s.
+            // Holds still until the proxy has come down to its place, then circles at 0.1 m/s.
             for (int i = 0; i < 300; ++i) touch_tick(state, *scene, tuning, {0, 0, 0.055 - depth}, 1e-3);
             for (double turn = 0.0; turn < 2 * kPi; turn += 1e-4 / (0.055 - depth)) {
                 const Vec3 goal = (0.055 - depth) * Vec3(std::sin(turn), 0, std::cos(turn));

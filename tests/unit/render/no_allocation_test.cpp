@@ -1,4 +1,4 @@
-// touch_tick neither allocates nor frees: every way to operator new and delete in this program is counted.
+// touch_tick neither allocates nor frees. The test counts every call of operator new and delete in this program.
 #include "haptic/render/touch.h"
 #include "tests/support/count_allocations.h"
 #include "tests/support/touch_worlds.h"
@@ -27,7 +27,7 @@ TEST(TouchTick, never_allocates_or_frees) {
         touch_tick(state, *scene, tuning, c.goals_m.front(), 1e-3);
         during += allocations - before;
     }
-    // Through a pool and effects of every kind.
+    // Moves through a pool and effects of every kind.
     const Aabb cube{Vec3(-0.05), Vec3(0.05)};
     HapticSceneBuilder builder;
     LiquidVolume liquid;

@@ -1,4 +1,4 @@
-// Height and friction textures: how deep, how steep, where they end, what they do to the force.
+// Height and friction textures: their depth, slope and borders, and how they change the force.
 #include "haptic/render/relief.h"
 
 #include <random>
@@ -16,7 +16,7 @@ std::shared_ptr<const HeightField> random_field(std::mt19937& random, int width,
     return std::make_shared<const HeightField>(width, height, depths);
 }
 
-// Black to the left, white to the right, three quarters of the width; wraps back to black at the right border.
+// Black on the left and white on the right, three quarters of the width. At the right border it returns to black.
 std::shared_ptr<const HeightField> half_white() {
     constexpr int kWidth = 64, kHeight = 32;
     std::vector<float> depths(kWidth * kHeight);
@@ -52,9 +52,9 @@ TEST(Relief, is_nowhere_steeper_or_more_curved_than_a_hand_can_take) {
             const Vec3 at(place(random), place(random), 0.0);
             const ReliefValue here = relief_at(relief, axes, at, 1.0, kStiffness, 1.0);
             EXPECT_GE(here.depth_m, -1e-15);
-            EXPECT_LE(here.depth_m, relief.depth_hand_m * (1.0 + 1e-6));  // pictures are kept in single precision
+            EXPECT_LE(here.depth_m, relief.depth_hand_m * (1.0 + 1e-6));  // pictures are stored in single precision
             EXPECT_LE(glm::length(here.gradient), 0.3 + 1e-9);
-            // Slope against differences of the depth; bend against differences of the slope.
+            // Compares the slope with differences of the depth, and the bend with differences of the slope.
             constexpr double kStep = 1e-6;
             for (const Vec3& way : {Vec3(kStep, 0, 0), Vec3(0, kStep, 0)}) {
                 const ReliefValue ahead = relief_at(relief, axes, at + way, 1.0, kStiffness, 1.0),
@@ -68,7 +68,7 @@ TEST(Relief, is_nowhere_steeper_or_more_curved_than_a_hand_can_take) {
 }
 
 TEST(Relief, lays_its_axes_to_the_right_and_up_as_one_looks_at_a_wall) {
-    EXPECT_EQ(relief_axes({0, -1, 0}).u, Vec3(1, 0, 0));  // a wall that looks south: right is east
+    EXPECT_EQ(relief_axes({0, -1, 0}).u, Vec3(1, 0, 0));  // for a wall that faces south, right is east
     EXPECT_EQ(relief_axes({0, -1, 0}).v, Vec3(0, 0, 1));
     EXPECT_EQ(relief_axes({1, 0, 0}).u, Vec3(0, 1, 0));
     EXPECT_EQ(relief_axes({0, 0, 1}).u, Vec3(1, 0, 0));
@@ -85,7 +85,7 @@ TEST(Relief, lays_its_axes_to_the_right_and_up_as_one_looks_at_a_wall) {
 }
 
 TEST(Relief, keeps_a_pictures_rows_downwards_and_its_width_while_it_grows_coarser) {
-    // One white row at the top, one white column at the left.
+    // One picture with a white row at the top, the other with a white column on the left.
     std::vector<float> rows(64 * 48, 0.0F), columns(64 * 48, 0.0F);
     for (std::size_t x = 0; x < 64; ++x)
         for (std::size_t y = 0; y < 12; ++y) rows[y * 64 + x] = 1.0F;
@@ -99,12 +99,13 @@ TEST(Relief, keeps_a_pictures_rows_downwards_and_its_width_while_it_grows_coarse
         EXPECT_NEAR(left.at(left.levels()[k], 0.12, 0.3).depth, 1.0, 0.15) << k;
         EXPECT_NEAR(left.at(left.levels()[k], 0.6, 0.3).depth, 0.0, 0.05) << k;
     }
-    EXPECT_NEAR(left.at(left.levels().back(), 0.7, 0.1).depth, 0.25, 1e-6);  // all that is left in the end is the mean
+    // The coarsest level contains only the mean.
+    EXPECT_NEAR(left.at(left.levels().back(), 0.7, 0.1).depth, 0.25, 1e-6);
     const std::vector<float> one{0.5F};
     EXPECT_NEAR(HeightField(1, 1, one).at(HeightField(1, 1, one).levels()[0], 12.3, -4.5).depth, 0.5, 1e-6);
 }
 
-// A floor z <= 0 from -x to x, with a material's relief.
+// A floor z <= 0 from -reach_m to reach_m in x, with a material that has this relief.
 std::shared_ptr<const HapticScene> floor_with(const Relief& relief, double reach_m = 1.0, double friction = 0.0) {
     HapticMaterial material;
     material.relief = 0;
@@ -127,7 +128,7 @@ TouchResult press(TouchState& state, const HapticScene& scene, const TouchTuning
     return r;
 }
 
-TEST(Relief, lets_the_hand_sink_to_white_and_changes_nothing_over_black) {  // S82, S176
+TEST(Relief, lets_the_hand_sink_to_white_and_changes_nothing_over_black) {
     for (const double scale : {1.0, 4.0, 60.0}) {
         Relief relief;
         relief.kind = ReliefKind::Picture;
@@ -139,7 +140,7 @@ TEST(Relief, lets_the_hand_sink_to_white_and_changes_nothing_over_black) {  // S
         TouchTuning tuning;
         tuning.world_m_per_hand_m = scale;
         TouchState state;
-        // Over black: as without texture. Over white the hand is 2 mm deeper at the same force.
+        // Over black the force is as without texture. Over white the hand is 2 mm deeper at the same force.
         const TouchResult black = press(state, *scene, tuning, -0.1 * scale, 0.002);
         EXPECT_NEAR(black.force_n.z, 0.002 * 800.0, 1e-9);
         EXPECT_NEAR(black.proxy_m.z, tuning.radius_m, 1e-9);
@@ -147,11 +148,12 @@ TEST(Relief, lets_the_hand_sink_to_white_and_changes_nothing_over_black) {  // S
         EXPECT_NEAR(white.force_n.z, 0.002 * 800.0, 1e-6);
         EXPECT_NEAR(white.proxy_m.z, tuning.radius_m - 0.002 * scale, 1e-6 * scale);
         EXPECT_NEAR(glm::length(Vec2(white.force_n)), 0.0, 1e-6);
-        // In the hollow above its bottom nothing is touched.
+        // In the hollow, above its bottom, the hand touches nothing.
         const TouchResult hover = press(state, *scene, tuning, 0.1 * scale, 0.001);
         EXPECT_EQ(hover.force_n, Vec3(0.0));
         EXPECT_EQ(hover.contacts.count, 0);
-        // The border is a ramp of at most 0.3 that pulls into the hollow; on the way out it must be climbed.
+        // The border is a ramp with a slope of at most 0.3. It pulls into the hollow, and the hand must climb it on the
+        // way out.
         double steepest = 0.0;
         for (double x = -0.03; x <= 0.03; x += 1e-3) {
             const TouchResult r = press(state, *scene, tuning, x * scale, 0.004);
@@ -174,7 +176,7 @@ TEST(Relief, runs_out_towards_open_edges_and_goes_on_under_covered_ones) {
     material.relief = 0;
     HapticSceneBuilder builder({material});
     std::array<SurfaceLabel, 6> labels;
-    labels[1].hidden = true;  // +x
+    labels[1].hidden = true;  // hides the face at +x
     builder.add_box({{-0.1, -0.5, -1}, {0.1, 0.5, 0}}, labels);
     builder.set_reliefs({relief});
     const auto scene = builder.build();
@@ -182,7 +184,7 @@ TEST(Relief, runs_out_towards_open_edges_and_goes_on_under_covered_ones) {
     TouchTuning tuning;
     EXPECT_NEAR(press(state, *scene, tuning, 0.0, 0.004).force_n.z, 0.002 * 800.0, 1e-2);
     EXPECT_NEAR(press(state, *scene, tuning, 0.099, 0.004).force_n.z, 0.002 * 800.0,
-                1e-2);  // another solid goes on there
+                1e-2);  // another solid continues there
     double last = 0.0;
     for (double x = -0.08; x > -0.1; x -= 1e-3) {
         const double force = press(state, *scene, tuning, x, 0.004).force_n.z;
@@ -203,7 +205,7 @@ TEST(Relief, is_felt_as_ridges_of_its_period_in_the_hand_at_every_scale) {
         tuning.world_m_per_hand_m = scale;
         TouchState state;
         press(state, *scene, tuning, 0.0, 0.003);
-        // 5 cm/s for 1 s: 5 ridges. Crests of the normal force are counted.
+        // 5 cm/s for 1 s passes 5 ridges. The test counts the crests of the normal force.
         int crests = 0;
         double before = 0.0, last = 0.0;
         for (int i = 0; i < 1000; ++i) {

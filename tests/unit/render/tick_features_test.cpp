@@ -1,5 +1,5 @@
-// The tick is compiled with and without optional features: which scenes get which, and that leaving out what is not
-// there changes nothing.
+// The tick is compiled with and without optional features. Checks which scenes use which version, and that omitting
+// unused features changes nothing.
 #include "haptic/render/tick_features.h"
 
 #include <cstring>
@@ -44,7 +44,7 @@ TEST(TickFeatures, leaving_out_what_is_not_there_changes_no_bit) {
     }
 }
 
-// Idle, as the default damping makes it, at the border and at work.
+// With damping at which the guard is idle (the default), at its limit, and active.
 TEST(TickFeatures, the_passivity_guard_takes_the_plain_path_too_and_changes_no_bit) {
     for (const TouchCase& c : hard_cases()) {
         const auto scene = c.world.scene();
@@ -60,7 +60,8 @@ TEST(TickFeatures, the_passivity_guard_takes_the_plain_path_too_and_changes_no_b
 }
 
 TEST(TickFeatures, liquids_drag_the_same_wherever_the_hand_comes_from) {
-    // Two pools, one above a floor: far from both, past the one, into it, along its floor, out, into the other.
+    // Two pools, one above a floor. The hand passes far from both, past the first, into it, along its floor, out, and
+    // into the second.
     HapticSceneBuilder builder;
     const auto box = [](const Vec3& low, const Vec3& high) {
         return std::vector<Plane>{{{-1, 0, 0}, -low.x}, {{1, 0, 0}, high.x},  {{0, -1, 0}, -low.y},

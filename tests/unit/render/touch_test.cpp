@@ -1,4 +1,4 @@
-// What one tick of touch promises, on worlds small enough to work out by hand.
+// What a single tick of touch guarantees, in worlds small enough to calculate by hand.
 #include "haptic/render/touch.h"
 
 #include <limits>
@@ -13,7 +13,7 @@ namespace touch_test {
 constexpr double kTick_s = 1e-3;
 const FeatureId kFloor{7}, kWall{8}, kPool{9};
 
-// Floor z <= 0 and a wall x >= 0.1, boxes.
+// A floor z <= 0 and a wall x >= 0.1, both boxes.
 std::shared_ptr<const HapticScene> floor_and_wall(std::vector<HapticMaterial> materials = {}) {
     HapticSceneBuilder builder(std::move(materials));
     builder.add_box({{-1, -1, -1}, {1, 1, 0}}, SurfaceLabel{kFloor, 0, false});
@@ -27,7 +27,7 @@ TouchResult hold(TouchState& state, const HapticScene& scene, const TouchTuning&
     return result;
 }
 
-// Straight down onto the floor at 0.1 m/s, then held.
+// Moves straight down onto the floor at 0.1 m/s, then holds.
 TouchResult press_floor(TouchState& state, const HapticScene& scene, const TouchTuning& tuning, double depth_m) {
     TouchResult result;
     for (double z = 0.02; z > -depth_m; z -= 1e-4) result = touch_tick(state, scene, tuning, {0, 0, z}, kTick_s);
@@ -41,7 +41,8 @@ TEST(TouchTick, gives_stiffness_times_depth_per_metre_of_hand_travel) {
         tuning.world_m_per_hand_m = scale;
         TouchState state;
         for (double z = 0.03; z > 0.0; z -= 1e-4 * scale) touch_tick(state, *scene, tuning, {0, 0, z}, kTick_s);
-        // 3 mm of hand travel below the resting place of the ball's centre, 5 mm of the world above the floor; 800 N/m.
+        // The proxy's centre rests 5 mm of the world above the floor, and the hand is 3 mm of its travel below that;
+        // 800 N/m.
         const TouchResult r = hold(state, *scene, tuning, {0, 0, 0.005 - 0.003 * scale}, 400);
         EXPECT_NEAR(r.force_n.z, 2.4, 1e-9) << scale;
         EXPECT_EQ(r.force_n.x, 0.0);
@@ -82,7 +83,8 @@ TEST(TouchTick, blends_materials_by_how_hard_they_are_pressed) {
     TouchState state;
     TouchTuning tuning;
     hold(state, *scene, tuning, {0.08, 0, 0.02}, 1);
-    // Into the corner, 2 mm below the floor's resting place and 2 mm beyond the wall's: equal shares, K = 750 N/m.
+    // Moves into the corner, 2 mm below the resting place on the floor and 2 mm beyond that at the wall. Both have
+    // equal shares, K = 750 N/m.
     for (int i = 0; i <= 100; ++i)
         touch_tick(state, *scene, tuning,
                    Vec3(0.08, 0, 0.02) + (Vec3(0.097, 0, 0.003) - Vec3(0.08, 0, 0.02)) * (i / 100.0), kTick_s);
@@ -101,14 +103,14 @@ TEST(TouchTick, obeys_overrides_before_materials_before_defaults) {
     EXPECT_NEAR(hold(state, *scene, tuning, {0, 0, 0}, 1).force_n.z, 0.005 * 1234.0, 1e-9);
 }
 
-TEST(TouchTick, sticks_inside_the_friction_cone_and_slides_on_it) {  // I12
+TEST(TouchTick, sticks_inside_the_friction_cone_and_slides_on_it) {  // I12 (tests/property/invariants_test.cpp)
     const auto scene = floor_and_wall();
     for (const double mu : {0.2, 0.4, 1.5}) {
         TouchState state;
         TouchTuning tuning;
         tuning.override_friction_static = tuning.override_friction_kinetic = mu;
-        press_floor(state, *scene, tuning, 0.0);  // 5 mm of press
-        // Stick: sideways pull below mu * press, with tremor, for 10 s.
+        press_floor(state, *scene, tuning, 0.0);  // pressed 5 mm deep
+        // Stick: a sideways pull of less than mu * press, with tremor, for 10 s.
         double drift = 0.0;
         const Vec3 rest = hold(state, *scene, tuning, {0, 0, 0}, 1).proxy_m;
         for (int i = 0; i < 10000; ++i) {
@@ -117,7 +119,7 @@ TEST(TouchTick, sticks_inside_the_friction_cone_and_slides_on_it) {  // I12
             drift = std::max(drift, glm::length(Vec2(touch_tick(state, *scene, tuning, goal, kTick_s).proxy_m - rest)));
         }
         EXPECT_EQ(drift, 0.0) << mu;
-        // Slide: the tangential force is mu times the normal one, exactly.
+        // Slide: the tangential force is exactly mu times the normal force.
         for (int i = 0; i < 300; ++i) {
             const TouchResult r = touch_tick(state, *scene, tuning, {-2e-4 * i, 1e-4 * i, 0.0}, kTick_s);
             const double tangential = glm::length(Vec2(r.force_n));
@@ -150,7 +152,7 @@ TEST(TouchTick, weakens_static_friction_over_the_way_slid_and_heals_at_rest) {
     EXPECT_NEAR(last, 0.4, 0.001);
     EXPECT_LT(largest_drop, 0.02);
     const Vec3 rest = r.proxy_m;
-    hold(state, *scene, tuning, rest - Vec3(0, 0, 0.005), 2000);  // 2 s at rest heal it
+    hold(state, *scene, tuning, rest - Vec3(0, 0, 0.005), 2000);  // after 2 s of rest it has recovered
     largest = 0.0;
     for (int i = 0; i < 600; ++i) {
         r = touch_tick(state, *scene, tuning, rest + Vec3(1e-5 * i, 0, -0.005), kTick_s);
@@ -168,7 +170,8 @@ TEST(TouchTick, damps_along_the_normal_only_and_never_pulls) {
     double z = 0.0;
     TouchResult r;
     for (int i = 0; i < 100; ++i) r = touch_tick(state, *scene, tuning, {2e-4 * i, 0, z -= 5e-5}, kTick_s);
-    // In at 0.05 m/s for 0.1 s, long after the 50 Hz pole: 5 Ns/m more than the spring.
+    // Moves in at 0.05 m/s for 0.1 s, much longer than the time constant of the 50 Hz filter. The damping adds 5 Ns/m
+    // to the spring.
     EXPECT_NEAR(r.force_n.z, 800.0 * (0.005 - z) + 5.0 * 0.05, 1e-6);
     EXPECT_NEAR(r.force_n.x, 0.0, 1e-12);
     for (int i = 0; i < 400; ++i) {
@@ -196,7 +199,7 @@ TEST(TouchTick, makes_ghosts_of_all_solids_around_the_start_until_the_hand_has_l
     const auto scene = builder.build();
     TouchState state;
     TouchTuning tuning;
-    TouchResult r = hold(state, *scene, tuning, {0, 0, -0.1}, 10);  // in both
+    TouchResult r = hold(state, *scene, tuning, {0, 0, -0.1}, 10);  // starts inside both solids
     EXPECT_TRUE(r.contacts.ghosted);
     EXPECT_EQ(r.force_n, Vec3(0.0));
     for (double z = -0.1; z < 0.3048; z += 5e-4) {
@@ -212,7 +215,7 @@ TEST(TouchTick, makes_ghosts_of_all_solids_around_the_start_until_the_hand_has_l
     EXPECT_EQ(r.contacts.contacts[0].feature, kWall);
 }
 
-// A solid that the hand started in let it back in for as long as the hand was out by less than 1 mm.
+// Formerly a solid in which the hand had started let it back in while the hand was out by less than 1 mm.
 TEST(TouchTick, never_comes_back_into_a_solid_that_all_of_the_ball_has_left) {
     HapticSceneBuilder builder;
     builder.add_box({{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.3}}, SurfaceLabel{kWall});
@@ -228,13 +231,13 @@ TEST(TouchTick, never_comes_back_into_a_solid_that_all_of_the_ball_has_left) {
     for (double z = out; z > 0.2; z -= 5e-5) {
         r = touch_tick(state, *scene, tuning, {0, 0, z}, kTick_s);
         ASSERT_GE(r.proxy_m.z, 0.3 + tuning.radius_m - 1e-9) << z;
-        ASSERT_LE(r.force_n.z - before_n, 0.0401) << z;  // 50 um at 0.8 kN/m: it comes in without a step
+        ASSERT_LE(r.force_n.z - before_n, 0.0401) << z;  // 50 um at 0.8 kN/m: contact begins without a step
         before_n = r.force_n.z;
     }
     EXPECT_EQ(r.contacts.contacts[0].feature, kWall);
 }
 
-// A ramp lifts the ball out of the solid, and the hand stays below its top all the time.
+// A ramp lifts the proxy out of the solid, while the hand always stays below the solid's top.
 TEST(TouchTick, never_comes_back_into_a_solid_that_the_ball_has_left_and_the_hand_has_not) {
     HapticSceneBuilder builder;
     builder.add_box({{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.3}}, SurfaceLabel{kFloor});
@@ -262,7 +265,8 @@ TEST(TouchTick, never_comes_back_into_a_solid_that_the_ball_has_left_and_the_han
     EXPECT_EQ(r.contacts.contacts[0].feature, kFloor);
 }
 
-TEST(TouchTick, starts_small_in_a_tight_place_and_grows_without_a_jump) {  // T20
+// Case T20, as in tests/property/bodies_test.cpp.
+TEST(TouchTick, starts_small_in_a_tight_place_and_grows_without_a_jump) {
     const auto scene = floor_and_wall();
     TouchState state;
     TouchTuning tuning;
@@ -317,7 +321,7 @@ TEST(TouchTick, keeps_its_contact_when_only_filters_are_reset) {
     EXPECT_EQ(touch_tick(state, *scene, tuning, {0, 0, -0.003}, kTick_s).force_n, Vec3(0.0));
 }
 
-// A pool 0 <= z <= -1 in two halves that share the face x = 0.
+// A pool from z = -1 to 0 in two halves that share the face x = 0.
 std::shared_ptr<const HapticScene> pool(double viscosity) {
     HapticSceneBuilder builder;
     for (const double side : {-1.0, 0.0}) {
@@ -345,7 +349,7 @@ TEST(TouchTick, drags_in_a_liquid_as_viscosity_times_hand_speed_and_up_to_four_n
         TouchResult r;
         for (int i = 0; i < 1500; ++i) {
             r = touch_tick(state, *scene, tuning, {-0.3 + 2e-4 * i, 0, -0.5},
-                           kTick_s);  // 0.2 m/s, at the end on the shared face
+                           kTick_s);  // 0.2 m/s, ending on the shared face
             if (i > 300) {
                 EXPECT_NEAR(r.force_n.x, -viscosity * 0.2, 1e-3 * viscosity) << i;
             }
@@ -381,7 +385,7 @@ TEST(TouchTick, never_gives_energy_in_a_liquid) {
     TouchTuning tuning;
     double energy = 0.0;
     Vec3 last_goal(0.0), last_force(0.0);
-    for (int i = 0; i <= 4000; ++i) {  // a closed loop through the surface
+    for (int i = 0; i <= 4000; ++i) {  // a closed loop across the surface
         const double t = 2 * kPi * i / 2000.0;
         const Vec3 goal(0.1 * std::sin(t), 0.05 * std::sin(2 * t), -0.03 + 0.05 * std::cos(3 * t));
         const TouchResult r = touch_tick(state, *scene, tuning, goal, kTick_s);
@@ -393,7 +397,7 @@ TEST(TouchTick, never_gives_energy_in_a_liquid) {
 }
 
 TEST(TouchTick, keeps_the_nearest_when_there_are_too_many_candidates) {
-    // 3000 sheets in one place: nothing passes, and it is said.
+    // 3000 sheets in one place: the proxy passes none of them, and the result reports that there were too many.
     HapticSceneBuilder builder;
     for (int i = 0; i < 3000; ++i) builder.add_triangle({-1, -1, -1e-7 * i}, {1, -1, -1e-7 * i}, {0, 2, -1e-7 * i});
     const auto scene = builder.build();
@@ -411,7 +415,7 @@ TEST(TouchTick, keeps_the_nearest_when_there_are_too_many_candidates) {
         << "and the hand is free again above them";
 }
 
-TEST(TouchTick, survives_every_finite_input) {  // I1
+TEST(TouchTick, survives_every_finite_input) {  // I1 (tests/property/invariants_test.cpp)
     const auto scene = floor_and_wall();
     TouchState state;
     TouchTuning tuning;
@@ -426,7 +430,8 @@ TEST(TouchTick, survives_every_finite_input) {  // I1
 }
 
 TEST(TouchTick, a_start_among_countless_triangles_looks_at_a_bounded_number_of_them) {
-    // A round room of 20,480 triangles that is smaller than the ball: from its middle all are equally near.
+    // A spherical room of 20,480 triangles that is smaller than the proxy. From its centre all of them are equally
+    // near.
     HapticSceneBuilder builder;
     builder.add_mesh(sphere_mesh(32, 0.004));
     const auto scene = builder.build();

@@ -1,4 +1,4 @@
-// What is said of a building whose file states rooms: counts, and what is to be checked first.
+// The report on a building whose file states rooms: counts, and what the user should check first.
 #include "worlds/scene/honest_report.h"
 
 #include <functional>
@@ -28,7 +28,7 @@ StatedPortal door(const std::string& name, std::vector<std::uint32_t> rooms, int
     return portal;
 }
 
-// Hall, kitchen and stairwell, joined in a row, the hall to the outside as well.
+// Hall, kitchen and stairwell, joined in a row; the hall also leads outside.
 StatedBuilding three_rooms() {
     StatedBuilding stated;
     stated.schema = "IFC4";
@@ -112,7 +112,7 @@ TEST(HonestReport, finds_each_kind_of_fault_where_it_was_planted) {
 
 TEST(HonestReport, tells_the_gravest_first_and_how_many_follow) {
     StatedBuilding stated = three_rooms();
-    stated.rooms.push_back(room("Attic", "4", 50));  // no way to it
+    stated.rooms.push_back(room("Attic", "4", 50));  // no portal leads to it
     stated.rooms[2].name = "Room";
     stated.portals[1].passable = false;
     const Scene scene = scene_of(std::move(stated));

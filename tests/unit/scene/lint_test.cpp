@@ -1,4 +1,4 @@
-// The material library and the check that a hand can tell a world's materials apart (G3, G10).
+// The material library, and the check that a hand can distinguish the materials of a world.
 #include "worlds/scene/lint.h"
 
 #include <set>
@@ -19,14 +19,14 @@ Scene read(const std::string& text) {
     return scene ? std::move(*scene) : Scene{};
 }
 
-// Panels of 0.6 m, 1 m apart.
+// Panels 0.6 m wide, 1 m apart.
 std::string panel(int place, const std::string& material, const std::string& keys = {}) {
     const int x = 32 * place;
     return entity("func_wall", key("material", material) + key("name", material + " panel") + keys,
                   box_brush(x, 0, 0, x + 20, 4, 20));
 }
 
-TEST(MaterialLibrary, every_two_can_be_told_apart_by_touch) {  // G10
+TEST(MaterialLibrary, every_two_can_be_told_apart_by_touch) {
     const auto library = material_library();
     for (std::size_t a = 0; a < library.size(); ++a)
         for (std::size_t b = 0; b < a; ++b)
@@ -66,7 +66,7 @@ TEST(Lint, is_content_with_five_materials_of_the_library) {
 }
 
 TEST(Lint, names_the_pair_that_a_changed_stiffness_makes_alike) {
-    // Rubber is 0.3; 0.32 lies within 10 % of it.
+    // Rubber has 0.3, and 0.32 is within 10 % of that.
     const LintReport report = lint_materials(read(panel(0, "concrete") + panel(1, "wood", key("stiffness", "0.32")) +
                                                   panel(2, "carpet") + panel(3, "rubber")));
     ASSERT_EQ(report.problems.size(), 1U);
@@ -74,7 +74,7 @@ TEST(Lint, names_the_pair_that_a_changed_stiffness_makes_alike) {
               "Wood and rubber cannot be told apart by touch: stiffness 0.32 and 0.3, friction 0.45 and 0.6. Give "
               "rubber a stiffness of 0.24 or less, give rubber a "
               "friction of 0.68 or more, or give one of them a texture.");
-    // What it advises does help.
+    // Following the advice removes the warning.
     EXPECT_TRUE(
         lint_materials(read(panel(1, "wood", key("stiffness", "0.32")) + panel(3, "rubber", key("stiffness", "0.24"))))
             .problems.empty());
@@ -97,7 +97,7 @@ TEST(Lint, takes_no_notice_of_what_no_hand_reaches_or_no_name_names) {
     EXPECT_TRUE(lint_materials(nothing).problems.empty());
 }
 
-TEST(Lint, warns_above_five_materials_in_one_view_and_not_when_they_lie_apart) {  // G3
+TEST(Lint, warns_above_five_materials_in_one_view_and_not_when_they_lie_apart) {
     const std::vector<std::string> six{"concrete", "wood", "carpet", "rubber", "steel grille", "glass"};
     std::string near, apart;
     for (int i = 0; i < 6; ++i) {

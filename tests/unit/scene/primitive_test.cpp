@@ -1,4 +1,4 @@
-// Exact shapes as part of a scene: what they refuse, and that the flat faces around them hold them closely.
+// Exact shapes as part of a scene: which values they refuse, and that the flat faces around them fit closely.
 #include "worlds/scene/primitive.h"
 
 #include <random>
@@ -57,7 +57,7 @@ TEST(Primitive, stands_within_the_flat_faces_that_are_drawn_around_it_and_fills_
         for (std::size_t face = 0; face < solid->shape.planes.size(); ++face) {
             const Plane& plane = solid->shape.planes[face];
             EXPECT_NEAR(glm::length(plane.normal), 1.0, 1e-12);
-            // From far out along the face's normal the shape begins where the face lies.
+            // Seen from far away along a face's normal, the exact shape begins at that face.
             const Vec3 far = solid->shape.bounds_m.centre_m() + plane.normal * 1e3;
             const ClosestPoint q = std::visit(
                 [&](const auto& shape) {

@@ -1,4 +1,4 @@
-// Names are stored in English and said in the person's language; a name that the map gives is said as the map has it.
+// Names are stored in English and announced in the user's language. A name that the map gives is announced unchanged.
 #include <filesystem>
 #include <set>
 

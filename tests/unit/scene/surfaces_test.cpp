@@ -42,7 +42,7 @@ const Feature& feature(const Scene& scene, const std::string& name) {
     return kNone;
 }
 
-// What a hand meets that comes from `from_m` towards `to_m`: the name of the first face on the way.
+// The name of the first face that a hand meets on the way from `from_m` to `to_m`.
 std::string met(const Scene& scene, const Vec3& from_m, const Vec3& to_m) {
     double nearest = 2.0;
     std::string name = "nothing";
@@ -82,7 +82,7 @@ TEST(Surfaces, a_closed_room_is_four_walls_floor_and_ceiling_inside_and_outside)
     EXPECT_EQ(met(scene, {4, 3, 9}, middle), "ceiling");
 }
 
-// L-shaped room: 6 walls, floor, ceiling.
+// An L-shaped room has six walls, a floor and a ceiling.
 TEST(Surfaces, an_l_shaped_room_has_six_walls) {
     const Scene scene = building(box_brush(-16, -16, -16, 272, 272, 0) + box_brush(-16, -16, 96, 272, 272, 112) +
                                  box_brush(-16, -16, 0, 0, 272, 96) + box_brush(0, -16, 0, 272, 0, 96) +
@@ -97,7 +97,7 @@ TEST(Surfaces, an_l_shaped_room_has_six_walls) {
 TEST(Surfaces, a_wall_made_of_five_brushes_is_one_wall) {
     std::string pieces;
     for (int i = 0; i < 4; ++i) pieces += box_brush(64 * i, 192, 0, 64 * i + 64, 208, i == 1 ? 32 : 96);
-    pieces += box_brush(64, 192, 32, 128, 208, 96);  // meets the others in T-junctions
+    pieces += box_brush(64, 192, 32, 128, 208, 96);  // meets the other pieces in T-junctions
     const Scene scene = building(box_brush(-16, -16, -16, 272, 208, 0) + box_brush(-16, -16, 96, 272, 208, 112) +
                                  box_brush(-16, -16, 0, 0, 208, 96) + box_brush(256, -16, 0, 272, 208, 96) +
                                  box_brush(0, -16, 0, 256, 0, 96) + pieces);
@@ -128,8 +128,8 @@ TEST(Surfaces, what_stands_free_and_is_small_is_a_thing) {
         << "four sides and the top; it stands on its bottom";
 }
 
-// A wall across the room with a doorway next to its end: what is left there, and what hangs over the doorway, shows
-// three sides.
+// A wall across the room with a doorway next to its end. The short rest of the wall and the piece above the doorway
+// show three sides.
 TEST(Surfaces, short_pieces_next_to_a_doorway_are_part_of_their_wall) {
     const std::string wall = box_brush(128, 64, 0, 136, 192, 96) + box_brush(128, 32, 70, 136, 64, 96);
     for (const std::string& piece : {std::string(), box_brush(128, 20, 0, 136, 32, 96)}) {
@@ -143,7 +143,8 @@ TEST(Surfaces, short_pieces_next_to_a_doorway_are_part_of_their_wall) {
 TEST(Surfaces, treads_and_risers_are_steps) {
     std::string stairs;
     for (int i = 0; i < 3; ++i)
-        stairs += box_brush(64 + 10 * i, 0, 0, 256, 192, 6 * (i + 1));  // 0.3 m deep, 0.19 m high, the last a platform
+        // 0.3 m deep, 0.19 m high; the last step is a platform.
+        stairs += box_brush(64 + 10 * i, 0, 0, 256, 192, 6 * (i + 1));
     const Scene scene = building(kRoom + stairs);
     const std::vector<std::string> all = names(scene);
     EXPECT_EQ(std::count(all.begin(), all.end(), "step"), 2);
@@ -201,7 +202,7 @@ TEST(Surfaces, touching_liquid_brushes_are_one_pool) {
 }
 
 TEST(Surfaces, seams_and_hidden_faces_have_the_name_of_what_covers_them) {
-    const Scene scene = building(kRoom + box_brush(0, 192, 0, 64, 208, 96));  // repeats part of the north wall
+    const Scene scene = building(kRoom + box_brush(0, 192, 0, 64, 208, 96));  // duplicates part of the north wall
     EXPECT_EQ(scene.features.size(), 6U);
     for (const Solid& solid : scene.solids)
         for (const FeatureId id : solid.face_features) EXPECT_TRUE(static_cast<bool>(id));
@@ -234,7 +235,7 @@ TEST(Surfaces, the_order_of_brushes_and_faces_changes_nothing) {
     std::mt19937 random(5);
     for (int round = 0; round < 20; ++round) {
         std::shuffle(brushes.begin(), brushes.end(), random);
-        for (std::string& brush : brushes) {  // turn the order of faces round by one
+        for (std::string& brush : brushes) {  // rotates the order of the faces by one
             const std::size_t first = brush.find('(', 0), second = brush.find('\n', first) + 1, end = brush.rfind('}');
             brush = "{\n" + brush.substr(second, end - second) + brush.substr(first, second - first) + "}\n";
         }

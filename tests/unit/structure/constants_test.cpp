@@ -1,4 +1,5 @@
-// One name stands for one number: within a folder, and, for the measures of people, in the whole program.
+// Each name of a constant stands for one number within a folder. For measures of people this applies to the whole
+// program.
 #include <map>
 #include <regex>
 #include <set>
@@ -16,7 +17,7 @@ std::string without_comments(const std::string& text) {
     return std::regex_replace(text, comment, "");
 }
 
-// Names that a text declares as constants. of_namespaces: only those that stand in no class and no function, which
+// Names that a text declares as constants. of_namespaces: only constants outside classes and functions, which
 // clang-format does not indent.
 std::set<std::string> constants_of(const std::string& text, bool of_namespaces) {
     static const std::regex free("(?:^|\n)(?:inline |static )*constexpr [^;({]*?\\bk[A-Z]\\w*[^;]*;"),

@@ -1,4 +1,4 @@
-// What Handrail says stands in settings/languages and nowhere else, whole in every language that comes with it.
+// All texts that Handrail speaks or prints are in settings/languages only, and each bundled language is complete.
 #include <algorithm>
 #include <map>
 #include <regex>
@@ -24,10 +24,11 @@ std::map<std::string, std::string> texts_of(const std::string& code) {
 
 struct Literal {
     int line = 0;
-    std::string content;  // as written, escapes kept
+    std::string content;  // as in the source, with escapes
 };
 
-// The string literals of a C++ source: no comments, no #include lines, no contract_pre (said to developers alone).
+// The string literals of a C++ source. Leaves out comments, #include lines and contract_pre, whose texts only
+// developers see.
 std::vector<Literal> literals_of(const std::string& source) {
     std::vector<Literal> found;
     const auto before = [&](char end, std::size_t from) { return std::min(source.find(end, from), source.size()) - 1; };
@@ -61,28 +62,29 @@ std::vector<Literal> literals_of(const std::string& source) {
                 if (source[i] == '\\') ++i;
             found.push_back({line, source.substr(from, i - from)});
         } else if (std::isdigit(static_cast<unsigned char>(c)) && i + 1 < source.size() && source[i + 1] == '\'')
-            ++i;  // 1'000
+            ++i;  // digit separator, as in 1'000
     }
     return found;
 }
 
-// Two words side by side, or a sentence's end: what a person could hear. Keys, formats, file names and shader code have
-// neither.
+// Two adjacent words, or the end of a sentence, look like text for people. Keys, formats, file names and shader code
+// have neither.
 bool reads_like_words(const std::string& literal) {
     static const std::regex kWords(R"([A-Za-z]{2,}[,;:.]? [a-z]{2,}|^[A-Z][a-z]+[.!?]$)");
     return std::regex_search(literal, kWords);
 }
 
-// What stands in code although it reads like words, since no person hears it: file and protocol text, where it is.
+// Literals that look like text but that no user hears, by file: file formats and protocols.
 const std::map<std::string, std::vector<std::string>>& not_said() {
     static const std::map<std::string, std::vector<std::string>> kNotSaid{
         {"worlds/base/contract.cpp",
-         {"Handrail has a fault of its own"}},  // said while dying, when nothing may be allocated any more
-        // Said to developers alone, in the preset debug and in tests.
+         {"Handrail has a fault of its own"}},  // printed while the program crashes, when it must not allocate any more
+        // Only developers see these, in the preset debug and in tests.
         {"haptic/render/validate_scene.cpp", {"a ", "an ", "no ", "HapticScene has"}},
         {"worlds/navigation/validate_ways.cpp",
          {"a ", "an ", "another ", "spans ", "columns ", "floors ", "WalkSpace has", "RoomGraph has"}},
-        // Names that files know things by; spoken as phrase("kind." + name) and phrase("material." + name).
+        // Names by which files refer to things. They are announced as phrase("kind." + name) and phrase("material." +
+        // name).
         {"worlds/scene/surfaces.cpp", {"sloping ceiling", "slope rising", "low block", "large block"}},
         {"worlds/scene/material.cpp", {"steel grille"}},
         {"worlds/scene/outer_ground.h", {"ground outside"}},
@@ -93,27 +95,27 @@ const std::map<std::string, std::vector<std::string>>& not_said() {
         {"app/report/page_parts.cpp", {"<", "content=", "initial-scale", "class=", "{", ":root"}},
         {"worlds/exports/sheet.cpp",
          {"svg", "aria-", "<title", "<rect", "<circle", "<<", "0 R", " n\\n", " f\\n"}},  // SVG and PDF
-        {"app/core/kept/side_file.cpp", {"# What was added to this world"}},              // how such a file begins
-        {"app/main/scenario_command.cpp", {"<testsuite", "<testcase", "<failure"}},       // JUnit's XML
+        {"app/core/kept/side_file.cpp", {"# What was added to this world"}},              // first line of such a file
+        {"app/main/scenario_command.cpp", {"<testsuite", "<testcase", "<failure"}},       // XML in JUnit's format
         {"worlds/readers/map_words.cpp",
-         {"moving platform", "turning part", "secret place", "marked place"}},  // names that files know things by
-        {"worlds/readers/quake_map.cpp", {"marked place", "sliding floor", "curved surface"}},  // likewise
-        {"audio-cues/plan/sound_table.cpp",  // names that scenario files know sounds by; told as phrase("sound." +
-                                             // name)
+         {"moving platform", "turning part", "secret place", "marked place"}},  // names by which files refer to things
+        {"worlds/readers/quake_map.cpp", {"marked place", "sliding floor", "curved surface"}},  // also names in files
+        // Names by which scenario files refer to sounds; announced as phrase("sound." + name).
+        {"audio-cues/plan/sound_table.cpp",
          {"wall tone", "door moves", "door shuts", "stairs up", "stairs down", "door near", "beacon ahead",
           "beacon behind", "forces on", "forces off", "frame switch", "hidden clock", "rim back", "let go",
           "guide start", "guide stop"}},
-        {"worlds/ifc/step_file.cpp", {"version https://git-lfs"}},            // the same
+        {"worlds/ifc/step_file.cpp", {"version https://git-lfs"}},            // first line of such a file
         {"worlds/readers/foreign_formats.cpp", {"version https://git-lfs"}},  // how such a file begins
-        {"worlds/exports/as_words.cpp", {" "}},                               // the same words written
-        {"worlds/exports/found_house.cpp", {" "}},                            // the same
-        {"worlds/exports/house_things.cpp", {" "}},                           // the same
-        {"worlds/exports/stated_house.cpp", {" "}},                           // the same
-        {"worlds/words/word_patterns.cpp", {" "}},             // words that texts of both languages are read by
-        {"worlds/readers/height_picture.cpp", {"cut short"}},  // said to libpng, which is kept quiet
+        {"worlds/exports/as_words.cpp", {" "}},                // the words of room descriptions, as they are written
+        {"worlds/exports/found_house.cpp", {" "}},             // also room descriptions
+        {"worlds/exports/house_things.cpp", {" "}},            // also room descriptions
+        {"worlds/exports/stated_house.cpp", {" "}},            // also room descriptions
+        {"worlds/words/word_patterns.cpp", {" "}},             // words for reading texts of both languages
+        {"worlds/readers/height_picture.cpp", {"cut short"}},  // message to libpng, which does not print it
         {"haptic/compile/touch_model.cpp",
-         {"sheets of one side", "liquid surfaces", "textures and shading"}},               // of info --json
-        {"haptic/drivers/found_device.cpp", {"needs calibration", "cannot be used yet"}},  // of devices --json
+         {"sheets of one side", "liquid surfaces", "textures and shading"}},               // keys of info --json
+        {"haptic/drivers/found_device.cpp", {"needs calibration", "cannot be used yet"}},  // values of devices --json
         {"app/window/renderer.cpp", {"#version"}},
         {"app/window/first_person.cpp", {"gl_", "uniform ", "#version"}},
         {"app/window/draw_mesh.cpp", {"gl_", "uniform ", "#version"}},
@@ -140,7 +142,8 @@ TEST(LanguageFiles, are_complete_and_ask_for_the_same_values) {
     }
 }
 
-// Keys made of a name, as in phrase("material." + name): the sections whose keys no literal names one by one.
+// Sections whose keys are composed with a name, as in phrase("material." + name). No literal contains these keys in
+// full.
 const std::vector<std::string> kMadeOfNames{
     "kind.",
     "material.",
@@ -150,7 +153,7 @@ const std::vector<std::string> kMadeOfNames{
     "osm_fact.",
     "imdf_kind.",
     "imdf_fact.",
-    // Looked at beside their tables: tests/unit/core/command_texts_test.cpp,
+    // The following sections are checked next to their tables, in tests/unit/core/command_texts_test.cpp,
     "command.",
     "key_name.",
     // tests/unit/terminal/command_words_test.cpp,
@@ -187,7 +190,7 @@ const std::vector<std::string> kMadeOfNames{
     "report.strategy_",
     "report.mostly_",
     "report.csv_",
-    // and below.
+    // and below in this file.
     "side.",
 };
 
@@ -209,7 +212,7 @@ TEST(LanguageFiles, have_every_key_that_the_code_names_and_no_other) {
         const bool made =
             std::any_of(kMadeOfNames.begin(), kMadeOfNames.end(),
                         [&, &name = key](const std::string& section) { return name.starts_with(section); });
-        // What is said to who types words stands beside what is said to who presses keys (typist.h).
+        // Texts for users who type words are stored next to the texts for users who press keys (typist.h).
         const std::string for_keys = key.ends_with("_typed") ? key.substr(0, key.size() - 6) : key;
         const std::string& said = english.contains(for_keys) ? for_keys : key;
         EXPECT_TRUE(made || named.contains(said)) << "nothing says " << key << "; take it out of settings/languages";

@@ -1,6 +1,6 @@
-// No two types of one name: where two libraries of one program each have a type of that name, functions made for one
-// (a vector of them that grows) are taken for the other's too, and write past its end. Linkers say nothing of it
-// (ISO C++20, 6.3, the one-definition rule: no diagnostic required).
+// No two types may have the same name. If two libraries of one program each have a type of that name, the linker keeps
+// one copy of a function for both, such as the growth of a vector. That function then writes past the end of the other
+// type. Linkers do not report this (ISO C++20, 6.3, the one-definition rule: no diagnostic required).
 #include <map>
 #include <regex>
 #include <sstream>
@@ -13,8 +13,8 @@
 namespace handrail {
 namespace names_test {
 
-// With their namespaces, those of no name left out: what stands in them is of its file alone. It goes by lines as
-// clang-format leaves them.
+// Type names with their namespaces. Leaves out unnamed namespaces, because their types belong to one file only. Relies
+// on the line layout of clang-format.
 std::vector<std::string> types_of(const std::string& text) {
     static const std::regex opens("(?:inline )?namespace(?: ([A-Za-z0-9_:]+))? \\{"), closes("\\}  // namespace.*"),
         type("(?:template <.*> )?(?:struct|class|union|enum class|enum) (\\w+)(?: final)?(?: : [^;]*)? ?\\{.*");
@@ -47,7 +47,7 @@ TEST(Types, of_one_name_stand_in_one_file_only) {
     std::map<std::string, std::string> first;
     for (const std::string& file : test::project_files()) {
         if (!file.ends_with(".h") && !file.ends_with(".cpp")) continue;
-        // Programs of tests are linked apart from each other.
+        // Test programs are linked separately from each other.
         const std::string program =
             file.starts_with("tests/") && !file.starts_with("tests/support/") ? file.substr(0, file.rfind('/')) : "";
         for (const std::string& name : types_of(test::content_of(test::project_root() / file))) {

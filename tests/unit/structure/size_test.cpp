@@ -1,4 +1,4 @@
-// How large a class and a file may become.
+// Limits for the size of a class and a file.
 #include <map>
 #include <sstream>
 
@@ -18,7 +18,7 @@ struct ClassSize {
 
 using ClassSizes = std::map<std::string, ClassSize>;
 
-// The text without comments, literals and preprocessor lines; what they held becomes nothing, line ends stay.
+// The text without comments, literals and preprocessor lines. Their contents are removed; line ends stay.
 std::string bare(const std::string& text) {
     std::string out;
     bool at_line_start = true;
@@ -61,7 +61,7 @@ bool begins_with_word(const std::string& text, std::string_view word) {
            (text.size() == word.size() || std::isalnum(static_cast<unsigned char>(text[word.size()])) == 0);
 }
 
-// What one declaration of a class adds; its bodies and initialisers in braces stand as {} only.
+// Adds one declaration of a class to its size. Bodies and initialisers in braces have been reduced to {}.
 void count(std::string declaration, bool is_public, ClassSize& size) {
     for (const char* word : {"using", "friend", "enum", "static_assert", "typedef", "static", "class", "struct"})
         if (begins_with_word(declaration, word) &&
@@ -86,7 +86,7 @@ void count(std::string declaration, bool is_public, ClassSize& size) {
 void read_classes(const std::string& text, std::size_t begin, std::size_t end, const std::string& within,
                   ClassSizes& found);
 
-// The declarations between the braces of a class.
+// Counts the declarations between the braces of a class.
 void read_class(const std::string& text, std::size_t begin, std::size_t end, const std::string& name, bool is_public,
                 ClassSizes& found) {
     ClassSize& size = found[name];
@@ -96,7 +96,7 @@ void read_class(const std::string& text, std::size_t begin, std::size_t end, con
         if (c == '{') {
             const std::size_t behind = std::min(behind_braces(text, i), end);
             const std::size_t next = text.find_first_not_of(" \t\n", behind);
-            // A type within: a class of its own, and a member where a name follows.
+            // A nested type is a class itself, and also declares a member if a name follows.
             if (begins_with_word(declaration, "class") || begins_with_word(declaration, "struct")) {
                 read_classes(text, i - declaration.size(), behind, name, found);
                 declaration = next < end && text[next] != ';' ? "type " : "";
@@ -123,7 +123,7 @@ void read_class(const std::string& text, std::size_t begin, std::size_t end, con
     }
 }
 
-// Every class and struct with a body, those within others as "Outer::Inner".
+// Finds every class and struct with a body. Nested ones are named "Outer::Inner".
 void read_classes(const std::string& text, std::size_t begin, std::size_t end, const std::string& within,
                   ClassSizes& found) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -131,7 +131,7 @@ void read_classes(const std::string& text, std::size_t begin, std::size_t end, c
         const std::string rest = text.substr(i, 7);
         const bool is_class = begins_with_word(rest, "class"), is_struct = begins_with_word(rest, "struct");
         if (!is_class && !is_struct) continue;
-        // The last ones: a parameter of a template or function.
+        // If a character of the second half comes first, this is a parameter of a template or function.
         const std::size_t stop = text.find_first_of("{;()=>,", i);
         if (stop == std::string::npos || stop >= end || text[stop] != '{') continue;
         if (i >= 5 && text.compare(i - 5, 5, "enum ") == 0) continue;
@@ -234,7 +234,7 @@ TEST(Lines, of_sources_have_at_most_120_columns) {
     }
 }
 
-// By pmccabe: McCabe's cyclomatic number, a switch counted once.
+// Uses pmccabe: McCabe's cyclomatic number, in which a switch counts once.
 TEST(Functions, have_few_branches) {
     if (std::system("command -v pmccabe >/dev/null") != 0) GTEST_SKIP() << "pmccabe is not installed";
     std::string command = "cd '" + test::project_root().string() + "' && pmccabe";

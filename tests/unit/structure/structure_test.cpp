@@ -1,5 +1,5 @@
-// The shape of the project, read from its own files: which folder may include which, what lies at the top, what no file
-// may name.
+// The structure of the project, checked in its own files: which folder may include which, what is at the top level, and
+// what no file may name.
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -22,8 +22,8 @@ constexpr const char* kProgram[] = {"app/", "audio-cues/", "haptic/", "settings/
 
 bool is_source(const std::string& file) { return file.ends_with(".h") || file.ends_with(".cpp"); }
 
-// What each folder may include besides itself, everything it links passed on. The same as the list in
-// docs/architecture/folders.md.
+// What each folder may include in addition to itself, including the dependencies of everything it links. The list in
+// docs/architecture/folders.md is the same.
 const std::map<std::string, std::vector<std::string>> kMayLink{
     {"worlds/base", {}},
     {"worlds/confine", {"worlds/base"}},
@@ -96,10 +96,10 @@ void reach(const std::string& folder, std::set<std::string>& reached) {
     for (const std::string& next : kMayLink.at(folder)) reach(next, reached);
 }
 
-// "worlds/base" of "worlds/base/text.h", "settings" of "settings/table.h".
+// Returns "worlds/base" for "worlds/base/text.h" and "settings" for "settings/table.h".
 std::string folder_of(const std::string& path) { return fs::path(path).parent_path().string(); }
 
-// Quoted includes of one source text.
+// The quoted includes in a source text.
 std::vector<std::string> includes_of(const std::string& text) {
     static const std::regex kInclude(R"re(^[ \t]*#[ \t]*include[ \t]*"([^"]+)")re", std::regex::multiline);
     std::vector<std::string> found;
@@ -108,10 +108,10 @@ std::vector<std::string> includes_of(const std::string& text) {
     return found;
 }
 
-// A part of the program, wherever it lies.
+// True for files of the program itself, in any folder.
 bool is_program(const std::string& file) { return !file.starts_with("tests/"); }
 
-// Nothing, or why this file may not include that one.
+// Returns why this file may not include that one; empty if it may.
 std::string refusal(const std::string& file, const std::string& included) {
     const std::string from = folder_of(file), to = folder_of(included);
     if (!kMayLink.contains(from)) return file + " lies in a folder that the table does not list: " + from;
@@ -128,7 +128,7 @@ TEST(IncludeDirection, holds_in_every_source_file_of_the_program) {
     for (const std::string& file : test::project_files()) {
         if (!is_source(file) || !is_program(file)) continue;
         const std::string text = test::content_of(kRoot / file);
-        if (text.empty()) continue;  // deleted, not committed yet
+        if (text.empty()) continue;  // deleted, but not committed yet
         ++looked_at;
         EXPECT_TRUE(kMayLink.contains(folder_of(file))) << file << " lies in a folder that the table does not list";
         for (const std::string& included : includes_of(text)) EXPECT_EQ(refusal(file, included), "");
@@ -151,12 +151,12 @@ TEST(IncludeDirection, is_seen_to_be_broken_by_this_test) {
     EXPECT_EQ(refusal("app/core/session/core.cpp", "worlds/base/text.h"), "");
 }
 
-// handrail_library(NAME FOLDER LINK ... PRIVATE ...) in the CMake lists: a folder links no library of a folder it may
-// not know.
+// Checks handrail_library(NAME FOLDER LINK ... PRIVATE ...) in the CMake lists: no folder links a library of a folder
+// that it must not know.
 TEST(IncludeDirection, holds_in_the_link_lines_too) {
     static const std::regex kLibrary(R"(handrail_library\(\s*(handrail_\w+)\s+([\w/-]+)([^)]*)\))");
     std::map<std::string, std::string> folder_by_library;
-    std::vector<std::pair<std::string, std::string>> links;  // folder, library
+    std::vector<std::pair<std::string, std::string>> links;  // pairs of folder and library
     for (const std::string& file : test::project_files()) {
         if (!file.ends_with("CMakeLists.txt") || file == "CMakeLists.txt" || !is_program(file)) continue;
         const std::string text = test::content_of(kRoot / file);
@@ -190,7 +190,7 @@ TEST(IncludeDirection, is_written_in_the_architecture_document_too) {
     }
 }
 
-// The picture is made from the include lines alone; `docs/architecture_picture.py` makes it anew.
+// `docs/architecture_picture.py` makes the picture from the include lines alone.
 TEST(IncludeDirection, is_drawn_as_it_is_in_the_architecture_document) {
     if (std::system("command -v python3 >/dev/null 2>&1") != 0) GTEST_SKIP() << "python3 is not installed";
     EXPECT_EQ(std::system(("python3 '" + (kRoot / "docs" / "architecture_picture.py").string() + "' --check").c_str()),
@@ -223,8 +223,8 @@ TEST(TopLevel, holds_only_the_names_that_belong_there) {
         EXPECT_TRUE(allowed.contains(file.substr(0, file.find('/')))) << file;
 }
 
-// Where a developer's folders lie is nobody else's business and breaks on every other machine. System folders that
-// Debian promises are fine.
+// Paths of a developer's machine are private and break on every other machine. System folders that Debian guarantees
+// are allowed.
 const std::regex& machine_path() {
     static const std::regex kPath(R"((^|[\s"'=(:`])/(home|root|work|mnt|media|Users|workspace)/[A-Za-z0-9_.-])",
                                   std::regex::multiline);
@@ -250,7 +250,7 @@ TEST(Files, name_no_folder_of_one_machine) {
     EXPECT_FALSE(std::regex_search(std::string("/usr/share/fonts and worlds/maps"), machine_path()));
 }
 
-// What a person names may be a pipe, a device, a folder: worlds/base/files alone knows how such a thing is opened.
+// A path from the user may be a pipe, a device or a folder. Only worlds/base/files knows how to open those.
 TEST(Files, that_persons_name_are_read_in_one_place_only) {
     const std::regex by_itself(R"(\b(std::ifstream|std::fstream|fopen|parse_file)\b)");
     for (const std::string& file : test::project_files()) {
@@ -263,7 +263,7 @@ TEST(Files, that_persons_name_are_read_in_one_place_only) {
     EXPECT_TRUE(std::regex_search(std::string("std::ifstream in(path);"), by_itself));
 }
 
-// Somebody else may have made a world, so the program parses it in a confined process, whichever command wants it.
+// A world may come from somebody else, so every command parses it in a confined process.
 TEST(Files, of_worlds_are_read_by_the_confined_process_only) {
     const std::regex in_this_process(R"(\b(read_world|read_world_bytes)\(|\bread_requested\b)");
     for (const std::string& file : test::project_files()) {
@@ -276,7 +276,7 @@ TEST(Files, of_worlds_are_read_by_the_confined_process_only) {
     EXPECT_TRUE(std::regex_search(std::string("auto scene = read_world(file);"), in_this_process));
 }
 
-// gtest's macros contain an if, so g++ warns of an ambiguous else unless there is one.
+// gtest's macros contain an if, so without braces g++ warns of an ambiguous else.
 TEST(Sources, brace_a_check_under_an_if_without_else) {
     const std::regex bare(R"(\n *if \([^\n]*\)\s+(EXPECT|ASSERT)_[^;]*;[^\n]*\n(?! *else\b))");
     for (const std::string& file : test::project_files()) {
@@ -289,7 +289,7 @@ TEST(Sources, brace_a_check_under_an_if_without_else) {
     EXPECT_FALSE(std::regex_search(std::string("{\n    if (a) EXPECT_TRUE(b);\n    else EXPECT_TRUE(c);\n}\n"), bare));
 }
 
-// Debian's fmt is in the precompiled header, which a build without one does not have.
+// The precompiled header includes fmt, but a build without precompiled headers does not have that.
 TEST(Sources, include_fmt_where_they_use_it) {
     const auto lacks_it = [](const std::string& text) {
         return text.find("fmt::") != std::string::npos && text.find("#include <fmt/") == std::string::npos;

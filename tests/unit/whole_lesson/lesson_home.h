@@ -1,5 +1,5 @@
-// Where lessons are given in tests: a home of their own, a learner who agrees to everything, the lesson as the command
-// line begins it, and the desk of whoever teaches.
+// Environment for lessons in tests: a private home folder, a learner who consents to everything, the lesson as the
+// command line begins it, and the instructor's desk.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ namespace handrail::test {
 
 inline constexpr const char* kPupil = "Oak Owl";
 
-// Orders to the desk of the lesson that goes on, as `handrail lesson watch` sends them.
+// Sends commands to the desk of the current lesson, as `handrail lesson watch` does.
 class DeskLine {
 public:
     DeskLine() : socket_(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
@@ -36,7 +36,7 @@ public:
     DeskLine(const DeskLine&) = delete;
     DeskLine& operator=(const DeskLine&) = delete;
     bool connected() const { return connected_; }
-    // What the desk has told since the last time, with the answer to this order.
+    // Returns what the desk has sent since the last time, including the answer to this command.
     std::string order(Sitting& sitting, const std::string& words) const {
         const std::string line = words + "\n";
         if (::send(socket_, line.data(), line.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(line.size())) return {};
@@ -59,7 +59,7 @@ protected:
             std::filesystem::create_directories(home_.path() / name);
         std::filesystem::permissions(home_.path() / "run", std::filesystem::perms::owner_all);
     }
-    // Who takes the lessons, and agrees to that much.
+    // Makes the learner, who consents to these purposes.
     static Learner pupil(std::span<const Purpose> agreed = kPurposes) {
         Learners learners(user_data_folder());
         const auto made = learners.make(kPupil, {});
@@ -71,7 +71,7 @@ protected:
         return *made;
     }
 
-    // `handrail lesson FILE --learner NAME --session N`.
+    // The arguments of `handrail lesson FILE --learner NAME --session N`.
     static ExploreArguments taught(const std::filesystem::path& file, std::size_t session) {
         LessonCall call;
         call.arguments.file = file;

@@ -1,6 +1,6 @@
-// Ten lessons of pupils who go, stop, ask and answer by chance, and all that was measured of them once more: by plain
-// sums over the lines and tables of their recordings. Where a measure hangs on when somebody looked (ten times a second
-// in the lesson, sixty times in the tables), the sums give the least and the most that may be told.
+// Ten lessons whose learners walk, stop, query and answer at random. The test calculates all measures again, by plain
+// sums over the lines and tables of their recordings. Some measures depend on when a sample was taken: ten times a
+// second in the lesson, sixty times in the tables. For these the sums give the smallest and largest permissible value.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -73,7 +73,7 @@ say = "How sure were you?"
 scale = [1, 7]
 )";
 
-// ---- somebody who takes the lesson ----
+// ---- the learner ----
 
 class Pupil {
 public:
@@ -105,14 +105,14 @@ private:
     int chance(int of) { return static_cast<int>(draw_() % static_cast<std::uint64_t>(of)); }
     double between(double least, double most) { return least + (most - least) * chance(1001) / 1000.0; }
 
-    // What anybody does now and then.
+    // Random actions that anybody does now and then.
     void dawdles() {
         switch (chance(7)) {
             case 0:
                 return sitting_.live(between(3.0, 5.0));
             case 1:
                 return sitting_.live(0.7);
-            case 2:  // a list of rooms, looked through and left
+            case 2:  // looks through a list of rooms and leaves it
                 sitting_.key("Shift+4");
                 for (int down = chance(4); down > 0; --down) sitting_.key("Down");
                 sitting_.live(between(0.0, 4.0));
@@ -182,14 +182,14 @@ private:
     std::mt19937_64 draw_;
 };
 
-// ---- once more ----
+// ---- the measures calculated again ----
 
 struct Range {
     double least = 0.0, most = 0.0;
 };
 using Ranges = std::map<std::string, Range>;
 
-constexpr double kLooks_s = 0.15;  // a lesson looks ten times a second, and acts a frame later
+constexpr double kLooks_s = 0.15;  // a lesson samples ten times a second, and acts a frame later
 
 class Sums {
 public:
@@ -208,7 +208,7 @@ public:
         span(busy_, open_s, false, end_s), span(busy_, speaks_s, false, end_s), span(led_, led_s, false, end_s);
     }
 
-    // Of each task that was measured, in order.
+    // The measures of each measured task, in order.
     std::vector<std::pair<std::string, Ranges>> tasks() {
         std::vector<std::pair<std::string, Ranges>> tasks;
         double from_s = 0.0;
@@ -227,7 +227,7 @@ public:
         std::optional<Vec3> last_m;
         Vec3 before_m{0.0};
         for (const FrameRow& frame : frames(from_s, to_s)) {
-            // Nobody walks as far between two looks.
+            // Nobody walks this far between two samples, so the walker was moved.
             if (last_m && flat(frame.feet_m, before_m) > 0.5) last_m.reset();
             before_m = frame.feet_m;
             if (!last_m) last_m = frame.feet_m;
@@ -238,7 +238,8 @@ public:
         }
         return {0.97 * way_m - 0.3, 1.03 * way_m + 0.3};
     }
-    // The rooms that one was in, in order. A place counts for a room if it is at least in_m inside of the outline.
+    // The rooms that the walker was in, in order. A position counts for a room if it is at least in_m inside the
+    // outline.
     std::vector<std::string> rooms(double from_s, double to_s, double in_m) const {
         std::vector<std::string> rooms;
         for (const FrameRow& frame : frames(from_s, to_s))
@@ -274,9 +275,9 @@ private:
         const auto begin = at(from_s + 1e-3), end = at(to_s + 1e-3);
         return {begin, end};
     }
-    // In the frame of a line the body may have been put elsewhere already.
+    // In the frame of a line the walker may have been moved already.
     const FrameRow& frame_before(double t_s) const { return frames(-1.0, t_s - 0.01).back(); }
-    // How many lines of that kind, without and with those about the ends.
+    // Number of lines of that kind: least without those near the ends, most with them.
     Range count(const std::function<bool(const Json&)>& is, double from_s, double to_s) const {
         Range range;
         for (const auto& [t_s, json] : lines_) {
@@ -286,7 +287,7 @@ private:
         }
         return range;
     }
-    double busy_s(double from_s, double to_s) const {  // in hundredths of a second
+    double busy_s(double from_s, double to_s) const {  // sampled every hundredth of a second
         double busy_s = 0.0;
         for (double t_s = from_s; t_s < to_s; t_s += 0.01)
             busy_s += std::any_of(busy_.begin(), busy_.end(),
@@ -295,7 +296,7 @@ private:
                           : 0.0;
         return busy_s;
     }
-    // Stays within 0.15 m that last longer than that, and their sum.
+    // Number and total duration of the stays within 0.15 m that last longer than `longer_s`.
     std::pair<int, double> stays(double from_s, double to_s, double longer_s) const {
         const auto all = frames(from_s, to_s);
         int count = 0;
@@ -328,8 +329,8 @@ private:
         };
         return {episodes(from_s + kLooks_s, to_s - kLooks_s), episodes(from_s - kLooks_s, to_s + kLooks_s)};
     }
-    // Of the four walls of the hall, in percent: where the body was as near as one is who trails or bumps, a body's
-    // width of wall is known. Who is led up to a wall counts as trailing from 0.3 m before it.
+    // Percentage of the hall's four walls that is known. Where the walker was as near as one who trails or bumps, a
+    // walker's width of wall is known. A walker guided to a wall counts as trailing from 0.3 m in front of it.
     Range walls(double until_s) const {
         const StatedRoom& hall = scene_.stated->rooms[0];
         const auto corners = box(hall);
@@ -359,7 +360,7 @@ private:
         };
         return {share(kBody_m + 0.04, 0.8 * kBody_m) - 5.0, share(kBody_m + 0.35, 1.2 * kBody_m) + 5.0};
     }
-    // Answers in the time of a task: of questions that it asked.
+    // Answers to questions that a task asked, within the time of the task.
     std::vector<std::pair<double, std::string>> answers(double from_s, double to_s) const {
         std::vector<std::pair<double, std::string>> answers;
         for (const auto& [t_s, json] : lines_)
@@ -413,7 +414,7 @@ private:
         const double mean = std::pow(product, 1.0 / static_cast<double>(at));
         ranges["distance_judged"] = {mean - 1e-6, mean + 1e-6};
     }
-    // By the lists as they were shown and what was chosen of them.
+    // Compares the lists as they were shown with the choices made from them.
     void add_order(Ranges& ranges, double from_s, double to_s) {
         std::vector<std::string> shown;
         for (const auto& [t_s, json] : lines_)
@@ -465,13 +466,13 @@ private:
     std::vector<Span> busy_, led_;
 };
 
-// What of a task no sum here gives.
+// Measures of a task that these sums do not cover.
 bool not_summed(const std::string& key) {
     return key == "turns_missed" || key == "turns_early" || key == "exits_percent" || key == "pointing_side" ||
            key.starts_with("strategy_");
 }
 
-// All of `part` one after the other, with others between them.
+// Whether `whole` contains all entries of `part` in this order, possibly with others between them.
 bool holds_in_order(const std::vector<std::string>& whole, const std::vector<std::string>& part) {
     auto at = whole.begin();
     for (const std::string& name : part) {
@@ -482,16 +483,17 @@ bool holds_in_order(const std::vector<std::string>& whole, const std::vector<std
     return true;
 }
 
-// The only recording of a learner.
+// Reads the learner's only recording.
 Result<Recording> recording_of(const Learner& learner) {
     return read_recording(fs::directory_iterator(Learners(user_data_folder()).recordings_of(learner.id))->path());
 }
-constexpr std::array kAgreed = {Purpose::Record};  // what was learnt in a lesson before counts in none here
+// Without memory, so that knowledge from an earlier lesson does not count in this one.
+constexpr std::array kAgreed = {Purpose::Record};
 
 class MeasuredAgain : public LessonHome, public testing::WithParamInterface<int> {};
 using JumpMeasured = LessonHome;
 
-// The lesson looks at every sixth frame, before what happened in it is told.
+// The lesson samples every sixth frame, before it gets the events of that frame.
 TEST_F(JumpMeasured, counts_as_no_walk_in_whichever_frame_it_comes) {
     constexpr int kFrames = 6;
     home_.write("library.rooms", kLibrary);
@@ -619,7 +621,7 @@ TEST_P(MeasuredAgain, from_the_recording_of_a_lesson_alone_everything_is_as_it_w
     EXPECT_TRUE(holds_in_order(sums.rooms(events.from_s, events.to_s, -0.1), report->rooms));
 }
 
-// Under a sanitizer three: all go through the same code.
+// A sanitizer gets only three, because all run the same code.
 INSTANTIATE_TEST_SUITE_P(Pupil, MeasuredAgain, testing::Range(1, kSanitizerScale == 1.0 ? 11 : 4));
 
 }  // namespace measured_again_test

@@ -1,7 +1,7 @@
-// A session of the program as app/main puts it together, with everything but a window, devices and a sound card: the
-// session, the ears and what they read of each other, the world that is visited, the lesson and its desk, the
-// recording. Its clock moves only when told to, so somebody lives minutes in it in seconds. One thread lives it; rooms
-// are looked for beside, as in the program.
+// A session of the program as app/main assembles it, without window, devices and sound card. It has the session, the
+// sounds and what both exchange, the visited world, the lesson with its desk, and the recording. Its clock moves only
+// on request, so minutes of a session pass in seconds. One thread runs it; as in the program, a background task finds
+// rooms.
 #pragma once
 
 #include <memory>
@@ -18,12 +18,12 @@
 
 namespace handrail::test {
 
-// Somebody who goes to and fro a little around the line they mean to walk: a sway of that size, changing within two
-// seconds, the same for the same seed.
+// A person who sways around the intended line. The sway has this size, changes within two seconds, and is the same for
+// the same seed.
 class Sway {
 public:
     Sway(double size_m, std::uint64_t seed) : size_m_(size_m), draw_(seed) {}
-    // Once a frame: how far right of the line one wants to be.
+    // Called once a frame: how far right of the line the person wants to be.
     double next_m();
 
 private:
@@ -37,40 +37,40 @@ class Sitting {
 public:
     static constexpr double kFrame_s = 1.0 / 60.0, kWordsPerMinute = 300.0;
 
-    // As the command line would begin it: the world of the arguments, their lesson, learner and recording.
+    // Starts as from the command line, with the world of the arguments, their lesson, learner and recording.
     explicit Sitting(ExploreArguments arguments);
     ~Sitting();
     Sitting(const Sitting&) = delete;
     Sitting& operator=(const Sitting&) = delete;
 
-    // Time goes on.
+    // Lets this much time pass.
     void live(double seconds);
-    // Until rooms and ways are known; waits for the thread that looks for them.
+    // Waits for the background task that finds rooms and routes. Returns whether they are known.
     bool know_rooms();
-    // Time goes no faster than the threads beside need: for lists that wait for them.
+    // If false, time passes no faster than background tasks need, for lists that wait for them.
     void hurry(bool hurries) { hurries_ = hurries; }
 
-    // By keys: each down and up, and half a second to hear what came of it.
+    // Presses keys, each down and up, then waits half a second for the reaction.
     void key(const std::string& name);
     void type(const std::string& text);
     void hold(Command command, double seconds);
     int keys() const { return keys_; }
 
-    // By sticks along places: turns, goes, opens what is shut. False where the way cannot be gone. A body that was put
-    // elsewhere meanwhile has come to where it was to go: the lesson took it back.
+    // Walks through the places by stick: turns, moves, opens closed doors. Returns false if the route is blocked. If
+    // the lesson moves the walker meanwhile, the walk counts as arrived.
     bool walk(const std::vector<Vec3>& places, Sway* sway = nullptr);
     void face(const Vec3& at);
-    // How far right of the lines between its places the last walks were, one by one a tenth of a second.
+    // Deviation to the right of the intended lines on the last walks, sampled every tenth of a second.
     const std::vector<double>& aside_m() const { return aside_m_; }
 
     bool hears(const std::string& words, double within_s = 20.0);
     std::string all() const;
-    // A run of its own beside the one of the lesson that is taught; null: no more.
+    // Runs another lesson in parallel with that of the arguments; null: none.
     void teach(TeachingRun* run) { beside_ = run; }
 
     Session& app() { return app_; }
     double now_s() const { return clock_.now_s(); }
-    // The last words are said, and the recording ends.
+    // Lets the last announcements finish and ends the recording.
     void end();
 
 private:
@@ -84,7 +84,7 @@ private:
     VirtualClock clock_;
     std::vector<std::string> news_;
     std::unique_ptr<SessionRecording> recording_;
-    RecordingSpeech* speech_ = nullptr;  // the ears' own
+    RecordingSpeech* speech_ = nullptr;  // owned by the sounds
     std::unique_ptr<AudioThread> sound_;
     Session app_;
     std::unique_ptr<SessionDriver> driver_;

@@ -1,6 +1,6 @@
-// A lesson from its making to the last trace of it, in our school and in a house that architects drew: an instructor
-// prepares it by keys, a pupil takes its three sessions, walks of three kinds are called by their names, the report
-// reads back, the recordings say the same lines again, and the pupil is forgotten. Scenario 20 of the design.
+// A lesson from its preparation to the deletion of its last trace, in our school and in a house by real architects. An
+// instructor prepares it by keys, and a learner takes its three sessions. Three kinds of walks are named correctly, the
+// report reads back, the recordings replay with the same lines, and the learner is deleted. Scenario 20 of the design.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,14 +24,14 @@ namespace whole_lesson_test {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-// Where it is taught, and what is said and typed of it.
+// The building of the lesson, and the words for it that are announced and typed.
 struct Building {
     fs::path world;
-    std::vector<std::string> stops, landmarks;  // how their entries in the lists begin
+    std::vector<std::string> stops, landmarks;  // beginnings of their entries in the lists
     std::string destination;                    // the last stop
-    std::string door, misspelt;                 // that is blocked in the end
-    Vec3 before_m{0.0};                         // it
-    std::string not_by = {};                    // a door that the way with help does without; empty: none
+    std::string door, misspelt;                 // the door that is blocked in the end, and its name with a typing error
+    Vec3 before_m{0.0};                         // a place in front of that door
+    std::string not_by = {};                    // a door that the route with help avoids; empty: none
     bool base_has_walls = true;
 };
 
@@ -39,7 +39,7 @@ class WholeLesson : public LessonHome {
 protected:
     void whole(const Building& at);
 
-    // An instructor at the keys; the file that was saved.
+    // An instructor prepares the lesson by keys. Returns the saved file.
     fs::path prepared(const Building& at) {
         ExploreArguments arguments;
         arguments.world = at.world;
@@ -71,7 +71,7 @@ protected:
         return files.empty() ? fs::path() : files[0];
     }
 
-    // Follows the walls, which are a task where the base is in a room, then points at each landmark.
+    // Follows the walls, which is a task only if the base is in a room. Then points at each landmark.
     void first_session(const Building& at, const fs::path& file) {
         const ExploreArguments arguments = taught(file, 1);
         const TaughtWorld& world = *arguments.lesson->world;
@@ -82,7 +82,7 @@ protected:
         if (at.base_has_walls) {
             ASSERT_TRUE(sitting.hears("Get to know")) << sitting.all();
         }
-        // Not out of the hall, where the wall leads on.
+        // Stays in the hall where the wall leads out of it.
         const std::string hall = sitting.app().lesson_view().room;
         for (int i = 0; i < 14 && sitting.app().lesson_view().room == hall; ++i) sitting.hold(Command::TrailRight, 2.0);
         if (sitting.app().lesson_view().room != hall) sitting.key("Home");
@@ -98,7 +98,7 @@ protected:
         sitting.live(3.0);
     }
 
-    // The way four times, with less help each time.
+    // Walks the route four times, with less help each time.
     void second_session(const Building& at, const fs::path& file) {
         const ExploreArguments arguments = taught(file, 2);
         TaughtWorld& world = *arguments.lesson->world;
@@ -116,7 +116,7 @@ protected:
         sitting.live(3.0);
     }
 
-    // Alone, with a door blocked by the instructor; then the questions.
+    // Walks alone, while the instructor blocks a door; then answers the questions.
     void third_session(const Building& at, const fs::path& file) {
         const ExploreArguments arguments = taught(file, 3);
         TaughtWorld& world = *arguments.lesson->world;
@@ -157,16 +157,16 @@ protected:
     }
 };
 
-// ---- walks of one kind, by somebody who sways ----
+// ---- walks of one kind, by a person who sways ----
 
-// Along both walls of the west of the lower corridor, which have doors and no windows, and across at the ends.
+// Along both walls in the west of the lower corridor, which have doors and no windows, and across at the ends.
 void along_walls(Sitting& sitting, TaughtWorld&, Sway& sway, std::uint64_t) {
     for (int lap = 0; lap < 6; ++lap)
         ASSERT_TRUE(sitting.walk({{4.2, 10.62, 0.0}, {11.6, 10.62, 0.0}, {11.6, 8.4, 0.0}, {4.2, 8.4, 0.0}}, &sway));
 }
 
-// Round a classroom, along what is on and before its walls: a board, a door, and a bookshelf and plant pots that are
-// to be gone round.
+// Around a classroom, along its walls and whatever is on or in front of them: a board, a door, and a bookshelf and
+// plant pots that the walker must go around.
 void round_a_classroom(Sitting& sitting, TaughtWorld&, Sway& sway, std::uint64_t) {
     for (int lap = 0; lap < 2; ++lap)
         ASSERT_TRUE(sitting.walk({{7.05, 0.45, 0.0},
@@ -184,7 +184,7 @@ void round_a_classroom(Sitting& sitting, TaughtWorld&, Sway& sway, std::uint64_t
                                  &sway));
 }
 
-// The free half of the assembly hall in lanes a metre apart, there and back.
+// Through the free half of the assembly hall in lanes a metre apart, back and forth.
 void in_lanes(Sitting& sitting, TaughtWorld&, Sway& sway, std::uint64_t) {
     bool up = true;
     for (const int lane : {0, 1, 2, 3, 4, 5, 4, 3, 2, 1, 0, 1, 2, 3, 4, 5, 4, 3, 2, 1, 0}) {
@@ -193,7 +193,7 @@ void in_lanes(Sitting& sitting, TaughtWorld&, Sway& sway, std::uint64_t) {
     }
 }
 
-// From one thing of the library to another, as chance has it.
+// From one object of the library to another, at random.
 void from_thing_to_thing(Sitting& sitting, TaughtWorld& world, Sway& sway, std::uint64_t seed) {
     const std::vector<std::pair<Vec3, Vec3>> things = {{{16.0, 2.5, 3.4}, {15.3, 2.5, 3.4}},   // shelves
                                                        {{20.0, 2.55, 3.4}, {20.0, 1.6, 3.4}},  // the librarian's desk
@@ -217,7 +217,7 @@ struct WalkOfAKind {
     void (*walk)(Sitting&, TaughtWorld&, Sway&, std::uint64_t seed);
 };
 
-// Of all windows of such walks inside a lesson, how many are called right.
+// Checks the share of time windows of such walks within a lesson that are named correctly.
 void expect_right_names(const fs::path& lesson_file, const fs::path& world_file) {
     constexpr double kSway_m = 0.05;
     LessonFile lesson = *read_lesson(lesson_file, {world_file.parent_path()});
@@ -258,7 +258,7 @@ void expect_right_names(const fs::path& lesson_file, const fs::path& world_file)
     EXPECT_GT(sway_m, 0.8 * kSway_m);
 }
 
-// ---- what is left of it ----
+// ---- what the lesson leaves behind ----
 
 double value_of(const std::vector<ResultRow>& rows, const std::string& session, const std::string& task,
                 const std::string& measure) {
@@ -269,7 +269,8 @@ double value_of(const std::vector<ResultRow>& rows, const std::string& session, 
     return std::nan("");
 }
 
-// The line of how it stands every ten seconds from the lesson's begin on, in words. It begins when the ways are known.
+// Checks the summary lines, one every ten seconds from the lesson's begin on, and that one contains these words. The
+// lesson begins when the routes are known.
 void expect_summaries(const Recording& recording, const std::string& words) {
     const auto is = [](const RecordedLine& line, const char* act) { return line.json.find(act) != std::string::npos; };
     const auto begun = std::find_if(recording.lines.begin(), recording.lines.end(),
@@ -303,7 +304,7 @@ void WholeLesson::whole(const Building& at) {
     third_session(at, file);
     ASSERT_FALSE(HasFatalFailure());
 
-    // The same lines in the same order.
+    // The replay gives the same lines in the same order.
     std::vector<fs::path> folders;
     for (const auto& entry : fs::directory_iterator(learners.recordings_of(pupil.id))) folders.push_back(entry.path());
     ASSERT_EQ(folders.size(), 3U);
@@ -312,7 +313,7 @@ void WholeLesson::whole(const Building& at) {
         const auto recording = read_recording(folder);
         ASSERT_TRUE(recording) << recording.error().sentence();
         EXPECT_TRUE(recording->ended && recording->problems.empty());
-        // Under a sanitizer the first: all go through the same code.
+        // A sanitizer gets only the first recording, because all run the same code.
         if (kSanitizerScale == 1.0 || folder == folders.front()) {
             const auto again = compute_again(*recording, {read_requested});
             ASSERT_TRUE(again) << again.error().sentence();
@@ -329,7 +330,7 @@ void WholeLesson::whole(const Building& at) {
         expect_summaries(*recording, walls ? "Along the walls." : "contact");
     }
 
-    // The report, and both tables read back the same.
+    // The report can be made, and both tables read back unchanged.
     const fs::path page = home_.path() / "page.html", csv = home_.path() / "results.csv",
                    json = home_.path() / "results.json";
     ReportArguments report;
@@ -350,14 +351,14 @@ void WholeLesson::whole(const Building& at) {
         EXPECT_TRUE(std::none_of(rows->begin(), rows->end(),
                                  [](const ResultRow& row) { return row.measure == "walls_percent"; }));
     EXPECT_LT(value_of(*rows, "1", "point", "pointing_off"), 5.0);
-    EXPECT_GE(value_of(*rows, "1", "session", "strategy_perimeter"), 20.0);  // of 28 s along the walls
+    EXPECT_GE(value_of(*rows, "1", "session", "strategy_perimeter"), 20.0);  // of 28 s spent along the walls
     const std::string go = " go " + at.destination;
     EXPECT_GT(value_of(*rows, "2", "2" + go, "led_time"), 5.0);
     EXPECT_EQ(value_of(*rows, "2", "5" + go, "led_time"), 0.0);
     for (const char* lap : {"2 go", "3 go", "4 go", "5 go"}) {
         EXPECT_EQ(value_of(*rows, "2", lap, "reached"), 1.0);
         EXPECT_GE(value_of(*rows, "2", lap, "turns_missed"), 0.0);
-        EXPECT_GT(value_of(*rows, "2", lap, "path_ratio"), 0.9);  // one is there a little before the end of a way
+        EXPECT_GT(value_of(*rows, "2", lap, "path_ratio"), 0.9);  // the lap ends a little before the end of the route
         EXPECT_LT(value_of(*rows, "2", lap, "path_ratio"), 1.5);
     }
     EXPECT_EQ(value_of(*rows, "3", go.substr(1), "reached"), 1.0);
@@ -368,7 +369,7 @@ void WholeLesson::whole(const Building& at) {
         value_of(*rows, "3", go.substr(1), measure);
     EXPECT_THAT(content_of(page), HasSubstr("A door was blocked, and you found another route."));
 
-    // Nothing of the pupil is left, and the instructor's lesson is.
+    // Nothing of the learner is left, while the instructor's lesson is.
     std::istringstream nobody;
     std::ostringstream deleted;
     EXPECT_EQ(run_learner({.action = "delete", .name = kPupil, .yes = true}, nobody, deleted, err), 0) << err.str();
@@ -390,22 +391,22 @@ Building our_school() {
             .door = "Lift door",
             .misspelt = "Lift dor",
             .before_m = {14.1, 9.8, 0.0},
-            .not_by = "Lift door"};  // the stairs are as good a way as the lift that the pupil is told of
+            .not_by = "Lift door"};  // the stairs are as good a route as the lift, to which the learner is directed
 }
 
 TEST_F(WholeLesson, is_prepared_taught_measured_played_again_and_forgotten) { whole(our_school()); }
 
-// Shares of right names are the same under a sanitizer, and walked long for.
+// The shares of correct names are the same under a sanitizer, and the walks would take too long there.
 TEST_F(WholeLesson, calls_walks_of_three_kinds_by_their_names) {
     if (kSanitizerScale == 1.0) expect_right_names(prepared(our_school()), our_school().world);
 }
 
-// The front door is blocked, so the way leads round the house and in by the terrace.
+// The front door is blocked, so the route leads around the house and in through the terrace.
 TEST_F(WholeLesson, is_taught_in_a_house_that_architects_drew_from_its_making_to_the_last_trace_of_it) {
     if (kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the lesson in our school is enough";
     const auto file = test::real_world("duplex-apartment.ifc");
     if (!file) GTEST_SKIP() << test::needs_real_world("duplex-apartment.ifc");
-    const fs::path copy = home_.path() / file->filename();  // what is kept of it lies beside it
+    const fs::path copy = home_.path() / file->filename();  // a copy, because the side file is next to it
     fs::copy_file(*file, copy);
     whole({.world = copy,
            .stops = {"liv"},
