@@ -1,6 +1,5 @@
-// Measures what finding rooms, exits and routes costs in office buildings of growing size. Each building has a process
-// of
-// its own, so that its memory can be measured:
+// Measures what finding rooms, exits and routes costs in office buildings of growing size. Each building has a separate
+// process, so that its memory can be measured:
 //   build/release/bin/office_rooms [brushes] [seed]        by hand; without a number: 1,000, 3,000, 10,000 and 50,000
 //   build/release/bin/office_rooms WORLD...                measures worlds from files instead
 #include <sys/resource.h>
@@ -103,7 +102,7 @@ int measure_file(const char* file) {
     return 0;
 }
 
-// Runs the work in a process of its own. Returns false if that failed.
+// Runs the work in a separate process. Returns false if that failed.
 bool apart(const std::function<int()>& work) {
     std::fflush(stdout);
     const pid_t child = fork();

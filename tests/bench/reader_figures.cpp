@@ -1,7 +1,6 @@
 // Measures what reading costs. It generates files of every format and reads each as the program does: a .map directly,
 // all others by handrail-reader with its limits. It prints rows of a table with wall-clock time, processor time and
-// peak
-// memory, as the kernel counts them:
+// peak memory, as the kernel counts them:
 //   build/release/bin/reader_figures [MB...]      (1 10 100)
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -249,7 +248,7 @@ struct Figures {
     char became[200] = {};
 };
 
-// Runs the work in a process of its own, so that the kernel counts only this work. Returns false if the process ended
+// Runs the work in a separate process, so that the kernel counts only this work. Returns false if the process ended
 // early.
 template <class Work>
 bool apart(const Work& work) {

@@ -1,8 +1,7 @@
 // Measures what each way to render a surface costs. The proxy slides over a floor that is plain (with friction),
-// without
-// friction, with friction that weakens, damped, guarded, rounded at its edges, a sheet, a sheet of one side, or
-// textured.
-// Or it slides over a tessellated sphere, faceted or shaded. Under callgrind, instructions.sh counts measured_ticks().
+// without friction, with friction that weakens, damped, guarded, rounded at its edges, a sheet, a sheet of one side, or
+// textured. Or it slides over a tessellated sphere, faceted or shaded. Under callgrind, instructions.sh counts
+// measured_ticks().
 //   surface_touch TICKS
 //   plain|slippery|weakening|damped|guarded|rounded|sheet|one-sided|friction|sine|square|picture|facets|shaded
 #include <array>

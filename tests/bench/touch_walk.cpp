@@ -1,8 +1,9 @@
-// Walks and touches through quake-e1m1.map with a proxy of 5 mm at scale 1. Under callgrind, instructions.sh counts:
-// - the whole servo_tick (sample checks, workspace, touch, events, limiter): servo, without guidance; pull, where the
-//   hand is pulled; grooves, among 32 grooves
-// - only touch_tick: touch, as shipped; plain, with every optional feature compiled out; all, with all features
-//   compiled in, used or not
+// Walks and touches through quake-e1m1.map with a proxy of 5 mm at scale 1. Under callgrind, instructions.sh counts one
+// of these:
+// - servo: the whole servo_tick (sample checks, workspace, touch, events, limiter), without guidance
+// - pull, grooves: the whole servo_tick, while the hand is pulled or among 32 grooves
+// - touch: only touch_tick, as shipped
+// - plain, all: only touch_tick, with every optional feature compiled out, or with all compiled in, used or not
 //   touch_walk [TICKS [servo|pull|grooves|touch|plain|all]]
 #include <fmt/format.h>
 

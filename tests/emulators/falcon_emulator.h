@@ -37,7 +37,7 @@ public:
     // Alternative homing: two legs find their zero when the grip is pulled out, the third when it is pushed in again.
     bool homes_by_moving = false;
     std::uint8_t buttons = 0;
-    double counts_per_nm = 10000.0;  // of its motors
+    double counts_per_nm = 10000.0;  // motor counts for a torque of 1 Nm
 
     // Faults of the device.
     int wrong_echo_at_byte = -1;  // corrupts one echo only

@@ -58,9 +58,8 @@ TEST(KernelUsb, dual_sense_exchanges_a_thousand_reports_over_hidraw_and_loses_no
 
 TEST(KernelUsb, space_mouse_steers) {
     test::PuckEmulator puck;
-    test::HidOnUsb function(puck, 0x256f, 0xc635,
-                            // A SpaceMouse of 3Dconnexion, because the kernel has its own driver for Logitech's.
-                            "SpaceMouse Compact");
+    // A SpaceMouse of 3Dconnexion, because the kernel has its own driver for Logitech's.
+    test::HidOnUsb function(puck, 0x256f, 0xc635, "SpaceMouse Compact");
     test::UsbIpPlug plug(function, 3, test::UsbIpPlug::Speed::Full);
     test::steer_with_a_space_mouse(test::open_hid(0x256f), puck, plug.lock, [] {});
 }

@@ -301,9 +301,8 @@ TEST_P(EveryCase, is_as_safe_on_cuts_that_are_fifty_milliseconds_old) {  // I18,
         1e-9);
 }
 
-TEST_P(EveryCase,
-       // I16. The tests unit_render and unit_servo_realtime check that it takes no memory, lock or clock.
-       never_works_more_than_its_bound) {
+// I16. The tests unit_render and unit_servo_realtime check that it takes no memory, lock or clock.
+TEST_P(EveryCase, never_works_more_than_its_bound) {
     SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     replay(*case_.world.scene(), case_.goals_m, {}, plain_tuning(case_.radius_m),
            [&](std::size_t i, const Vec3&, const TouchResult& r, const ProxySolver& solver) {

@@ -100,7 +100,7 @@ protected:
         ~Bed() { g_object_unref(bed); }
     } bed_;
     test::MockFalconBus bus_{bed_.bed};
-    std::vector<Frame> frames_;  // under bus_.lock
+    std::vector<Frame> frames_;  // guarded by bus_.lock
 };
 
 TEST_F(GuardProcess, holds_the_device_for_the_servo_and_lets_it_go_at_zero) {

@@ -24,9 +24,8 @@ public:
     Desktop& operator=(const Desktop&) = delete;
 
     bool running() const { return display && speech && speech->running(); }
-    bool start_orca(
-        // Waits until Orca says that it is on; braille: environment of a display that it uses.
-        const Environment& braille = {});
+    // Waits until Orca says that it is on. `braille` is the environment of a display that it uses.
+    bool start_orca(const Environment& braille = {});
     void kill_orca() { orca_->kill(); }
     void end_session() { bus_->kill(); }  // ends the bus and everything that was started through it
 

@@ -30,9 +30,8 @@ struct BenchWorld {
     bool hard_case = false;              // a small world of the families T1 to T16
     bool judged = true;                  // the judge has every obstacle of the scene
     double sphere_radius_m = 0.0;        // a tessellated sphere around the origin, whose exact answer is known
-    double simplify_bound_m = 0.0,
-           // For a simplified mesh: requested and measured distance (haptic/compile/simplify_mesh).
-        simplify_measured_m = 0.0;
+    // For a simplified mesh: requested and measured distance (haptic/compile/simplify_mesh).
+    double simplify_bound_m = 0.0, simplify_measured_m = 0.0;
     double build_s = 0.0;
     double bytes_per_obstacle = 0.0;  // all heap memory that building the scene takes
 

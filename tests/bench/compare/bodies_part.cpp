@@ -1,7 +1,10 @@
-// Measures what a hand feels of a moving object with three methods: our model in the servo, interpolated poses of the
-// engine, and interpolated poses with the force on the object damped as by a virtual coupling (Colgate and others,
-// "Issues in the haptic display of tool use", 1995). A hand that follows a prescribed path exactly pushes a ball on a
-// rubber string to and fro for ten loops. A formula gives what it should feel.
+// Measures what a hand feels of a moving object with three methods:
+// - our model in the servo
+// - interpolated poses of the engine
+// - interpolated poses with the force on the object damped as by a virtual coupling (Colgate and others, "Issues in the
+//   haptic display of tool use", 1995)
+// A hand that follows a prescribed path exactly pushes a ball on a rubber string to and fro for ten loops. A formula
+// gives what it should feel.
 #include <algorithm>
 #include <chrono>
 #include <cmath>

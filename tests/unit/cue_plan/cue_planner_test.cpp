@@ -411,7 +411,7 @@ TEST_F(CuePlannerTest, fault_sounds_and_speaks_as_an_alarm) {
     EXPECT_THAT(heard(), ElementsAre(SoundKind::Alarm));
 }
 
-// With a sink that takes time. The message that a device may push interrupts earlier messages about that device,
+// Here speech takes time. The message that a device may push interrupts earlier messages about that device,
 // instead of waiting behind them.
 TEST_F(CuePlannerWithVoice, that_a_device_may_push_waits_for_no_other_alarm) {
     ContactEvent fault = event(ContactEventKind::FaultRaised, kNoFeature.value);

@@ -73,7 +73,7 @@ TEST(InfoCommand, prints_every_key_as_one_json_object) {
     EXPECT_EQ(json["materials"], nlohmann::json({"brick", "wood"}));
     EXPECT_EQ(json["bounds_min_m"], nlohmann::json({-0.5, -0.5, -0.5}));
     EXPECT_EQ(json["scale_m_per_unit"], 1.0 / 32.0);
-    EXPECT_EQ(json["guessed"].size(), 3U);  // the last one is about its rooms
+    EXPECT_EQ(json["guessed"].size(), 3U);  // the last of them is about the rooms
     // What the touch model contains, and what is absent and costs nothing.
     EXPECT_EQ(json["touch_model"]["boxes"], 7);  // six walls and the door; water is no obstacle
     EXPECT_EQ(json["touch_model"]["brushes"], 0);
