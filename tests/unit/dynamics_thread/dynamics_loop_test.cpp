@@ -47,7 +47,7 @@ Vec3 play(double from_s) {
     bool hit = false;
     while (loop->take_event(event)) hit = hit || event.kind == BodyEvent::Kind::Hit;
     EXPECT_TRUE(hit);
-    // The ball is back at its start.
+    // A restart puts the ball back to its start.
     EXPECT_TRUE(loop->order({DynamicsLoop::Order::Kind::Restart}));
     loop->step_until(from_s + 2.005);
     loop->newer_frame_for_app();

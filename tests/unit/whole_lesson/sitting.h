@@ -47,7 +47,7 @@ public:
     void live(double seconds);
     // Waits for the background task that finds rooms and routes. Returns whether they are known.
     bool know_rooms();
-    // If false, time passes no faster than background tasks need, for lists that wait for them.
+    // If false, each frame also takes a real millisecond, so that background tasks keep up with lists that need them.
     void hurry(bool hurries) { hurries_ = hurries; }
 
     // Presses keys, each down and up, then waits half a second for the reaction.
@@ -84,7 +84,7 @@ private:
     VirtualClock clock_;
     std::vector<std::string> news_;
     std::unique_ptr<SessionRecording> recording_;
-    RecordingSpeech* speech_ = nullptr;  // owned by the sounds
+    RecordingSpeech* speech_ = nullptr;  // owned by sound_
     std::unique_ptr<AudioThread> sound_;
     Session app_;
     std::unique_ptr<SessionDriver> driver_;
