@@ -50,7 +50,7 @@ bool gives_its_time() {
 
 constexpr std::size_t kBusyEnough = 4;  // after this many messages that the computer is too busy, the test gives up
 
-// The child processes that any thread of this process has started, the oldest first.
+// The child processes that any thread of `process` has started, the oldest first.
 std::vector<pid_t> children_of(pid_t process) {
     std::vector<pid_t> found;
     std::error_code ec;

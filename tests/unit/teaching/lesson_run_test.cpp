@@ -1,5 +1,5 @@
 // Lessons in a headless session of our school: scripted learners, a learner who walks the route, a blocked door, and a
-// replay.
+// second run that must give the same announcements.
 #include "app/teaching/lesson_check.h"
 
 #include <gtest/gtest.h>
