@@ -16,19 +16,19 @@ namespace handrail {
 namespace {
 
 constexpr double kSeconds = 10.0;
-constexpr double kSweep_m = 0.035;  // of the hand, from the middle of its reach
+constexpr double kSweep_m = 0.035;  // the hand's amplitude, measured from the middle of its workspace
 constexpr double kLookEvery_s = 0.016;
 
 struct ServoMeasured {
     std::uint64_t ticks = 0, overruns = 0;
-    double touching = 0.0;  // share of the looks at which the hand touched something
+    double touching = 0.0;  // share of the samples at which the hand touched something
     PeriodHistogram periods;
     DurationHistogram durations;
     std::string scheduling;
 };
 
-// The servo as it runs in the program: its own thread, real time, a simulated hand that sweeps around the place where
-// one begins in this world. Returns after that many seconds.
+// Measures the servo as it runs in the program: on its own thread, in real time. A simulated hand sweeps around the
+// place where a person starts in this world. Returns after `seconds`.
 Result<ServoMeasured> measure_servo(const EnteringWorld& world, double seconds) {
     SteadyClock clock;
     auto hand = std::make_shared<SimulatedHand>();
@@ -46,7 +46,7 @@ Result<ServoMeasured> measure_servo(const EnteringWorld& world, double seconds) 
     const double begun_s = clock.now_s();
     loop.start();
     std::uint64_t looks = 0, touching = 0;
-    // Round three axes at once, so that it meets what is on all sides.
+    // The hand turns around three axes at once, so that it meets surfaces on all sides.
     for (double at_s = 0.0; at_s < seconds; at_s = clock.now_s() - begun_s) {
         const double turn = 2.0 * kPi * at_s;
         const Vec3 at(std::sin(turn), std::sin(0.7 * turn), std::cos(0.3 * turn));

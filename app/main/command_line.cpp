@@ -70,11 +70,11 @@ std::string part_words() {
     return words;
 }
 
-// The whole grammar. Lives as long as one parse; the commands' arguments are filled in place.
+// The whole grammar. It lives as long as one parse, which fills in the arguments of the commands.
 struct Grammar {
     CLI::App app{phrase("help.program")};
     ExploreCall explore;
-    std::vector<std::string> explore_devices;  // --device, once or twice
+    std::vector<std::string> explore_devices;  // --device, given once or twice
     bool explore_recorded = false;             // --record
     InfoArguments info;
     CheckArguments check;
@@ -92,7 +92,7 @@ struct Grammar {
         CLI::App* learner_app;
         LessonCall lesson;
         CLI::App* lesson_app = nullptr;
-    } recorded;  // what is done with recordings, whose they are, and lessons
+    } recorded;  // what to do with recordings, learners and lessons
     CLI::App *replay_app, *report_app, *calibrate_app, *info_app, *check_app, *touch_app, *scenario_app, *export_app,
         *bench_app, *settings_app, *devices_app;
 
@@ -235,13 +235,13 @@ struct Grammar {
     }
 };
 
-// The sentence, and where to read on.
+// Adds to the sentence where to read more.
 UsageError with_hint(const CLI::App& app, const std::string& sentence) {
     return {phrase(app.get_parent() ? "help.see_command" : "help.see", {{"sentence", sentence}})};
 }
 
-// "handrail inof" reads as a world named inof. Where there is no such file and it is no path either, a command was
-// meant.
+// The parser reads "handrail inof" as a world named inof. If no such file exists and the word is not a path either, a
+// command was meant.
 bool is_misspelt_command(const fs::path& world) {
     std::error_code ec;
     return world.string().find_first_of("./") == std::string::npos && !fs::exists(world, ec);
@@ -253,7 +253,7 @@ UsageError no_such_command(Grammar& grammar, const std::string& word) {
     return {phrase("help.no_such_command", {{"word", word}, {"nearest", nearest_name(word, names)}})};
 }
 
-// A word that nothing took: an unknown option, or one name too many.
+// Explains a word that no part of the grammar took: an unknown option, or one name too many.
 UsageError leftover_word(Grammar& grammar, const std::string& word) {
     CLI::App& app = grammar.chosen();
     if (word.starts_with("-")) {
@@ -269,7 +269,7 @@ UsageError leftover_word(Grammar& grammar, const std::string& word) {
     return with_hint(app, phrase("help.one_too_many", {{"word", word}}));
 }
 
-// Options that stand before a command must not be lost in silence.
+// Refuses options that stand before a command, which would otherwise be lost silently.
 std::optional<UsageError> options_before_command(Grammar& grammar) {
     for (const CLI::Option* option : grammar.app.get_options())
         if (option->count() > 0) {
@@ -289,8 +289,8 @@ std::optional<UsageError> check_touch(TouchArguments& touch) {
     return std::nullopt;
 }
 
-// What is spoken until settings are read, and what is wrong with its file: to be told then, where it is still the one
-// that is spoken.
+// The language spoken until the settings are read, and the faults of its file. The faults are reported later, and only
+// if the settings choose the same language.
 struct FirstLanguage {
     std::string code;
     std::vector<Diagnostic> faults;
@@ -300,7 +300,8 @@ FirstLanguage speak_first() {
     return {language_as_set({}, folder), speak_as_set({}, folder)};
 }
 
-// The person's settings with what the command line changes. Nothing, and a sentence on `err`, for wrong usage.
+// The person's settings with the changes from the command line. Wrong usage writes a sentence to `err` and returns
+// nothing.
 std::optional<SettingsStore> load_settings(const SettingsOptions& options, FirstLanguage first,
                                            std::vector<Diagnostic>& problems, std::ostream& err) {
     std::vector<std::string> words;
@@ -322,7 +323,7 @@ std::optional<SettingsStore> load_settings(const SettingsOptions& options, First
 
 int refused(std::ostream& err, const Error& error) { return err << error.sentence() << "\n", 1; }
 
-// One after the other, while somebody else is chosen to be here.
+// Runs one session after the other, as long as each ends because another learner was chosen.
 int explore(ExploreCall call, FirstLanguage first, std::ostream& err, const LongWork& progress) {
     for (;; first = speak_first()) {
         const ExploreCall asked = call;
@@ -341,7 +342,7 @@ int explore(ExploreCall call, FirstLanguage first, std::ostream& err, const Long
 ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
     Grammar grammar;
     try {
-        std::vector<std::string> reversed(words.rbegin(), words.rend());  // CLI11 takes its words last first
+        std::vector<std::string> reversed(words.rbegin(), words.rend());  // CLI11 takes its words in reverse order
         grammar.app.parse(std::move(reversed));
     } catch (const CLI::CallForHelp&) {
         return PrintedText{grammar.app.help()};
@@ -448,7 +449,7 @@ int run_command_line(const std::vector<std::string>& words, std::ostream& to_out
                 return 0;
             },
             [&](const UsageError& error) {
-                err << one_line(error.sentence) << "\n";  // it may quote what was typed
+                err << one_line(error.sentence) << "\n";  // the sentence may quote what was typed
                 return 2;
             }},
         parsed);

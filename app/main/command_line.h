@@ -1,5 +1,5 @@
-// The command line, from words to one of the commands in commands.h. Numbers are read the same way in every language
-// setting. App thread.
+// Parses the command line into one of the commands in commands.h. App thread. Numbers are read the same way in every
+// language setting.
 #pragma once
 
 #include <filesystem>
@@ -39,11 +39,11 @@ struct LessonCall {
     ExploreCall explore;
     bool recorded = false;  // --record
 };
-// --help and --version: exit status 0.
+// The text of --help or --version; exit status 0.
 struct PrintedText {
     std::string text;
 };
-// Wrong usage, in one sentence that names the nearest known word: exit status 2.
+// One sentence about wrong usage, which names the nearest known word; exit status 2.
 struct UsageError {
     std::string sentence;
 };
@@ -52,11 +52,11 @@ using ParsedCommandLine = std::variant<ExploreCall, InfoArguments, CheckArgument
                                        ExportCall, BenchArguments, SettingsCall, DevicesArguments, LessonCall,
                                        ReplayCall, ReportArguments, LearnerArguments, PrintedText, UsageError>;
 
-// `words` are the arguments after the program's name. Touches no file but to ask whether a WORLD exists.
+// `words` are the arguments after the program's name. Touches no file, except to check whether a WORLD exists.
 ParsedCommandLine parse_command_line(const std::vector<std::string>& words);
 
-// Parses, loads the settings where they are needed, runs the command and gives the exit status.
-// `progress`: of what takes long, for whoever waits.
+// Parses the words, loads the settings if the command uses them, runs the command and returns the exit status.
+// `progress` reports long work to whoever waits.
 int run_command_line(const std::vector<std::string>& words, std::ostream& out, std::ostream& err,
                      const LongWork& progress = {});
 

@@ -1,4 +1,4 @@
-// What confines the reader of files and the guards of devices, as data: the same in every command.
+// Describes as data how the file reader and the device guards are confined. Every command reports the same.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <csignal>
 
-// Where this program begins and its code ends in memory; the linker knows.
+// The addresses at which this program begins and its code ends in memory. The linker defines them.
 extern "C" const char __ehdr_start;  // NOLINT(bugprone-reserved-identifier): that is its name
 extern "C" const char etext;
 
@@ -17,9 +17,10 @@ namespace {
 
 constexpr std::array<int, 5> kSignals{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 std::array<struct sigaction, kSignals.size()> former_actions{};
-volatile std::sig_atomic_t noted = -1;  // the file's descriptor
+volatile std::sig_atomic_t noted = -1;  // descriptor of the file with the note
 
-// Only what a signal handler may call; backtrace() is called once before, so that it has loaded what it needs.
+// Calls only what a signal handler may call. backtrace() is called once before a crash, so that it has loaded what it
+// needs.
 void write_number(unsigned long value, unsigned base) {
     std::array<char, 24> digits;
     std::size_t at = digits.size();
@@ -55,7 +56,7 @@ void on_crash(int signal) {
     }
     for (std::size_t i = 0; i < kSignals.size(); ++i)
         if (kSignals[i] == signal) ::sigaction(signal, &former_actions[i], nullptr);
-    ::raise(signal);  // comes to whoever was there before us as soon as we return
+    ::raise(signal);  // reaches the previous handler as soon as we return
     errno = error;
 }
 

@@ -1,12 +1,13 @@
-// Notes in a file how the program ends when a signal ends it: its number, and where in the program that was, as
-// distances from its beginning, which tell nothing of the machine. Then it ends as it would have.
+// Writes to a file how a signal ended the program: the signal's number, and where in the program it struck. Places are
+// distances from the program's beginning, which reveal nothing about the machine. The program then ends as it would
+// have anyway.
 #pragma once
 
 #include <filesystem>
 
 namespace handrail {
 
-// Catches the signals of a crash for as long as it lives; one at a time. An empty file: does nothing.
+// Catches crash signals while it lives; only one object at a time. With an empty file it does nothing.
 class CrashSignal {
 public:
     explicit CrashSignal(const std::filesystem::path& file);

@@ -1,5 +1,5 @@
-// What is plugged in, in sentences: printed by `handrail devices`, and told in a session that asks for it, where
-// looking must not keep anybody waiting.
+// Describes the connected devices in sentences. `handrail devices` prints them, and a session announces them on
+// request. A session must not wait while devices are searched.
 #pragma once
 
 #include <span>
@@ -12,12 +12,12 @@
 
 namespace handrail {
 
-// Of one device, its first sentence first.
+// The sentences about one device; the main one comes first.
 std::vector<std::string> device_sentences(const FoundDevice& device);
-// Of all, or that there is none; and at last the simulated ones, which are always there.
+// The sentences about all devices, or that there is none. The simulated devices come last, as they are always there.
 std::vector<std::string> device_sentences(std::span<const FoundDevice> devices);
 
-// App thread; looks in the background, for up to half a second.
+// Used by the app thread. Searches on a background thread, for up to half a second.
 class DeviceFacts {
 public:
     // Once a frame.

@@ -1,5 +1,5 @@
-// All that is heard, shown in braille or read by another program's voice: the audio thread, and beside a window the
-// accessible list and the braille display. App thread.
+// All outputs for hearing and reading: the audio thread and, with a window, the accessible list and the braille
+// display. App thread.
 #pragma once
 
 #include <memory>
@@ -17,27 +17,26 @@ namespace handrail {
 
 class Ears {
 public:
-    // Opens what there is; `news` get what that is. Clock, rings and recording outlive this
-    // object. `with_window`: there will be
-    // one.
+    // Opens all outputs that exist and adds to `news` which these are. The clock, the rings and the recording outlive
+    // this object. `with_window`: a window will open.
     Ears(const Settings& settings, bool with_window, Clock& clock, AudioThread::ContactRing& left_contacts,
          SessionRecording& recording, std::vector<std::string>& news);
 
     AudioThread& sound() { return *sound_; }
     AudioThread::ContactRing& contacts() { return contacts_; }  // of the hand in use
     bool has_sound() const { return has_sound_; }               // there is a sound device
-    // Beside the window, else null. No window came after all: close_accessible.
+    // Null without a window. Call close_accessible if the window failed to open.
     Accessible* accessible() { return accessible_.get(); }
     BrailleLink* braille() { return braille_.get(); }
     void close_accessible() { accessible_.reset(); }
 
-    // Once that is decided: a better voice may still be opening. The welcome is due within two seconds, so it waits no
-    // longer than 1.5 s.
+    // The voice that will speak. A better voice may still be opening, so this waits for it, but at most 1.5 s: the
+    // welcome is due within two seconds.
     std::string voice_that_speaks();
-    // The list that is open and the heading, for the screen reader and the braille display.
+    // Passes the open list and the heading to the screen reader and the braille display.
     void show(const Session& app);
     void follow_hands(bool two, bool stands_in);
-    // The last sentence that was said, as of note_spoken.
+    // The last sentence that had been spoken when note_spoken was called.
     void note_spoken();
     const std::string& last_spoken() const { return last_spoken_; }
 
@@ -46,7 +45,7 @@ private:
     SessionRecording& recording_;
     std::unique_ptr<Accessible> accessible_;
     std::shared_ptr<BrailleLink> braille_;
-    DialogueView shown_dialogue_;  // as these two have it
+    DialogueView shown_dialogue_;  // as last passed to these two
     bool has_sound_ = false;
     AudioThread::ContactRing contacts_;
     std::unique_ptr<AudioThread> sound_;

@@ -1,6 +1,6 @@
-// The end of the program when it was told to end: what still runs on other threads, such as the search for routes
-// through a large building, is given up, but some of it is in a library that cannot be asked to stop. Construct it
-// before all that may have to be waited for. App thread; costs a thread that sleeps, once armed.
+// Ends the program in time once its end is decided. Work on other threads, such as the search for routes through a
+// large building, is then given up, but some of it is in a library that cannot be stopped. Construct this object before
+// everything that may have to be waited for. App thread. Costs a sleeping thread once armed.
 #pragma once
 
 #include <thread>
@@ -9,7 +9,8 @@ namespace handrail {
 
 class EndInTime {
 public:
-    // All that matters is saved. Unless this object is destroyed within that time, the process ends with that status.
+    // Call it when everything that matters is saved. Unless this object is destroyed within `seconds`, the process ends
+    // with `status`.
     void end_within(double seconds, int status);
 
 private:

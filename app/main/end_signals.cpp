@@ -5,7 +5,7 @@
 namespace handrail {
 namespace {
 
-// A plain flag is all that a signal handler may touch.
+// A signal handler may touch nothing but a plain flag.
 std::atomic<bool> end_asked{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 

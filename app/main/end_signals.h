@@ -1,5 +1,5 @@
-// SIGINT, SIGTERM and SIGHUP asked for, not obeyed at once: a session ends by letting go of the hand, saving and saying
-// its last words. Construct it before all that may have to be waited for at the end. App thread.
+// Notes SIGINT, SIGTERM and SIGHUP instead of obeying them at once: a session first lets go of the hand, saves and says
+// its last words. Construct it before everything that may have to be waited for at the end. App thread.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace handrail {
 
-// Catches the ending signals for as long as it lives; one at a time.
+// Catches the ending signals while it lives; only one object at a time.
 class EndSignals {
 public:
     EndSignals();
@@ -17,10 +17,10 @@ public:
     EndSignals(const EndSignals&) = delete;
     EndSignals& operator=(const EndSignals&) = delete;
 
-    // One of them came since.
+    // True if one of the signals has come.
     bool asked() const;
 
-    EndInTime in_time;  // of the end that they or the person asked for
+    EndInTime in_time;  // limits how long the end may take, whether signals or the person requested it
 
 private:
     static constexpr std::array<int, 3> kSignals{SIGINT, SIGTERM, SIGHUP};

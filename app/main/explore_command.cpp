@@ -36,9 +36,10 @@
 namespace handrail {
 namespace {
 
-// How long the end waits for what is being said: "Goodbye." takes as long. With what follows it is a second at most.
+// How long the end waits for the current sentence; "Goodbye." takes this long. Together with the wait below it is at
+// most a second.
 constexpr double kLastWords_s = 0.6;
-constexpr double kAfterLastWord_s = 0.3;  // the process ends then, whatever other threads are at
+constexpr double kAfterLastWord_s = 0.3;  // the process then ends, whatever other threads are doing
 
 bool a_display_is_there() {
     for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"})
@@ -56,7 +57,7 @@ std::string joined(const std::vector<std::string>& sentences) {
     return text;
 }
 
-// One session with a person: owns every part, carries values between them about sixty times a second.
+// One session with a person. It owns every part and carries values between them about sixty times a second.
 class Exploration {
 public:
     Exploration(const ExploreArguments& arguments, SettingsStore& settings)
@@ -73,7 +74,7 @@ public:
         recording_.listen_to(app_);
     }
 
-    // Problems that keep it from starting go to `err` too.
+    // Problems that prevent the start are also written to `err`.
     ExploreEnd run(std::ostream& err, const LongWork& progress) {
         const double asked_s = begin();
         if (arguments_.calibrate) {
@@ -95,7 +96,7 @@ public:
 private:
     // ---- the start ----
 
-    // From what is there to the welcome. When that was asked for.
+    // Everything up to the welcome. Returns the time to which the welcome belongs as a reply.
     double begin() {
         news_.insert(news_.begin(), arguments_.news.begin(), arguments_.news.end());
         if (std::vector<std::string> faults = sentences_of(arguments_.settings_problems); !faults.empty()) {
@@ -103,7 +104,7 @@ private:
             app_.apply(SettingsFaultsKnown{std::move(faults)}, clock_.now_s());
         }
         open_window();
-        // Keys act at once if there is a terminal for them; the first sentence says so.
+        // Keys act at once if the terminal supports them; the first sentence says so.
         if (!window_) keys_ = TypedKeys::open(app_, worlds_, switches_, clock_);
         if (keys_) {
             speak_to(ActsBy::TerminalKeys);
@@ -117,7 +118,8 @@ private:
         const std::string voice = first ? ears_.voice_that_speaks() : std::string{};
         const double asked_s = clock_.now_s();
         if (first)
-            app_.apply(FirstMinutesBegun{voice, ears_.has_sound()}, asked_s);  // without, there is nothing to set up
+            // Without a hand there is nothing to set up.
+            app_.apply(FirstMinutesBegun{voice, ears_.has_sound()}, asked_s);
         news_.push_back(worlds_.take_news());
         news_.push_back(worlds_.crash_words(!speaks_to_typist(), asked_s));
         say_(first ? joined(news_) : phrase("program.welcome", {{"news", joined(news_)}}), asked_s);
@@ -130,7 +132,7 @@ private:
         auto opened = Window::open();
         if (!opened) {
             ears_.close_accessible();
-            // Nor who has no display of a picture.
+            // A person without a display does not need to hear that no window opened.
             if (a_display_is_there()) news_.push_back(opened.error().message);
             return;
         }
@@ -144,7 +146,7 @@ private:
 
     // ---- the three loops: while the first world is read, in a world, and in a set-up without one ----
 
-    // False when the world cannot be read or the person left meanwhile.
+    // Returns false if the world cannot be read or if the person leaves meanwhile.
     bool load_world(std::ostream& err) {
         WorldLoading loading(worlds_.first(), arguments_.common);
         watch_lines();
@@ -158,7 +160,7 @@ private:
             kept_.keep_saved(clock_.now_s());
             worlds_.keep_notes(clock_.now_s());
             loading.tell(clock_.now_s(), [this](const std::string& words) { say_(words); });
-            hand_over();  // what keys and lines were answered
+            hand_over();  // hands over the replies to keys and lines
             draw_words();
         }
         auto world = loading.take();
@@ -168,7 +170,7 @@ private:
             return false;
         }
         if (ended()) return false;
-        worlds_.enter(std::move(*world), hand_.asked_s());  // goes on with the greeting instead of cutting it short
+        worlds_.enter(std::move(*world), hand_.asked_s());  // continues after the greeting instead of interrupting it
         return true;
     }
 
@@ -189,7 +191,7 @@ private:
             set_up_.begin_if_asked();
             recording_.set_up(set_up_.under_way());
             if (auto ended = recording_.take_problem()) say_(std::move(*ended));
-            driver_.hand_over_settings();  // before another world brings its own
+            driver_.hand_over_settings();  // before another world brings its own settings
             worlds_.change(now_s);
             learners_.turn(now_s);
             if (set_up_.under_way()) {
@@ -226,7 +228,7 @@ private:
         }
     }
 
-    // ---- what they are made of ----
+    // ---- parts of the three loops ----
 
     bool ended() const {
         return signals_.asked() || (window_ && window_->closed()) || (keys_ && keys_->closed()) ||
@@ -246,7 +248,7 @@ private:
         set_up_.end_if_finished(now_s);
     }
 
-    // The window where there is no world: the last words, in large letters.
+    // Draws the window while there is no world: the last words, in large letters.
     void draw_words() {
         ears_.note_spoken();
         if (!window_) return;
@@ -255,7 +257,7 @@ private:
         window_->draw(view);
     }
 
-    // A second hand beside the first, once it is found.
+    // Adds a second hand once it is found.
     void notice_left_hand(double now_s) {
         std::vector<std::string> news;
         if (left_.take_change(news)) {
@@ -271,7 +273,7 @@ private:
         if (set_up_.under_way()) set_up_.hand_over();
     }
 
-    // What happens here around each hand-over.
+    // The work around each hand-over.
     SessionDriver::Steps steps() {
         return {.ticked =
                     [this](double now_s, const ToolState& tool, const ToolState& left_tool) {
@@ -296,21 +298,21 @@ private:
                     }};
     }
 
-    // Where two periods of the sound device drop out it gets three, from the next start on.
+    // If the sound device drops out with two periods, sets three from the next start on.
     void hold_more_sound() {
         if (settings_.values().sound.periods >= 3 || !ears_.sound().sound_drops_out()) return;
         app_.apply(SettingSet{"sound.periods", "3"}, clock_.now_s());
         say_(phrase("program.drops_out"));
     }
 
-    // Waits until the next frame is due, and gives that time.
+    // Waits until the next frame is due, and returns that time.
     double end_frame(double due_s, double began_s) {
         const double next_s = std::max(due_s + kFrame_s, began_s);
         clock_.sleep_until_s(next_s);
         return next_s;
     }
 
-    // Forces down first, then the settings, then the last words.
+    // Ends in this order: the forces, then the settings, then the last words.
     void finish(std::ostream& err, int status, const LongWork& progress) {
         companions_.reset();
         hand_.stop_looking();
@@ -324,7 +326,8 @@ private:
         progress.at(phrase("progress.recording_end"));
         recording_.end();
         progress.done();
-        // All is saved and said. Another person goes on in this process; else work on other threads is not waited for.
+        // Everything is saved and said. If another learner follows, this process continues; otherwise it does not wait
+        // for work on other threads.
         if (!learners_.next()) signals_.in_time.end_within(kAfterLastWord_s, status);
         worlds_.end();
     }
@@ -334,7 +337,7 @@ private:
     EndSignals signals_;
     SteadyClock clock_;
     ServoSwitches switches_;
-    std::vector<std::string> news_;  // said with the welcome
+    std::vector<std::string> news_;  // announced with the welcome
     SessionRecording recording_;
     LeftHand left_{clock_, switches_, recording_.hand(1)};
     Ears ears_;
@@ -353,7 +356,7 @@ private:
     DeviceFacts device_facts_;
     LessonHere lesson_{arguments_, app_, worlds_, say_};
     LearnersHere learners_{arguments_, app_, recording_, say_};
-    std::optional<WindowInput> window_;  // one of the three
+    std::optional<WindowInput> window_;  // at most one of these three is used
     std::unique_ptr<TypedKeys> keys_;
     std::optional<TypedLines> lines_;
     std::optional<CompanionSession> companions_;

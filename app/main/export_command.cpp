@@ -23,16 +23,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What is to be written, and what is said of it: nothing is touched before all of it is made.
+// A file to be written. Nothing is written before all files are made.
 struct MadeFile {
     fs::path path;
     std::string content, said;
-    bool named = true;  // by the person; else its name is made of theirs
+    bool named = true;  // the person named it; otherwise its name is derived from theirs
 };
 
 std::string ending_of(const fs::path& path) { return lower_ascii(path.extension().string()); }
 
-// "plan.svg" and "key-2" make "plan-key-2.svg".
+// From "plan.svg" and "key-2" makes "plan-key-2.svg".
 fs::path beside(const fs::path& path, const std::string& what) {
     return path.parent_path() / (path.stem().string() + "-" + what + path.extension().string());
 }
@@ -66,7 +66,7 @@ struct StoreyPlans {
     std::optional<Storey> upper;
 };
 
-// What would help where a sheet does not keep its promises, each tried or true of any storey.
+// Lists remedies for a sheet that cannot meet its guarantees. Each was either tried or helps on any storey.
 std::vector<std::string> helps(const StoreyPlans& plans, const SheetWish& wish, const ExportArguments& arguments) {
     const Storey& storey = plans.storey;
     std::vector<std::string> said;
@@ -82,7 +82,7 @@ std::vector<std::string> helps(const StoreyPlans& plans, const SheetWish& wish, 
     return said;
 }
 
-// Of several sheets those that show the middle of a room of that name.
+// Returns only the sheets that show the middle of a room with this name.
 Result<std::vector<SwellSheet>> sheets_around(const std::string& name, const StoreyPlans& plans,
                                               const SheetWish& wish) {
     std::vector<std::string> names;
@@ -107,7 +107,7 @@ Result<std::vector<SwellSheet>> sheets_around(const std::string& name, const Sto
     return fail(phrase("export.no_place", {{"name", name}, {"nearest", nearest_name(name, names)}}));
 }
 
-// One sheet, or several where these are wanted.
+// One sheet, or several if they were requested.
 Result<std::vector<SwellSheet>> sheets_of(const StoreyPlans& plans, const SheetWish& wish,
                                           const ExportArguments& arguments) {
     if (arguments.around) return sheets_around(*arguments.around, plans, wish);
@@ -115,7 +115,7 @@ Result<std::vector<SwellSheet>> sheets_of(const StoreyPlans& plans, const SheetW
         Result<std::vector<SwellSheet>> sheets = swell_sheets(plans.storey, wish);
         if (!sheets || !plans.upper) return sheets;
         SheetWish without_plate = wish;
-        without_plate.plate_signs.clear();  // the plate shows the lower floors
+        without_plate.plate_signs.clear();  // the plate already shows the lower floors
         Result<std::vector<SwellSheet>> more = swell_sheets(*plans.upper, without_plate);
         if (!more) return more;
         std::move(more->begin(), more->end(), std::back_inserter(*sheets));
@@ -125,7 +125,7 @@ Result<std::vector<SwellSheet>> sheets_of(const StoreyPlans& plans, const SheetW
     if (!one) {
         Error error = one.error();
         ExportArguments coarse = arguments;
-        coarse.coarse = true;  // that makes no storey smaller
+        coarse.coarse = true;  // a coarse plan would not be smaller, so do not suggest it
         for (const std::string& help : helps(plans, wish, coarse)) error.message += "\n" + help;
         return tl::unexpected(std::move(error));
     }
@@ -137,7 +137,7 @@ struct ToldOfSheets {
     bool broken = false;
 };
 
-// The files of one sheet and its key; `which`: empty for the first.
+// The files of one sheet and its key. `which` is empty for the first sheet.
 void add_svg(const fs::path& path, const std::string& which, const SwellSheet& sheet, const std::string& said,
              std::vector<MadeFile>& files) {
     const std::string language = spoken_language();
@@ -225,7 +225,7 @@ Result<void> add_card(const fs::path& path, const std::vector<CardWay>& ways, Br
     return {};
 }
 
-// Nothing is written where one of them must stay.
+// Writes nothing if one of the files exists and must not be replaced.
 Result<void> write_all(const WayOut& way_out, const std::vector<MadeFile>& files, bool force, std::ostream& out) {
     std::error_code ec;
     if (!force)

@@ -1,4 +1,4 @@
-// The grammar of `handrail export`, beside the rest in command_line.cpp. App thread.
+// The grammar of `handrail export`; the rest is in command_line.cpp. App thread.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,7 +7,7 @@
 
 namespace handrail {
 
-// The command without its settings and the scale of maps; `arguments` are filled in place and outlive the grammar.
+// The command without its settings and the map scale. Parsing fills in `arguments`, which outlive the grammar.
 CLI::App* add_export_command(CLI::App& app, ExportArguments& arguments);
 
 }  // namespace handrail

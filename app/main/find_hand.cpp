@@ -41,7 +41,7 @@ Result<std::optional<Hand>> choose_hand(const std::string& wanted, std::vector<s
             if (device.usable) return real_hand(device);
             news.push_back(device.problem);
         }
-        // Nobody who has no device wants to hear of it before a hand is asked for.
+        // With no device at all this says nothing: nobody wants to hear about it before they ask for a hand.
         if (!news.empty()) news.push_back(phrase("program.simulated_instead"));
         return std::nullopt;
     }
@@ -112,7 +112,7 @@ Result<HandSearch::Found> HandSearch::search(const std::string& wanted) {
         opening_ = nullptr;
     }
     device->tell_while_opening(nullptr);
-    device->take_news();  // all told already
+    device->take_news();  // all announced already
     if (!opened) {
         tell(opened.error().sentence());
         return Found{{}, nullptr, std::move(plugged)};

@@ -1,6 +1,6 @@
-// Which hand there is. Devices are looked for and opened on a thread of their own, for both can take seconds, while the
-// program is used by keyboard; what goes on is told in sentences. App thread; the search's own thread touches nothing
-// but what its mutex guards.
+// Decides which hand is used. Devices are searched and opened on a separate thread, as both can take seconds, while the
+// person already uses the program by keyboard. Sentences report the progress. App thread; the search thread touches
+// only what its mutex guards.
 #pragma once
 
 #include <atomic>
@@ -19,7 +19,7 @@
 
 namespace handrail {
 
-// Which hand, and for a real one how the guard finds it.
+// The chosen hand and, for a real device, how the guard finds it.
 struct Hand {
     HandFacts facts;
     std::vector<std::string> guard_arguments;  // empty: no real device
@@ -27,21 +27,20 @@ struct Hand {
 
 Hand simulated_hand(std::string_view name);
 
-// What can be said of `wanted` without looking at any device: none and the simulated ones.
+// The hand that `wanted` names, if no device must be searched for that: none, or a simulated one.
 std::optional<Hand> hand_without_looking(const std::string& wanted);
 
-// By name or serial number, or auto: what is plugged in. Takes up to a second. No hand and no failure: auto found
-// nothing that can be used, or what is wanted has no hand.
+// Chooses by name or serial number, or with "auto" from what is connected. Takes up to a second. Success without a hand
+// means that "auto" found nothing usable, or that the wanted device has no hand.
 Result<std::optional<Hand>> choose_hand(const std::string& wanted, std::vector<std::string>& news);
 
-// A search under way, from its construction on. Destruction gives it up and waits for its thread, at most about a
-// second.
+// A search, which begins on construction. Destruction cancels it and waits for its thread, at most about a second.
 class HandSearch {
 public:
     struct Found {
         HandFacts facts;
-        std::unique_ptr<GuardedDevice> device;  // open; null where nothing can be used, and the news say why
-        std::vector<PluggedHand> plugged;       // what was there when the search began
+        std::unique_ptr<GuardedDevice> device;  // open; null if no device can be used, and the news say why
+        std::vector<PluggedHand> plugged;       // what was connected when the search began
     };
 
     explicit HandSearch(std::string wanted);
@@ -49,10 +48,10 @@ public:
     HandSearch(const HandSearch&) = delete;
     HandSearch& operator=(const HandSearch&) = delete;
 
-    // Sentences since the last call.
+    // Returns the sentences since the last call.
     std::vector<std::string> take_news();
     bool ready() const { return found_.ready(); }
-    // Once, when ready. Fails if a device that was asked for by name is not there or cannot be used.
+    // Returns the result once, when ready. Fails if a device that was requested by name is missing or cannot be used.
     Result<Found> take() { return found_.take().value_or(Found{}); }
 
 private:
@@ -61,36 +60,35 @@ private:
 
     std::mutex mutex_;  // guards news_ and opening_
     std::vector<std::string> news_;
-    GuardedDevice* opening_ = nullptr;  // while it is waited for
+    GuardedDevice* opening_ = nullptr;  // set while its opening is awaited
     bool given_up_ = false;
     BackgroundTask<Result<Found>> found_{on_threads(), "hand-search"};  // last: its thread uses the others
 };
 
-// Looks every two seconds for devices that can push a hand and were not there before. Asks them nothing but their
-// names, on a thread of its own.
+// Looks every two seconds for newly connected force devices. It only reads their names, and runs on a separate thread.
 class PlugWatch {
 public:
-    // known: what is not new; none: whatever the first look finds.
+    // `known` lists the devices that are not new. Without a list, whatever the first look finds is not new.
     explicit PlugWatch(std::optional<std::vector<PluggedHand>> known);
     ~PlugWatch();
     PlugWatch(const PlugWatch&) = delete;
     PlugWatch& operator=(const PlugWatch&) = delete;
 
-    // Newly plugged in since the last call.
+    // The devices connected since the last call.
     std::vector<PluggedHand> take_new();
-    // Not while a device is in use: the guard that holds it looks for it itself.
+    // Rests while a device is in use, because the guard that holds it looks for it itself.
     void rest(bool resting) { resting_.store(resting, std::memory_order_relaxed); }
 
 private:
     void run();
 
-    std::optional<std::vector<PluggedHand>> known_;  // the watch's thread
-    std::mutex mutex_;                               // guards new_ and, with ended_, the wait
+    std::optional<std::vector<PluggedHand>> known_;  // used by the watch's thread
+    std::mutex mutex_;                               // guards new_, and together with ended_ the wait
     std::condition_variable wake_;
     std::vector<PluggedHand> new_;
     bool ended_ = false;
     std::atomic<bool> resting_{false};
-    std::thread thread_;  // last
+    std::thread thread_;  // last: its thread uses the others
 };
 
 }  // namespace handrail

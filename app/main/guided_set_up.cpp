@@ -78,7 +78,8 @@ void GuidedSetUp::end_if_finished(double now_s) {
     if (!app.scene()) return;
     app.apply(SettingsChanged{parts_.settings.values()}, now_s);
     app.apply(Stopped{stops_}, now_s);
-    if (app.hand().tuning.panic && !stopped) {  // stopped and gone on with in the wizard
+    // The person stopped the forces in the wizard and then switched them on again.
+    if (app.hand().tuning.panic && !stopped) {
         app.apply(CommandDown{Command::ToggleForces}, now_s);
         app.apply(CommandUp{Command::ToggleForces}, now_s);
     }

@@ -1,5 +1,5 @@
-// The wizard's turn: while it leads through the set-up it alone is answered, moves the hand and speaks, in a world or
-// without one. App thread.
+// The wizard's turn in a session, with or without a world. While it leads the set-up it alone receives the answers,
+// moves the hand and speaks. App thread.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace handrail {
 
 class GuidedSetUp {
 public:
-    // All outlive this object.
+    // All of these outlive this object.
     struct Parts {
         const SettingsStore& settings;
         const ServoSwitches& switches;
@@ -29,19 +29,21 @@ public:
         Ears& ears;
         KeptSettings& kept;
         const SessionVoice& say;
-        bool alone;  // without a world: it looks for the hand itself, when it comes to it, so that what the search
-                     // tells is heard in its place
+        // Without a world: the set-up searches for the hand only when it reaches that step, so that the news of the
+        // search come at the right place.
+        bool alone;
     };
     explicit GuidedSetUp(const Parts& parts) : parts_(parts) {}
 
     void begin(std::span<const WizardPart> wanted);
-    // Once a frame: begins where the person asked for it.
+    // Call once a frame; begins the set-up if the person has requested it.
     void begin_if_asked();
-    // Null: nobody is led. What is answered goes to it.
+    // Null while no set-up is under way. Otherwise it receives the person's answers.
     WizardSession* session() { return session_.get(); }
     bool under_way() const { return session_ != nullptr; }
 
-    // Once a frame while it is under way: look (alone only), sense, then hand_over and end_if_finished.
+    // Call these once a frame while it is under way, in this order: look (only when alone), sense, hand_over,
+    // end_if_finished.
     void look_for_hand();
     void sense(double now_s);
     void hand_over();

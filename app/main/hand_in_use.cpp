@@ -14,7 +14,7 @@ constexpr double kServoPeriod_s = 1e-3;
 
 }  // namespace
 
-// ---- the hand there is ----
+// ---- the current hand ----
 
 void HandInUse::let_go() {
     if (servo_) servo_->stop();
@@ -25,7 +25,7 @@ void HandInUse::tell_of_guard() {
     for (std::string& sentence : guarded_->take_news()) parts_.say(std::move(sentence));
 }
 
-// Puts this hand in place of the one there was; `device` is open, or null for a simulated hand or none.
+// Replaces the current hand by this one. `device` is open, or null for a simulated hand or none.
 void HandInUse::use(const HandFacts& facts, std::unique_ptr<GuardedDevice> device) {
     let_go();
     parts_.driver.drive(0, nullptr);
@@ -50,7 +50,7 @@ void HandInUse::use(const HandFacts& facts, std::unique_ptr<GuardedDevice> devic
         parts_.driver.drive(0, servo_.get(), simulated_);
         return servo_->start();
     }
-    // It was open a moment ago, so it went away meanwhile.
+    // The device was open a moment ago, so it was disconnected meanwhile.
     servo_.reset();
     guarded_ = nullptr;
     facts_ = {};
@@ -68,7 +68,7 @@ void HandInUse::tell_how_it_runs() {
         told_how_it_runs_ = true;
         if (report.scheduling == Scheduling::Ordinary) parts_.say(scheduling_sentence(report.scheduling));
         if (!report.memory_locked) parts_.say(memory_sentence(report.memory_locked));
-        for (std::string& sentence : guarded_->unprotected())  // the same limit, told once
+        for (std::string& sentence : guarded_->unprotected())  // reports the same limit only once
             if (report.memory_locked || sentence != phrase("guard.memory_not_locked")) parts_.say(std::move(sentence));
     }
     tell_of_guard();
@@ -82,7 +82,7 @@ void HandInUse::watch_sleep(const ToolState* left) {
     if (sleep_->take_woken()) parts_.say(phrase("program.has_slept"));
 }
 
-// ---- the search, and what is plugged in ----
+// ---- the search and newly connected devices ----
 
 void HandInUse::begin(double asked_s) {
     asked_s_ = asked_s;
@@ -141,11 +141,11 @@ bool HandInUse::take_found(std::ostream& err) {
     return true;
 }
 
-// False where there is nothing to go on with.
+// Returns false if the session cannot continue without the device.
 bool HandInUse::do_without(const Error& problem, std::ostream& err) {
     parts_.say(problem.sentence());
-    if (guarded_) use(simulated_hand("sim-t").facts, nullptr);  // what it stood in for is gone for good
-    if (servo_) return true;                                    // the hand there was goes on
+    if (guarded_) use(simulated_hand("sim-t").facts, nullptr);  // the lost device will not come back
+    if (servo_) return true;                                    // the current hand stays in use
     if (parts_.arguments.device) {
         fmt::print(err, "{}\n", problem.sentence());
         return false;
@@ -173,7 +173,7 @@ void HandInUse::offer(PluggedHand hand) {
     offer_ = std::move(hand);
 }
 
-// A device that nobody set up yet.
+// Offers to set up a device that has no profile yet.
 void HandInUse::offer_calibration() {
     if (parts_.settings.values().profiles.contains(profile_key(facts_.spec.name, facts_.serial))) return;
     parts_.say(phrase("program.not_set_up",

@@ -1,4 +1,4 @@
-// The hand that leads the session: which one is wanted, the search for it, and what is plugged in meanwhile. App
+// The hand that leads the session: which one is wanted, the search for it, and devices that are connected later. App
 // thread.
 #pragma once
 
@@ -20,57 +20,57 @@ namespace handrail {
 
 class HandInUse {
 public:
-    // All outlive this object.
+    // All of these outlive this object.
     struct Parts {
         const ExploreArguments& arguments;
         const SettingsStore& settings;
         Clock& clock;
         ServoSwitches& switches;
-        ServoLoop::EventRing& contacts;  // of whichever device is in use
+        ServoLoop::EventRing& contacts;  // contacts of whichever device is in use
         Session& app;
-        SessionDriver& driver;  // is told which servo there is
+        SessionDriver& driver;  // is notified which servo is used
         const SessionVoice& say;
-        HandRing* recording;  // null: nobody records
+        HandRing* recording;  // null: nothing is recorded
     };
     explicit HandInUse(const Parts& parts) : parts_(parts) {}
 
-    // By name or serial number, auto or none, as the command line or the settings say.
+    // A name, a serial number, "auto" or "none", from the command line or else from the settings.
     std::string wanted() const { return parts_.arguments.device.value_or(parts_.settings.values().haptic.device); }
 
-    // Until a real hand is found, and where none is, a simulated one is there; who asked for a certain device waits for
-    // that. What is said of the search belongs to the reply of `asked_s`.
+    // Starts the search. A simulated hand is used until a real one is found, or for good if there is none. Somebody who
+    // requested a certain device waits for it instead. Sentences about the search belong to the reply of `asked_s`.
     void begin(double asked_s);
-    // Once a frame: what the search and the plugs have to tell; a hand that was found takes its place. False when a
-    // device that was asked for on the command line cannot be had, with the reason in `err`.
+    // Call once a frame. Announces news of the search and of connected devices, and starts to use a hand that was
+    // found. Returns false, with the reason in `err`, if a device requested on the command line is not available.
     bool look(std::ostream& err);
-    // For the set-up without a world: begins the search, then takes what it found; its words go to `news`, to be said
-    // in their place.
+    // For the set-up without a world: starts the search, then takes its result. The sentences go to `news`, so that the
+    // set-up says them at the right place.
     void begin_for_set_up();
     void look_for_set_up(std::vector<std::string>& news);
     bool looking() const { return search_.has_value(); }
-    // The reply to which its words belong: the one it began with, or the one to an offer that was taken since.
+    // The reply to which the sentences of the search belong: that of the start, or of the last accepted offer.
     double asked_s() const { return asked_s_; }
 
-    // There is a servo, and so something that feels.
+    // True if a servo runs, so that forces can be felt.
     bool driven() const { return servo_ != nullptr; }
-    // A simulated one that nobody asked for.
+    // True for a simulated hand that nobody requested.
     bool stands_in() const { return facts_.present && facts_.simulated && !hand_without_looking(wanted()); }
-    // A hand that can be set up. A simulated one counts only for who asked for one: nobody else wants to be asked to
-    // move its grip.
+    // True for a hand that can be set up. A simulated one counts only if the person requested it: nobody else wants to
+    // be asked to move its grip.
     bool can_be_set_up() const;
     const HandFacts& facts() const { return facts_; }
-    // The newest of the servo; kept until the next call.
+    // Reads the newest state of the servo, which is kept until the next call.
     void read();
     const ToolState& tool() const { return tool_; }
-    // Once, for a real device: what may make it uneven. And what its guard has to tell, whenever it has.
+    // For a real device: reports once what may make the servo uneven, and always what its guard reports.
     void tell_how_it_runs();
 
-    // Once a frame: from the first real device on, takes all force away before the computer sleeps, as the stop key
-    // does, and says afterwards how it comes back. `left`: the newest of the left hand; null: that is no real device.
+    // Call once a frame. From the first real device on, removes all force before the computer sleeps, as the stop key
+    // does, and afterwards says how to bring it back. `left` is the newest state of the left hand; null if it is no
+    // real device.
     void watch_sleep(const ToolState* left);
 
-    // Takes the force away, and tells it where that cannot be made sure of. Waits for a force that is still on to fade,
-    // at most 76 ms.
+    // Removes the force, and reports if that cannot be guaranteed. Waits at most 76 ms for a remaining force to fade.
     void let_go();
     void stop_looking() { search_.reset(); }
 
@@ -91,10 +91,10 @@ private:
     ToolState tool_;
     std::optional<HandSearch> search_;
     std::optional<PlugWatch> plug_watch_;
-    std::optional<PluggedHand> offer_;  // the last one made
-    double asked_s_ = 0.0;              // when the program or the person began the search
+    std::optional<PluggedHand> offer_;  // the last offer made
+    double asked_s_ = 0.0;              // when the program or the person started the search
     bool told_how_it_runs_ = false;
-    bool guard_missed_ = false;  // and the device offered anew
+    bool guard_missed_ = false;  // and the device was offered again
     std::optional<SleepWatch> sleep_;
 };
 

@@ -35,10 +35,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Cost {
-    double load_s = 0.0;                 // reading the file
-    double all_s = 0.0;                  // that, and making all that a session has
-    std::int64_t peak_memory_bytes = 0;  // of the whole process, by the end of it
-    bool kept = false;                   // the file was not read anew
+    double load_s = 0.0;                 // time to read the file
+    double all_s = 0.0;                  // time to read the file and make everything that a session needs
+    std::int64_t peak_memory_bytes = 0;  // of the whole process, at its end
+    bool kept = false;                   // from the cache; the file was not read again
 };
 
 std::int64_t peak_memory_bytes() {
@@ -57,12 +57,12 @@ std::vector<std::string> material_names(const Scene& scene) {
     return names;
 }
 
-// Only what can go somewhere: a door of a map that has no way to open stands as a wall does.
+// Counts only movers that can go somewhere. A map door that cannot open counts as a wall.
 std::ptrdiff_t moving_parts(const Scene& scene) {
     return std::count_if(scene.movers.begin(), scene.movers.end(), [](const Mover& mover) { return mover.moves(); });
 }
 
-// What is free to move, the heaviest last: "Ball 0.5 kg, Safe 400 kg".
+// Lists what is free to move, the heaviest last: "Ball 0.5 kg, Safe 400 kg".
 std::string bodies_words(const Scene& scene) {
     constexpr std::size_t kMostTold = 20;
     std::vector<FreeBody> bodies = scene.bodies;
@@ -78,7 +78,7 @@ std::string bodies_words(const Scene& scene) {
                                   {"more", bodies.size() - words.size()}});
 }
 
-// null where the file states no rooms of its own.
+// Null if the file states no rooms.
 Json honesty_json(const Scene& scene) {
     if (!scene.stated) return nullptr;
     const HonestReport report = honest_report(scene);
@@ -196,7 +196,7 @@ std::string spoken_stages(const std::vector<std::string_view>& stages) {
     return text;
 }
 
-// What was understood of a file that states rooms, and what is to be checked, in sentences.
+// For a file that states rooms: what was understood of it and what should be checked, in sentences.
 void tell_honestly(const Scene& scene, std::ostream& out) {
     constexpr std::size_t kMostTold = 20;
     const HonestReport report = honest_report(scene);
@@ -213,7 +213,7 @@ void tell_honestly(const Scene& scene, std::ostream& out) {
         out << "  " << phrase("info.more", {{"count", report.check.size() - kMostTold}}) << '\n';
 }
 
-// Sentences to be heard one after another, the important first.
+// Prints sentences for listening to one after another, the important ones first.
 void tell(const Scene& scene, const TouchModel& touch, const Cost& cost, std::ostream& out) {
     const ReadReport& report = scene.report;
     const Aabb building = building_bounds_m(scene);
@@ -282,8 +282,8 @@ void tell(const Scene& scene, const TouchModel& touch, const Cost& cost, std::os
     if (cost.kept) line(phrase("info.kept"));
 }
 
-// The rooms that are found where the file states none, as a session finds them; why not, where it finds none.
-// `unreachable`: a sentence about those one cannot walk to, or empty.
+// Finds rooms in a world whose file states none, as a session does, or says why it finds none. `unreachable` gets a
+// sentence about the rooms that cannot be reached on foot, or stays empty.
 RoomGraph rooms_of(const std::shared_ptr<const Scene>& scene, std::string& unreachable,
                    std::vector<std::string>& left_out) {
     const BodySize size = body_size(*scene, Settings{}.walk.body_radius_m);
@@ -313,7 +313,8 @@ std::optional<std::string> rooms_sentence(const RoomGraph& graph) {
     return phrase("found_rooms.all", {{"rooms", rooms}, {"ways", ways}, {"names", list}});
 }
 
-// World metres per hand metre; a name of one of the scales, the whole building in the reach of a Touch, or a number.
+// The scale in world metres per hand metre. `wish` is the name of a scale or a number; "building" fits the whole
+// building into the workspace of a Touch.
 std::optional<double> scale_of(const std::string& wish, const Aabb& bounds_m) {
     constexpr double kReach_hand_m = 0.075;
     const std::string word = lower_ascii(wish);
@@ -325,7 +326,7 @@ std::optional<double> scale_of(const std::string& wish, const Aabb& bounds_m) {
     return number;
 }
 
-// What would be felt otherwise at a scale than it is; each in a sentence.
+// One sentence for each thing that is simplified at a scale.
 std::vector<std::string> simplified_at(const Scene& scene, double world_m_per_hand_m, const RoomGraph& graph) {
     const OpenPortals portals = open_portals(graph);
     SimplifyOptions options;
@@ -342,7 +343,7 @@ std::vector<std::string> simplified_at(const Scene& scene, double world_m_per_ha
     return sentences;
 }
 
-// Can a hand tell this world's materials apart? 1 when not.
+// Reports whether a hand can tell this world's materials apart. Returns 1 if not.
 int tell_lint(const Scene& scene, std::ostream& out) {
     const LintReport lint = lint_materials(scene);
     for (const std::string& problem : lint.problems) out << one_line(problem) << '\n';
@@ -351,7 +352,7 @@ int tell_lint(const Scene& scene, std::ostream& out) {
     return lint.problems.empty() ? 0 : 1;
 }
 
-// The rooms as a text: as the file states them, else as they are found.
+// Writes the rooms as a text: those that the file states, otherwise those that are found.
 int tell_as_words(const Scene& scene, const std::string& wish, const LongWork& progress, std::ostream& out,
                   std::ostream& err) {
     const std::string code = wish.empty() ? spoken_language() : wish;
@@ -412,7 +413,7 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
         return 2;
     }
     const auto scene = std::make_shared<Scene>(std::move(*read));
-    // What exploring makes of it.
+    // Prepares the world as exploring does.
     progress.at(phrase("progress.touch"));
     CompileReport compiled;
     const Settings defaults;

@@ -1,5 +1,5 @@
-// The settings as a session changes them, and their way to the disk: saved soon and not only at the end, beside this
-// thread, since a disk may take long. App thread.
+// The settings as a session changes them, and how they are saved: soon after each change and not only at the end. A
+// background task writes them, since a disk may take long. App thread.
 #pragma once
 
 #include <ostream>
@@ -17,15 +17,16 @@ namespace handrail {
 
 class KeptSettings {
 public:
-    // All outlive this object.
+    // All of these outlive this object.
     KeptSettings(SettingsStore& settings, Clock& clock, const SessionVoice& say)
         : settings_(settings), clock_(clock), say_(say) {}
 
-    // Live changes, in their order; true where one was taken. What cannot be set is left as it was.
+    // Applies live changes in their order; returns true if at least one was accepted. A rejected change leaves its
+    // setting as it was.
     bool take(const std::vector<std::pair<std::string, std::string>>& changes);
-    // Once a frame: saves what is due, and tells what cannot be saved.
+    // Call once a frame; saves what is due, and announces what cannot be saved.
     void keep_saved(double now_s);
-    // The last chance; while there still is a voice.
+    // The last chance to save. Call it while there still is a voice.
     void save_at_the_end(std::ostream& err);
 
 private:

@@ -4,15 +4,16 @@ namespace handrail {
 
 void KeyActs::take(const KeyEvent& key, WizardSession* wizard, double now_s) {
     const auto command = app_.keys().find(key.key);
-    if (wizard) {  // the stop key has come by the switches
+    if (wizard) {  // the stop key has already acted through the switches
         if (key.action != KeyAction::Release && command != Command::StopEverything) wizard->press(key.key, now_s);
         return;
     }
-    // Before there is a world, the key that leaves it ends the program; while another one is read it gives that up.
+    // Before there is a world, the key that leaves it ends the program. While another world is read, the key cancels
+    // that.
     const bool leaves = key.action == KeyAction::Press && command == Command::Leave && !app_.dialogue().is_open();
     if (leaves && !app_.scene()) closed_ = true;
     if (leaves && worlds_.give_up_reading(now_s)) return;
-    // The characters of a key belong to what was open before it.
+    // The characters of a key belong to what was open before the key was pressed.
     typing_ = app_.dialogue().is_open();
     if (key.action != KeyAction::Release && app_.apply(KeyTapped{key.key}, now_s)) return;
     if (!command || !app_.scene()) return;

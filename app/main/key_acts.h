@@ -1,5 +1,5 @@
-// What a key does, wherever it comes from: it answers the set-up by voice where there is one, goes to the list or
-// question that is open, and else is the command that it stands for. App thread.
+// What a key does, wherever it comes from. It answers the set-up by voice if that is under way, else it goes to the
+// open list or question, else it is a command. App thread.
 #pragma once
 
 #include <string>
@@ -17,9 +17,9 @@ public:
     KeyActs(Session& app, WorldVisits& worlds) : app_(app), worlds_(worlds) {}
 
     void take(const KeyEvent& key, WizardSession* wizard, double now_s);
-    // The characters of the key that was taken last.
+    // The characters of the last key given to take().
     void take_text(const std::string& utf8, WizardSession* wizard, double now_s);
-    // The person left before there was a world.
+    // True if the person left before there was a world.
     bool closed() const { return closed_; }
 
 private:

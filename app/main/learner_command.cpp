@@ -22,7 +22,7 @@ std::string purpose_words(Purpose purpose) {
     return phrase(purpose == Purpose::Record ? "learner.record" : "learner.share");
 }
 
-// One run of the command: where learners are, and who is asked and answered.
+// One run of the command: where the learners are, and who asks and answers.
 class LearnerCommand {
 public:
     LearnerCommand(const LearnerArguments& arguments, const LongWork& progress, std::istream& in, std::ostream& out,
@@ -50,7 +50,7 @@ private:
     }
     int refuse(const Error& error, int status = 1) { return refuse(error.sentence(), status); }
 
-    // No where nobody answers.
+    // Returns false if nobody answers.
     bool agreed(const std::string& question) {
         if (arguments_.yes) return true;
         out_ << question << ' ' << phrase("learner.yes_or_no") << std::endl;
@@ -81,7 +81,7 @@ private:
         if (may_be_real(arguments_.name) &&
             !agreed(phrase("learner.real_name", {{"name", arguments_.name}, {"offer", learners_.offer()}})))
             return refuse(phrase("learner.not_made"), 1);
-        // Settings begin as one's own are: the device and the voice are the same.
+        // The new learner's settings begin as a copy of the user's own, because device and voice are the same.
         std::error_code ec;
         std::string settings;
         if (const fs::path own = user_settings_path(); fs::exists(own, ec))
@@ -129,7 +129,7 @@ private:
         }
     }
 
-    // "remember,record"; none: wrong usage, told.
+    // Parses "remember,record". Wrong usage is reported and returns none.
     std::optional<std::vector<Purpose>> purposes(const std::string& words) {
         std::vector<Purpose> all;
         for (std::size_t at = 0; at < words.size();) {
@@ -189,7 +189,7 @@ private:
         return search({id, learner ? learner->name : std::string()}, holdings.exported_other);
     }
 
-    // What is left of a deleted learner: hits, and files written elsewhere that somebody changed since.
+    // Searches for what is left of a deleted learner: text hits, and exported files that somebody has changed since.
     int search(const std::array<std::string, 2>& words, const std::vector<fs::path>& changed) {
         std::vector<fs::path> folders = {user_data_folder(), user_settings_path().parent_path()};
         if (const fs::path sessions = sessions_folder(); !sessions.empty()) folders.push_back(sessions.parent_path());

@@ -1,4 +1,4 @@
-// The grammar of `handrail learner` and of --learner, beside the rest in command_line.cpp. App thread.
+// The grammar of `handrail learner` and of --learner; the rest is in command_line.cpp. App thread.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,10 +7,10 @@
 
 namespace handrail {
 
-// The command; `arguments` are filled in place and outlive the grammar.
+// Adds the command. Parsing fills in `arguments`, which outlive the grammar.
 CLI::App* add_learner_command(CLI::App& app, LearnerArguments& arguments);
 
-// --learner NAME of exploring; not together with --record-in, which is there by then.
+// Adds --learner NAME for exploring. It excludes --record-in, which must already be in the grammar.
 void add_learner_option(CLI::App& app, ExploreArguments& arguments);
 
 }  // namespace handrail

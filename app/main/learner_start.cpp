@@ -21,7 +21,7 @@ Result<void> begin_as_learner(ExploreCall& call) {
     if (!call.settings.file) call.settings.file = learners.settings_of(learner->id);
     arguments.common.data_in = learners.folder_of(learner->id);
     arguments.remember = learner->allows(Purpose::Remember, today());
-    if (!arguments.remember)  // what was kept before it was withdrawn goes
+    if (!arguments.remember)  // deletes what was kept before the consent was withdrawn
         if (auto forgotten = forget_lessons(arguments.common.data_in); !forgotten) return forgotten;
     arguments.learner = learner->name;
     arguments.news.push_back(phrase("learner.welcome", {{"name", learner->name}}));
@@ -33,7 +33,7 @@ Result<void> begin_as_learner(LessonCall& call) {
     LessonArguments& arguments = call.arguments;
     if (arguments.learner.empty() || arguments.check || (arguments.file == "watch" && !fs::exists(arguments.file, ec)))
         return {};
-    if (arguments.protocol) {  // may be written down before there is such a learner
+    if (arguments.protocol) {  // a protocol may be printed before the learner exists
         if (const auto learner = Learners(user_data_folder()).find(arguments.learner))
             arguments.learner = learner->name;
         return {};
@@ -47,10 +47,10 @@ Result<void> begin_as_learner(LessonCall& call) {
 ExploreCall as_somebody_else(ExploreCall asked, ExploreEnd end) {
     ExploreArguments& arguments = asked.arguments;
     arguments.learner = end.learner.value_or(std::string());
-    if (!arguments.learner.empty()) arguments.record_in.reset();  // as they have agreed
+    if (!arguments.learner.empty()) arguments.record_in.reset();  // recording depends on what they have agreed to
     arguments.world = std::move(end.world.file);
     arguments.common.building = std::move(end.world.building);
-    arguments.common.unit_m.reset();  // kept next to the world
+    arguments.common.unit_m.reset();  // it is kept next to the world
     arguments.lesson_settings.clear();
     arguments.lines = std::move(end.lines);
     arguments.lesson.reset();

@@ -36,7 +36,7 @@ void LearnersHere::show(double now_s) {
     app_.apply(std::move(act), now_s);
 }
 
-// What is kept of who is here, and where their lessons go on.
+// Says what is kept about the current learner, and where their lessons continue.
 std::string LearnersHere::told_of(const Learner& learner) const {
     const std::filesystem::path folder = learners_.folder_of(learner.id);
     const Holdings holdings = holdings_of(folder);
@@ -64,7 +64,7 @@ void LearnersHere::choose(std::size_t at, double now_s) {
         return;
     }
     if (at > shown_.size()) return;
-    const auto learner = learners_.find(shown_[at - 1].id);  // it may be damaged or gone since
+    const auto learner = learners_.find(shown_[at - 1].id);  // it may have been damaged or deleted since
     if (!learner) return say_(learner.error().sentence(), now_s);
     if (learner->name == here) return say_(told_of(*learner), now_s);
     next_ = learner->id;

@@ -1,6 +1,6 @@
-// Who is here, as a list in the program: chosen, told what is remembered of them, and put in the place of who was here
-// before. Names of learners are in no recording but their own, so the recording of a session ends before the list is
-// told. App thread.
+// The list of learners in the program. The person chooses a learner, hears what is remembered of them, and the session
+// continues as that learner. Only a learner's own recording may contain their name, so the recording of a session ends
+// before the list is announced. App thread.
 #pragma once
 
 #include <optional>
@@ -17,12 +17,12 @@ namespace handrail {
 
 class LearnersHere {
 public:
-    // All outlive this object.
+    // All of these outlive this object.
     LearnersHere(const ExploreArguments& arguments, Session& app, SessionRecording& recording, const SessionVoice& say);
 
-    // Once a frame, before the session's tick.
+    // Call once a frame, before the session's tick.
     void turn(double now_s);
-    // Who is to be here instead, by id; empty: nobody by name. The session ends for them.
+    // The id of the learner who takes over; empty for nobody named. The session then ends for the current one.
     const std::optional<std::string>& next() const { return next_; }
 
 private:
@@ -35,7 +35,7 @@ private:
     SessionRecording& recording_;
     const SessionVoice& say_;
     const Learners learners_;
-    std::vector<Learner> shown_;  // behind nobody by name
+    std::vector<Learner> shown_;  // in the list they follow the entry for nobody named
     std::optional<std::string> next_;
 };
 

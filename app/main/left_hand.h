@@ -1,5 +1,5 @@
-// A second force device in the left hand, beside the one the session is about: found, driven and let go here. App
-// thread.
+// A second force device for the left hand, in addition to the one that leads the session. It is found, driven and
+// released here. App thread.
 #pragma once
 
 #include <memory>
@@ -19,17 +19,17 @@ public:
     LeftHand(Clock& clock, const ServoSwitches& switches, HandRing* recording)
         : clock_(clock), switches_(switches), recording_(recording) {}
 
-    // Begins to look for a device by name or serial number; none: there is no second hand.
+    // Starts to search for a device by name or serial number; with "none" there is no second hand.
     void look_for(const std::string& wanted);
-    // Once a frame: tells what is new of it; true on the frame on which the hand came.
+    // Call once a frame; adds what is new. Returns true on the frame on which the hand was found.
     bool take_change(std::vector<std::string>& news);
     bool real() const { return guarded_ != nullptr; }
     const HandFacts& facts() const { return facts_; }
     ServoInbox* servo() { return servo_.get(); }  // null: there is no second hand
     const ToolState& tool();
-    // For the ears, from the start.
+    // For the audio thread, which reads it from the start.
     ServoLoop::EventRing& contacts() { return contacts_; }
-    // Takes the force away and waits for that, at most 76 ms.
+    // Removes the force and waits for that, at most 76 ms.
     void stop();
 
 private:
@@ -39,7 +39,7 @@ private:
     const ServoSwitches& switches_;
     HandRing* recording_;
     ServoLoop::EventRing contacts_;
-    std::optional<Hand> simulated_;  // that waits to be used
+    std::optional<Hand> simulated_;  // waits to be used
     std::optional<HandSearch> search_;
     std::unique_ptr<ServoLoop> servo_;
     GuardedDevice* guarded_ = nullptr;  // servo_ owns it

@@ -14,7 +14,7 @@
 namespace handrail {
 namespace {
 
-// 0: every pupil's expectations hold; 1: one does not, or a script cannot be done.
+// Returns 0 if the expectations of every pupil are met; 1 if one is not, or if a script cannot be carried out.
 int check_lesson(const std::shared_ptr<TaughtWorld>& world, const LongWork& progress, std::ostream& out) {
     bool all_hold = true;
     for (const LessonPupil& pupil : world->lesson().pupils) {
@@ -39,8 +39,8 @@ int check_lesson(const std::shared_ptr<TaughtWorld>& world, const LongWork& prog
 
 }  // namespace
 
-// 0: done. 1: a pupil failed, or there is nothing to watch. 2: the lesson is refused. None: it is to be taught, and
-// `explore` says how.
+// Returns 0 if done; 1 if a pupil failed or there is nothing to watch; 2 if the lesson is refused. None: the lesson is
+// to be taught, and `explore` says how.
 std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments& explore, std::ostream& out,
                               std::ostream& err, const LongWork& progress) {
     std::error_code ec;
@@ -59,7 +59,8 @@ std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments
     progress.done();
     if (!world) return refused(world.error());
     if (arguments.check) return check_lesson(*world, progress, out);
-    if (arguments.protocol) {  // of what can be taught: what its world lacks is found before it is printed
+    // Only for a lesson that can be taught: anything missing in its world is reported before printing.
+    if (arguments.protocol) {
         out << protocol_of((*world)->lesson(), learner);
         return 0;
     }

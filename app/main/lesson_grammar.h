@@ -1,4 +1,4 @@
-// The grammar of `handrail lesson`, beside the rest in command_line.cpp. App thread.
+// The grammar of `handrail lesson`; the rest is in command_line.cpp. App thread.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,7 +7,7 @@
 
 namespace handrail {
 
-// The command without its settings; `call` is filled in place and outlives the grammar.
+// The command without its settings. Parsing fills in `call`, which outlives the grammar.
 CLI::App* add_lesson_command(CLI::App& app, LessonCall& call);
 
 }  // namespace handrail

@@ -20,10 +20,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kTurn_s = 0.1;
-constexpr std::size_t kMostLooked = 50;  // at lessons of a folder
+constexpr std::size_t kMostLooked = 50;  // most lessons of one folder that are looked at
 constexpr std::string_view kEnding = ".lesson.toml";
 
-// In the order of their names.
+// The lessons of a folder, sorted by name.
 std::vector<fs::path> lessons_in(const fs::path& folder) {
     std::error_code ec;
     std::vector<fs::path> files;
@@ -33,7 +33,7 @@ std::vector<fs::path> lessons_in(const fs::path& folder) {
     return files;
 }
 
-// Next to the world and in the folder of the person's own, each once.
+// The lessons next to the world and in the person's own folder, each once.
 std::vector<fs::path> lessons_near(const fs::path& world) {
     std::vector<fs::path> files;
     for (const fs::path& folder : {world.parent_path(), lessons_folder()}) {
@@ -78,7 +78,7 @@ Result<std::shared_ptr<TaughtWorld>> read_taught_world(const fs::path& file) {
     return TaughtWorld::find(std::move(*lesson), std::make_shared<const Scene>(std::move(*scene)), checksum);
 }
 
-// Those whose world this is.
+// Offers the lessons for the current world.
 void LessonHere::offer(double now_s) {
     const fs::path& world = worlds_.path();
     offered_.clear();
@@ -124,7 +124,7 @@ void LessonHere::begin(const LessonToTeach& lesson, double now_s) {
     else say_(desk.error().sentence());
 }
 
-// Under a name of its own in the person's folder; what is there already stays.
+// Writes the draft under a new name in the person's folder; existing files stay.
 void LessonHere::write_draft(double now_s) {
     const auto draft = app_.requests().take_lesson_draft();
     if (!draft) return;
@@ -139,10 +139,10 @@ void LessonHere::write_draft(double now_s) {
         else if (!stem.empty() && stem.back() != '-') stem += '-';
     while (stem.ends_with('-')) stem.pop_back();
     if (stem.empty()) stem = "lesson";
-    fs::create_directories(folder, ec);  // what keeps it from being there is told by the write
+    fs::create_directories(folder, ec);  // if the folder cannot be made, the write reports why
     fs::path file = folder / (stem + ".lesson.toml");
     for (int number = 2; fs::exists(file, ec); ++number) file = folder / fmt::format("{}-{}.lesson.toml", stem, number);
-    // A learner's own marks and ways may be in it, and it lies where others find it.
+    // The draft may contain a learner's own marks and routes, and it is saved where others find it.
     const fs::path& data = arguments_.common.data_in;
     const auto way_out = WayOut::of(Learners(user_data_folder()), data.empty() ? folder : data);
     const auto written = folder.empty() ? fail(phrase("files.no_home"))
@@ -155,14 +155,14 @@ void LessonHere::write_draft(double now_s) {
     if (written) offer(now_s);
 }
 
-// What was chosen from the list, once its world has been looked through.
+// Starts the lesson chosen from the list, once its world has been read.
 void LessonHere::begin_chosen(double now_s) {
     if (const auto chosen = app_.requests().take_lesson(); chosen && *chosen < offered_.size() && !looked_for_.busy())
         looked_for_.begin([lesson = offered_[*chosen]](const std::stop_token&) { return read_taught_world(lesson); });
     const auto looked = looked_for_.take();
     if (!looked) return;
     if (const Result<std::shared_ptr<TaughtWorld>>& found = *looked) {
-        std::vector<std::string> news;  // told when it was offered
+        std::vector<std::string> news;  // already announced when it was offered
         const std::size_t session = next_session(arguments_, (*found)->lesson(), news);
         begin({*found, session, learner_named(arguments_.learner)}, now_s);
     } else app_.apply(Told{found.error().sentence(), SpeechClass::Answer}, now_s);
@@ -196,7 +196,7 @@ void LessonHere::turn(bool speaking, double now_s) {
     offer(now_s);
 }
 
-// A recording holds the results by itself.
+// A recording already contains the results.
 void LessonHere::close(double now_s) {
     if (run_ && arguments_.remember && !arguments_.common.data_in.empty()) {
         const std::filesystem::path& folder = arguments_.common.data_in;

@@ -1,5 +1,5 @@
-// The lesson of an instructor in a session with a person: begun from the command line or from the list of lessons, gone
-// on with ten times a second, and the desk beside it. App thread.
+// An instructor's lesson in a session with a person, and the desk from which the instructor follows it. It begins from
+// the command line or from the list of lessons, and advances ten times a second. App thread.
 #pragma once
 
 #include <filesystem>
@@ -21,15 +21,15 @@ namespace handrail {
 
 class LessonHere {
 public:
-    // All outlive this object. The arguments say which lesson is to be taught and to whom.
+    // All of these outlive this object. The arguments say which lesson is taught, and to whom.
     LessonHere(const ExploreArguments& arguments, Session& app, WorldVisits& worlds, const SessionVoice& say)
         : arguments_(arguments), app_(app), worlds_(worlds), say_(say) {}
 
-    // Before the session's tick. speaking: somebody speaks.
+    // Call before the session's tick. `speaking`: a sentence is being spoken.
     void turn(bool speaking, double now_s);
-    // After it: what happened in it.
+    // Call after the tick, with what happened in it.
     void see(const std::vector<SessionEvent>& events);
-    // The session ends: what was measured until now is kept where that is agreed.
+    // Call when the session ends. Keeps what was measured until now, if the learner has agreed to that.
     void end(double now_s);
 
 private:
@@ -44,12 +44,12 @@ private:
     Session& app_;
     WorldVisits& worlds_;
     const SessionVoice& say_;
-    int world_ = 0;  // Session::worlds_entered()
+    int world_ = 0;  // the last Session::worlds_entered() that was seen
     bool began_ = false;
     std::vector<std::filesystem::path> offered_;
     BackgroundTask<Result<std::shared_ptr<TaughtWorld>>> looked_for_{on_threads(), "lesson"};
     std::optional<TeachingRun> run_;
-    LessonToTeach taught_;  // while it runs
+    LessonToTeach taught_;  // set while a lesson runs
     double begun_s_ = 0.0;
     std::string begun_utc_;
     std::unique_ptr<DeskServer> desk_;
@@ -57,17 +57,18 @@ private:
     double turned_s_ = -1e9, told_s_ = -1e9;
 };
 
-// Reads the lessons that will be offered in a world, so that the app's thread finds them known (toml_beside_worlds).
+// Reads the lessons that will be offered in a world, so that toml_beside_worlds already has them when the app thread
+// asks.
 void read_lessons_ahead(const std::filesystem::path& world, const std::stop_token& stop);
-// The lesson that a command was given: a file, or by its name, "school", one of the person's own or of those that come
-// with the program. Fails with what there is instead.
+// Finds the lesson that a command names: a file, or a name such as "school". Names are those of the person's own
+// lessons and of those that come with the program. Fails with a list of what exists.
 Result<std::filesystem::path> lesson_given(const std::filesystem::path& word);
-// A lesson in its world, both read. Fails with file and line.
+// Reads a lesson and its world. Fails with file and line.
 Result<std::shared_ptr<TaughtWorld>> read_taught_world(const std::filesystem::path& file);
-// The session of that lesson, from 0, which comes next for the learner of these arguments; the first one where nothing
-// is remembered. What is wrong with the file of it is added to `news`.
+// Which session of that lesson, from 0, comes next for the learner of these arguments; the first if nothing is
+// remembered. Faults of the learner's file are added to `news`.
 std::size_t next_session(const ExploreArguments& arguments, const LessonFile& lesson, std::vector<std::string>& news);
-// Lessons of the person's own.
+// The folder of the person's own lessons.
 std::filesystem::path lessons_folder();
 
 }  // namespace handrail

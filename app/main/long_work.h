@@ -1,5 +1,5 @@
-// What somebody who waits for a command or a world is told: nothing within two seconds, then a sentence every few.
-// Whoever works says what it is at; whoever tells asks what is due.
+// Reports progress to somebody who waits for a command or a world: nothing within two seconds, then a sentence every
+// few seconds. The working side says what it does; the reporting side queries what is due.
 #pragma once
 
 #include <condition_variable>
@@ -14,33 +14,37 @@
 
 namespace handrail {
 
-// A handle on what is shared by both sides; copies are of the same work. Any thread.
+// A handle on the state that both sides share; copies refer to the same work. Any thread.
 class LongWork {
 public:
-    // Nobody waits, and nothing is told.
+    // For work that nobody waits for; nothing is reported.
     LongWork() = default;
-    // Somebody does. `noted`: hears at once what it is at, each time that changes, and nothing where it is done; for
-    // who watches the work itself. The working thread.
+    // For work that somebody waits for. `noted` is called at once whenever the current work changes, and never when it
+    // is done; it is for callers that follow the work itself. Called on the working thread.
     static LongWork begun(std::function<void(const std::string& what)> noted = {});
 
-    // ---- whoever works ----
-    // It is at this from now on, printed with the time so far: "Finding rooms and routes". What was begun counts on.
+    // ---- the working side ----
+    // Names the current work, which is printed with the time so far: "Finding rooms and routes". Work that has already
+    // begun
+    // keeps its time.
     void at(std::string what) const;
-    // A file is being read, told by percent and by its stage, a text's key ("import.shapes"); empty: none is known yet.
+    // A file is being read, which is reported by percent and stage. The stage is the key of a text ("import.shapes"),
+    // or empty while unknown.
     void reading(std::string_view stage = {}) const;
     void read(double fraction) const;
-    // The same options, with what the reader tells of itself coming here.
+    // The same options, but with the reader's progress reported here.
     ReadOptions followed(ReadOptions options) const;
-    // Over: what comes next may take its two seconds again. Nobody is telling anything when this returns.
+    // The work is over; the next may again take two seconds in silence. When this returns, no report is under way.
     void done() const;
 
-    // ---- whoever tells ----
-    // Gives `say` what is due at this time, if something is. Times are of one clock; the wait begins when it is first
-    // asked about.
+    // ---- the reporting side ----
+    // Calls `say` with the sentence that is due at this time, if any. All times must be from one clock; the wait begins
+    // with
+    // the first call.
     void tell(double now_s, const std::function<void(const std::string&)>& say) const;
-    // Returns when there is work or `stop` was set by end_waiting(); true: there is work.
+    // Waits for work, or until end_waiting() has set `stop`. Returns true if there is work.
     bool wait_for_work(const bool& stop) const;
-    // For at most that long, or until `stop` was set.
+    // Waits for `seconds` at most, or until `stop` is set.
     void wait_s(double seconds, const bool& stop) const;
     void end_waiting(bool& stop) const;
 
@@ -49,8 +53,8 @@ private:
     std::shared_ptr<State> state_;
 };
 
-// Writes what is due to a stream, a line each, on a thread of its own that sleeps while there is no work. For a
-// terminal; takes no signals.
+// Writes each due sentence as a line to a stream, for a terminal. It runs on a separate thread that sleeps while there
+// is no work and takes no signals.
 class LongWorkLines {
 public:
     // The stream outlives it.
@@ -61,7 +65,7 @@ public:
 
 private:
     LongWork progress_;
-    bool stop_ = false;  // guarded by what progress_ shares
+    bool stop_ = false;  // guarded by the mutex that progress_ shares
     std::thread thread_;
 };
 

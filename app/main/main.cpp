@@ -10,12 +10,12 @@
 
 namespace {
 
-// Whoever starts us may have closed one of the first three. The next file we open would get its number, and what we
-// print would be written into it.
+// Opens those of the first three descriptors that our parent has closed. Otherwise the next file that we open would get
+// such a number, and our printed output would be written into it.
 void open_standard_descriptors() {
     for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (::fcntl(number, F_GETFD) < 0 && errno == EBADF && ::open("/dev/null", O_RDWR) != number)
-            ::_exit(1);  // the lowest free number is this one
+            ::_exit(1);  // open() returns the lowest free number, which is this one
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// The path of a hand that `handrail touch` replays, as text: a head t,x,y,z and a row of four numbers for each tick.
+// The path of a hand as text, which `handrail touch` replays: a header t,x,y,z, then a row of four numbers for each
+// tick.
 #pragma once
 
 #include <string>
@@ -12,11 +13,11 @@ namespace handrail {
 
 struct PathRow {
     double t_s = 0.0;      // finite, later than the row before
-    Vec3 position_m{0.0};  // world; may be anything, as a broken device leaves it
+    Vec3 position_m{0.0};  // world; may be any value, as a faulty device wrote it
 };
 
-// Every row, or the first mistake with its line; `file` is the name it is told by. Spaces, tabs, CR LF, empty lines and
-// a byte order mark are no mistakes.
+// Returns every row, or the first mistake with its line. Errors call the file `file`. Spaces, tabs, CR LF, empty lines
+// and a byte order mark are accepted.
 Result<std::vector<PathRow>> parse_path(std::string_view text, const std::string& file);
 
 }  // namespace handrail

@@ -7,7 +7,7 @@
 namespace handrail {
 namespace {
 
-// All direction controls begin with one of these.
+// True if the bytes may begin a direction control; all of them begin with one of these.
 bool may_become_one(std::string_view bytes) {
     return bytes == "\xd8" || bytes == "\xe2" || bytes == "\xe2\x80" || bytes == "\xe2\x81";
 }

@@ -1,6 +1,6 @@
-// What commands print, without what would steer a terminal or turn round the words that follow: names come from files
-// that others made. Control characters but line ends and tabs, and direction controls, are left out. One thread; costs
-// a look at each byte.
+// Filters what commands print, because names come from files that others made. It drops direction controls, which would
+// reverse the words that follow, and all control characters except line ends and tabs. Used by one thread; costs a look
+// at each byte.
 #pragma once
 
 #include <ostream>
@@ -23,7 +23,7 @@ private:
     void let_go();
 
     std::ostream& to_;
-    std::string held_;  // the begin of what may be a direction control, up to two bytes
+    std::string held_;  // the first bytes of a possible direction control, at most two
 };
 
 }  // namespace handrail

@@ -6,7 +6,7 @@ namespace handrail {
 
 bool ProgramLines::take(double now_s, WizardSession* wizard) {
     if (wizard) return answer(*wizard, now_s);
-    const bool first = !app_.scene();  // there is nowhere to be until the first world is read
+    const bool first = !app_.scene();  // before the first world is read the person is nowhere
     if (first || worlds_.reading()) {
         if (!by_person_) return true;
         if (lines_.next_leaves() && (first || worlds_.give_up_reading(now_s))) {

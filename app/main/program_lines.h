@@ -1,4 +1,4 @@
-// Typed lines at the program: carried out by the session, but answers to the set-up while that is open, and held back
+// Lines typed to the program. The session carries them out, but an open set-up takes them as answers, and they wait
 // while a world is read. App thread.
 #pragma once
 
@@ -13,15 +13,16 @@ namespace handrail {
 
 class ProgramLines {
 public:
-    // Both outlive this object. by_person: typed by somebody, who does not wait for a world in vain as a script does.
+    // Both outlive this object. `by_person`: a person types the lines, so they are not held back while a world is read,
+    // as those of a script are.
     ProgramLines(Session& app, WorldVisits& worlds, bool by_person)
         : app_(app), worlds_(worlds), by_person_(by_person), lines_(app) {}
 
     CarriedLines& lines() { return lines_; }
-    // Once a frame. While a world is read, a person's lines are carried out at once, in the world the person is still
-    // in, and a script's lines wait. False if there was nothing to do and nothing is waited for.
+    // Call once a frame. While a world is read, a person's lines are carried out at once, in the world the person is
+    // still in; a script's lines wait. Returns false if there was nothing to do and nothing is awaited.
     bool take(double now_s, WizardSession* wizard);
-    // A line asked to end the program.
+    // True if a line has ended the program.
     bool left() const { return left_ || lines_.left(); }
 
 private:

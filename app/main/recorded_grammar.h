@@ -1,4 +1,4 @@
-// The words of `handrail replay` and `handrail report`.
+// The grammar of `handrail replay` and `handrail report`.
 #pragma once
 
 #include <CLI/CLI.hpp>

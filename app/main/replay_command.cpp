@@ -32,11 +32,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kBegins_s = 0.1;           // after which a line that was handed over is being said
-constexpr double kReplayLastWords_s = 3.0;  // how long the end waits for what is being said
-constexpr double kEars_m = 1.6;             // above the soles
+constexpr double kBegins_s = 0.1;           // time from the hand-over of a line until it is being spoken
+constexpr double kReplayLastWords_s = 3.0;  // how long the end waits for the current sentence
+constexpr double kEars_m = 1.6;             // height above the soles
 
-// ---- heard again ----
+// ---- playback ----
 
 enum class Wish : std::uint8_t { None, Stop, Back, On, Leave };
 
@@ -54,7 +54,7 @@ Wish wish_of(std::string_view typed) {
     return Wish::None;
 }
 
-// Keys at once where there is a terminal for them, else lines of words.
+// The person's wishes during playback: keys that act at once if the terminal supports them, else lines of words.
 class Wishes {
 public:
     explicit Wishes(Clock& clock) : terminal_(RawTerminal::take(STDIN_FILENO, STDOUT_FILENO)) {
@@ -157,7 +157,7 @@ private:
     bool left_ = false;
 };
 
-// ---- written ----
+// ---- conversion to tables ----
 
 template <class Rows>
 Result<void> write_table(const WayOut& way_out, const fs::path& file, std::string_view header, const Rows& rows) {
@@ -177,7 +177,7 @@ Result<void> write_tables(const WayOut& way_out, const Recording& recording, con
     return {};
 }
 
-// ---- computed again ----
+// ---- recomputation ----
 
 int check(const Recording& recording, std::ostream& out, std::ostream& err, const LongWork& progress) {
     if (const auto spoken = speak_language(recording.head.language, user_languages_folder()); !spoken) {

@@ -19,7 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The world of the session before, which most of a learner's sessions are in: read and its rooms found once.
+// The world of the previous session. Most sessions of a learner share a world, so it is read, and its rooms are found,
+// only once.
 class WorldBefore {
 public:
     Result<std::shared_ptr<const Scene>> read(const RecordedWorld& world) {
@@ -44,7 +45,7 @@ private:
     std::shared_ptr<const Scene> scene_;
 };
 
-// One recording; where it is damaged or goes on in other worlds that is told.
+// The report of one recording. Says if the recording is damaged or continues in other worlds.
 Result<SessionReport> report_of_folder(const fs::path& folder, WorldBefore& before, const LongWork& progress,
                                        std::ostream& out, std::ostream& err) {
     progress.at(phrase("progress.recording"));
@@ -67,7 +68,7 @@ std::vector<fs::path> folders_in(const fs::path& folder) {
     std::error_code ec;
     for (fs::directory_iterator at(folder, ec), end; !ec && at != end; at.increment(ec))
         if (std::error_code other; at->is_directory(other)) found.push_back(at->path());
-    std::sort(found.begin(), found.end());  // named by the time they were begun
+    std::sort(found.begin(), found.end());  // folders are named by the time they were begun
     return found;
 }
 
@@ -80,7 +81,7 @@ public:
     int run() {
         if (!arguments_.html && !arguments_.csv && !arguments_.json)
             return refuse({{}, 0, 0, phrase("report.nothing_asked")}, 2);
-        // Before anything is read or measured.
+        // Checks this before anything is read or measured.
         std::error_code ec;
         for (const auto& file : {arguments_.html, arguments_.csv, arguments_.json})
             if (file && !arguments_.force && fs::exists(fs::symlink_status(*file, ec)))
@@ -111,7 +112,7 @@ private:
         return 0;
     }
 
-    // A recording in a learner's folder is that learner's; of any other one the person says whose it is.
+    // A recording in a learner's folder belongs to that learner. For any other, the person says to whom it belongs.
     Result<WayOut> way_out_of(const fs::path& folder) const {
         auto way = WayOut::of(learners_, folder);
         if (!way || arguments_.learner.empty()) return way;
@@ -128,7 +129,7 @@ private:
         return {};
     }
 
-    // All sessions that can be read; what cannot be is told and left out.
+    // Reports all readable sessions; the others are named and left out.
     int of_learner() {
         const auto learner = learners_.find(arguments_.learner);
         if (!learner) return refuse(learner.error());
@@ -144,7 +145,7 @@ private:
             }
             reports.push_back(std::move(*report));
         }
-        // Sessions of which no more than that was agreed to be kept.
+        // Sessions of which the learner agreed to keep only the results.
         std::vector<Error> faults;
         for (const KeptResults& kept : kept_results(learners_.folder_of(learner->id), faults))
             reports.push_back(report_of(kept));
@@ -168,7 +169,7 @@ private:
         struct Made {
             fs::path path;
             std::string content;
-            bool named = true;  // by the person
+            bool named = true;  // the person named it
         };
         std::vector<Made> files;
         if (arguments_.html) files.push_back({*arguments_.html, std::move(page)});

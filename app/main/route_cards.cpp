@@ -14,11 +14,11 @@ namespace {
 struct CardPlace {
     std::string name;
     Vec3 at_m{0.0};
-    std::optional<double> heading_rad;  // of who stands there, where that is known
+    std::optional<double> heading_rad;  // the direction in which a person stands there, if known
     bool room = false;
 };
 
-// Everything with a name that one can go to: rooms first, since a thing may be called as its room is.
+// Everything with a name that can be a destination. Rooms come first, since a thing may have the name of its room.
 std::vector<CardPlace> places_of(const Scene& scene, const RoomGraph& graph) {
     std::vector<CardPlace> places;
     for (const Room& room : graph.rooms) places.push_back({room.name, room.middle_m, std::nullopt, true});
@@ -47,7 +47,7 @@ Result<CardPlace> base_of(const Scene& scene) {
     return CardPlace{phrase("export.the_base"), base->feet_m, base->heading_rad};
 }
 
-// Somebody who stands at the start of a way and asks how it goes.
+// A simulated person who stands at the start of a route and requests directions.
 class AtStart {
 public:
     AtStart(const std::shared_ptr<const Scene>& scene, const Settings& settings) : session_(settings, HandFacts{}) {
@@ -56,7 +56,7 @@ public:
 
     std::vector<std::string> legs(const Vec3& from_m, double heading_rad, const CardPlace& to) {
         session_.apply(Placed{from_m, heading_rad}, now_s_);
-        // Until the body stands.
+        // Ticks until the walker stands.
         for (int i = 0; i < 30 && (i < 2 || !session_.standing()); ++i) session_.tick(now_s_ += kFrame_s, ToolState{});
         const bool leads = session_.guide().follow_to(to.at_m, to.name, to.room, now_s_);
         for (int i = 0; i < 10 && leads && session_.guide().plans_rest(); ++i)
@@ -84,7 +84,7 @@ std::optional<CardWay> way_between(AtStart& at_start, Navigation& navigation, co
             heading_rad = std::atan2(first.x, first.y);
         }
     }
-    heading_rad = notch_heading_rad(nearest_notch(heading_rad));  // as the card can say it
+    heading_rad = notch_heading_rad(nearest_notch(heading_rad));  // rounded to a direction that the card can name
     const std::vector<std::string> legs = at_start.legs(start_m, heading_rad, to);
     if (legs.empty()) return std::nullopt;
     CardWay way{phrase("export.card_title", {{"from", from.name}, {"to", to.name}}),

@@ -1,4 +1,5 @@
-// Ways between two places of a world in words, for a card. Functions of what was read; one thread.
+// Directions between places of a world as text, for a route card. The functions depend only on what was read; one
+// thread.
 #pragma once
 
 #include <memory>
@@ -16,18 +17,19 @@
 namespace handrail {
 
 struct CardWish {
-    std::optional<std::string> from, to;  // by name: a room, a thing, a start; from none: the base; to none: every room
+    // Names of a room, a thing or a start; no `from`: the base; no `to`: every room.
+    std::optional<std::string> from, to;
     Settings settings;
 };
 
 struct CardWays {
     std::vector<CardWay> ways;
-    std::vector<std::string> unreached;  // rooms of the storey that no way leads to
+    std::vector<std::string> unreached;  // rooms of the storey that no route reaches
 };
 
-// The legs are those that a session with these settings tells somebody who stands there, each a sentence of the way.
-// From there to there, or to every room of the storey, in the order of their names. Fails with one sentence where there
-// is no such name (and tells the nearest), no base, or no way at all.
+// Directions from one place to the other, or to every room of the storey in the order of their names. Each leg is a
+// sentence, the same that a session with these settings announces to a person who stands there. Fails with one sentence
+// if the name is unknown (and gives the nearest), or if there is no base or no route at all.
 Result<CardWays> card_ways(const std::shared_ptr<const Scene>& scene, const RoomGraph& graph, Navigation& navigation,
                            const Storey& storey, const CardWish& wish);
 

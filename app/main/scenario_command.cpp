@@ -21,13 +21,13 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Outcome {
-    std::string name;  // the file
+    std::string name;  // of the file
     std::string title;
-    std::vector<std::string> failures;  // empty: all held
+    std::vector<std::string> failures;  // empty: all expectations were met
     double virtual_s = 0.0;
 };
 
-// The files to run, folders opened one level deep, in name order; fails for a path that is neither.
+// The files to run, sorted by name; folders are opened one level deep. Fails for a path that is neither.
 Result<std::vector<fs::path>> scenario_files(const std::vector<fs::path>& paths) {
     std::vector<fs::path> files;
     for (const fs::path& path : paths) {
@@ -48,7 +48,7 @@ Result<std::vector<fs::path>> scenario_files(const std::vector<fs::path>& paths)
     return files;
 }
 
-// What the recording sinks heard, in the form expectations are checked against.
+// Copies what the recording sinks received into the log against which expectations are checked.
 void note_heard(const RecordingAudio& audio, const RecordingSpeech& speech, SessionLog& log) {
     for (const HeardSound& sound : audio.sounds()) log.sounds.push_back({sound.time_s, sound.cue, false});
     for (const HeardSound& change : audio.loop_changes()) log.sounds.push_back({change.time_s, change.cue, true});
@@ -57,7 +57,7 @@ void note_heard(const RecordingAudio& audio, const RecordingSpeech& speech, Sess
     for (const HeardSpeech& line : speech.lines()) log.lines.push_back({line.time_s, line.utterance.text});
 }
 
-// Into FOLDER/NAME.txt, NAME being the scenario file's.
+// Writes FOLDER/NAME.txt; NAME is the scenario file's.
 Result<void> write_transcript(const fs::path& folder, const Scenario& scenario, const WayOut& way_out,
                               const SessionLog& log) {
     const fs::path file = folder / scenario.file.filename().replace_extension(".txt");
@@ -116,7 +116,7 @@ std::string junit_xml(const std::vector<Outcome>& outcomes) {
     return xml + "</testsuite>\n";
 }
 
-// One recorded session may be the source of each scenario, so the file belongs to all whose scenarios ran.
+// Each scenario may come from a recorded session, so the file belongs to all learners whose scenarios ran.
 Result<void> write_junit(const fs::path& file, const std::string& xml, const std::vector<WayOut>& ways_out) {
     Result<void> written = {};
     bool of_learners = false;
@@ -138,7 +138,7 @@ int run_scenarios(const ScenarioArguments& arguments, std::ostream& out, std::os
         fmt::print(err, "{}\n", files.error().sentence());
         return 2;
     }
-    // All files are read before any runs: a bad one means that nothing was run.
+    // All files are read before any runs, so that one bad file means that nothing has run.
     std::vector<Scenario> scenarios;
     std::vector<WayOut> ways_out;
     const Learners learners(user_data_folder());

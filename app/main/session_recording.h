@@ -1,5 +1,5 @@
-// The recording of a session with a person, where one was asked for: one place for all that the other parts tell it,
-// and nothing where there is none. App thread, but for what the ears call.
+// The recording of a session with a person, if one was requested. All other parts report here; without a recording the
+// calls do nothing. App thread, except for what the audio thread calls.
 #pragma once
 
 #include <memory>
@@ -20,35 +20,37 @@ namespace handrail {
 
 class SessionRecording {
 public:
-    // Begins one where the arguments ask for it; `news` get where it is, or why there is none. The clock outlives it.
+    // Begins a recording if the arguments request it. `news` get where it is, or why there is none. The clock outlives
+    // this object.
     SessionRecording(const ExploreArguments& arguments, const Settings& settings, Clock& clock,
                      std::vector<std::string>& news);
 
-    // For who is recorded; null: nobody is.
+    // For the parts that are recorded; null if nothing is recorded.
     Arrivals* arrivals() { return arrivals_ ? &*arrivals_ : nullptr; }
     HandRing* hand(std::size_t which) { return recorder_ ? &recorder_->hand(which) : nullptr; }
     EngineRecording* bodies() { return recorder_ ? &recorder_->bodies() : nullptr; }
     void listen_to(Session& app);
-    // Before the ears start.
+    // Call before the audio thread starts.
     SoundOutputs noted(SoundOutputs outputs);
     void listen_to(AudioThread& sound);
 
-    // After the session's tick; gives what happened in it.
+    // Call after the session's tick; returns what happened in it.
     std::vector<SessionEvent> ticked(Session& app, double now_s, const ToolState& tool, const ToolState& left_tool);
-    // As Recorder has it.
+    // See Recorder::handed_over.
     void handed_over() {
         if (recorder_) recorder_->handed_over();
     }
     void note(const char* is, std::uint64_t number = 0) {
         if (recorder_) recorder_->note(is, clock_.now_s(), number);
     }
-    // Nothing is recorded from here on, as what follows concerns others. False: nothing was.
+    // Stops recording, as what follows concerns other people. Returns false if nothing was being recorded.
     bool leave_off();
-    // Each frame: a set-up leads the person, beside the session. Said once where it begins.
+    // Call each frame: whether a set-up leads the person instead of the session. The recording notes it once, when it
+    // begins.
     void set_up(bool under_way);
-    // It ended before its time; told once.
+    // If the recording ended too early, returns the reason once.
     std::optional<std::string> take_problem() { return recorder_ ? recorder_->take_problem() : std::nullopt; }
-    // After the last word.
+    // Call after the last word.
     void end() {
         if (recorder_) recorder_->end(clock_.now_s());
     }

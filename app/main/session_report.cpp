@@ -18,10 +18,10 @@ namespace handrail {
 namespace {
 
 constexpr double kSample_s = 0.1, kLeap_m = 1.0;
-constexpr double kTouchCounts_s = 0.5;  // so long a touch or a visit belongs to where one was
+constexpr double kTouchCounts_s = 0.5;  // a touch or a visit counts as "here" for this long
 constexpr std::size_t kMostContacts = 20, kMostLines = 400;
 
-// ---- the way walked ----
+// ---- the walked path ----
 
 std::vector<WayPoint> way_of(const Recording& recording, const RecordedEvents& events) {
     std::vector<WayPoint> walk;
@@ -31,7 +31,7 @@ std::vector<WayPoint> way_of(const Recording& recording, const RecordedEvents& e
     for (const FrameRow& frame : recording.frames) {
         const double t_s = frame.now_s - recording.head.begun_s;
         if (t_s < events.from_s || t_s > events.to_s) continue;
-        // Frames are as they were at the end of a tick, leaps as they were told in it.
+        // Frames show the state at the end of a tick; leaps are noted during the tick.
         for (; leaps < events.leaps_s.size() && events.leaps_s[leaps] <= t_s + 1e-3; ++leaps) leap = true;
         leap = leap || (!first && glm::length(frame.feet_m - before) > kLeap_m);
         before = frame.feet_m;
@@ -77,7 +77,7 @@ std::vector<WalkSample> samples_of(std::span<const WayPoint> walk, const Recorde
     return samples;
 }
 
-// ---- what is told ----
+// ---- contents of the report ----
 
 std::vector<ReportStrategy> strategies_of(std::span<const WalkSample> samples, const Vec3& base_m, double to_s) {
     constexpr std::array<std::pair<Strategy, const char*>, kStrategies> kKeys{{{Strategy::Perimeter, "perimeter"},
@@ -88,7 +88,7 @@ std::vector<ReportStrategy> strategies_of(std::span<const WalkSample> samples, c
                                                                                {Strategy::None, "none"}}};
     const std::vector<StrategyWindow> windows = strategy_windows(samples, base_m);
     std::array<double, kStrategies> seconds{};
-    // Windows lie over one another: each counts until the next one ends.
+    // The windows overlap: each counts until the next one ends.
     for (std::size_t i = 0; i < windows.size(); ++i) {
         const double begin_s = i == 0 ? windows[i].from_s : windows[i].to_s;
         const double end_s = i + 1 < windows.size() ? windows[i + 1].to_s : to_s;
@@ -171,7 +171,7 @@ ReportTask task_of(const RecordedTask& done) {
     return task;
 }
 
-// The rooms walked through, and the way where it is on that storey.
+// Adds the rooms that were walked through, and the path if it is on that storey.
 void add_rooms(SessionReport& report, std::span<const WayPoint> walk, const RoomGraph& graph, const WalkSpace& space,
                int storey) {
     bool on_plan = false;
@@ -191,7 +191,7 @@ void add_rooms(SessionReport& report, std::span<const WayPoint> walk, const Room
     }
 }
 
-// What was said, without the items of lists that were looked through: of each list what was told first.
+// What was said. When a person looks through a list, only the first answer is kept and its items are left out.
 std::vector<ReportEvent> course_of(const Recording& recording, const RecordedEvents& events) {
     std::vector<ReportEvent> course;
     std::size_t list = 0;
@@ -233,7 +233,7 @@ Result<SessionReport> report_of(const Recording& recording, const RecordedEvents
     report.tasks.push_back(whole(events, walk));
     report.lesson = events.lesson;
     for (const RecordedTask& task : events.tasks) report.tasks.push_back(task_of(task));
-    // Without a lesson, whatever way the person was led.
+    // Without a lesson, each route on which the person was led counts as a task.
     for (std::size_t i = 0; i < (events.lesson.empty() ? events.ways.size() : 0); ++i)
         report.tasks.push_back(task_of(events.ways[i],
                                        i + 1 < events.ways.size() ? events.ways[i + 1].from_s : events.to_s, walk,

@@ -1,5 +1,5 @@
-// A report made of a recording and the world it was made in: measures, strategies, contacts, the way and the course.
-// Any thread; takes as long as finding the rooms of the world.
+// Makes a report from a recording and the world in which it was made: measures, strategies, contacts, the walked path
+// and the course of the session. Any thread; takes as long as finding the rooms of the world.
 #pragma once
 
 #include <memory>
@@ -10,11 +10,11 @@
 
 namespace handrail {
 
-// Fails with a sentence where the rooms of the world cannot be found. scene: that of events.world.
+// Fails with a sentence if the rooms of the world cannot be found. `scene` is that of events.world.
 Result<SessionReport> report_of(const Recording& recording, const RecordedEvents& events,
                                 const std::shared_ptr<const Scene>& scene);
 
-// Of a session whose results alone were kept: its tasks, and neither way nor course.
+// For a session of which only the results were kept: has its tasks, but neither path nor course.
 SessionReport report_of(const KeptResults& results);
 
 }  // namespace handrail

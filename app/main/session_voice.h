@@ -1,4 +1,4 @@
-// How the parts of a session speak: by one function, which whoever owns them gives. App thread.
+// Lets the parts of a session speak, through one function that their owner provides. App thread.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ public:
         : clock_(clock), speak_(std::move(speak)) {}
 
     void operator()(std::string text) const { speak_(std::move(text), clock_.now_s()); }
-    // Sentences of one asked_s are one reply and wait for each other; those of another one interrupt.
+    // Sentences with the same asked_s form one reply and wait for each other; those with another one interrupt.
     void operator()(std::string text, double asked_s) const { speak_(std::move(text), asked_s); }
 
 private:

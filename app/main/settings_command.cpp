@@ -3,8 +3,8 @@
 
 namespace handrail {
 
-// One setting a line; --explain adds unit, range, meaning and source in whole phrases, so that a line read aloud makes
-// sense by itself.
+// Prints one setting per line. --explain adds unit, range, meaning and source in whole phrases, so that a line makes
+// sense when read aloud alone.
 int run_settings(const SettingsArguments& arguments, SettingsStore& settings, std::ostream& out, std::ostream& err) {
     for (const SettingRow& row : settings.explain()) {
         if (!arguments.explain) {

@@ -14,7 +14,7 @@
 namespace handrail {
 namespace {
 
-constexpr int kLook_ms = 50;  // between two looks whether to end
+constexpr int kLook_ms = 50;  // time between two checks whether to end
 constexpr const char* kLogin = "org.freedesktop.login1";
 constexpr const char* kLoginPath = "/org/freedesktop/login1";
 constexpr const char* kManager = "org.freedesktop.login1.Manager";
@@ -33,7 +33,7 @@ Message method(const char* service, const char* path, const char* interface, con
     return Message(dbus_message_new_method_call(service, path, interface, name));
 }
 
-// Its serial number; 0 if it could not be sent.
+// Returns the message's serial number; 0 if it could not be sent.
 unsigned send(DBusConnection* bus, const Message& message) {
     dbus_uint32_t serial = 0;
     return message && dbus_connection_send(bus, message.get(), &serial) ? serial : 0;
@@ -62,7 +62,7 @@ void SleepWatch::let_sleep() {
     inhibitor_ = Descriptor(-1);
 }
 
-// libdbus's own calls wait for answers, as long as 25 s; these are sent, and take() gets what comes back.
+// libdbus's own calls wait up to 25 s for answers. Here messages are only sent, and take() receives the answers.
 void SleepWatch::run(const std::stop_token& end) {
     bus_ = dbus_connection_open_private(system_bus(), nullptr);
     if (!bus_) return;

@@ -1,7 +1,7 @@
-// Takes the force away before the computer sleeps: a suspended program commands nothing, and a device with its own
-// power would hold the last force. logind announces each sleep and waits, by default up to 5 s, for programs that hold
-// a delay inhibitor. One SleepWatch for the program, owned by the app thread; a thread of its own talks to logind over
-// the system bus and never waits for an answer. No bus or no logind: it does nothing.
+// Removes the force before the computer sleeps. A suspended program commands nothing, and a device with its own power
+// would hold the last force. logind announces each sleep and waits, by default up to 5 s, for programs that hold a
+// delay inhibitor. The app thread owns one SleepWatch for the program. Its separate thread talks to logind over the
+// system bus and never waits for an answer. Without a bus or logind it does nothing.
 #pragma once
 
 #include <atomic>
@@ -24,8 +24,8 @@ public:
     SleepWatch(const SleepWatch&) = delete;
     SleepWatch& operator=(const SleepWatch&) = delete;
 
-    // Any thread. The computer waits for us: no force may be left once let_sleep() is called. After kMostDelay_s the
-    // watch lets it sleep in any case.
+    // Any thread. True while the computer waits for us. Call let_sleep() only when no force is left. After kMostDelay_s
+    // the watch lets the computer sleep in any case.
     bool delays_sleep() const;
     void let_sleep();
     // App thread: true once after each sleep.
@@ -40,7 +40,7 @@ private:
     void inhibit();
 
     std::function<void()> release_;
-    // The watch's thread.
+    // Used by the watch's thread.
     DBusConnection* bus_ = nullptr;
     unsigned hello_ = 0, inhibit_ = 0;  // serial numbers of calls
     double announced_s_ = 0.0;

@@ -30,10 +30,10 @@ namespace {
 
 constexpr double kFarthest_m = 1e6;
 constexpr double kFirstTick_s = 1e-3;
-constexpr double kMostReact_s = 0.01;    // a row later than that pushes no longer
-constexpr double kMostGap_s = 10.0;      // between two rows; all has come to rest before
-constexpr double kIdealCeiling_n = 2.5;  // of the hand that moves things, where no device says otherwise
-constexpr double kJump_hand_m = 0.020;   // farthest hand travel between two rows that a device is believed
+constexpr double kMostReact_s = 0.01;    // a row that comes later than this does not push any more
+constexpr double kMostGap_s = 10.0;      // longest time between two rows; everything has come to rest before
+constexpr double kIdealCeiling_n = 2.5;  // force limit of the hand that moves things, if no device gives one
+constexpr double kJump_hand_m = 0.020;   // farthest hand travel between two rows that is accepted from a device
 
 // The shortest decimal that reads back as the same double; zero never has a sign.
 void append_number(std::string& out, double value) {
@@ -60,14 +60,14 @@ void append_text(std::string& out, std::string_view text) {
     out += '"';
 }
 
-// What may be wrong with a row before the renderer sees it.
+// Finds faults of a row before the renderer sees it.
 class RowChecks {
 public:
-    // jump_m: infinity when no device's limits apply.
+    // `jump_m` is infinity if no device's limits apply.
     explicit RowChecks(double jump_m) : jump_m_(jump_m) {}
 
-    // Fault name, or empty. A row is believed when it lies near the last good row (after a spike) or near the row
-    // before (after a real jump).
+    // Returns the name of the fault, or an empty string. A row is accepted if it is near the last good row (after a
+    // spike) or near the previous row (after a real jump).
     const char* judge(const Vec3& p) {
         if (!is_finite(p)) return "not_finite";
         if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > kFarthest_m) return "out_of_range";
@@ -101,11 +101,12 @@ TouchTuning tuning_of(const TouchArguments& arguments, const DeviceSpec& device)
     return tuning;
 }
 
-// What is free to move in the world, in the time of the rows: the hand pushes it and feels it each row, the engine goes
-// on in its own steps. The same rows give the same bits. Nothing of it where nothing is free.
+// The bodies of the world that are free to move, in the time of the rows. At each row the hand pushes and feels them,
+// while the physics engine continues in its own steps. The same rows give bit-identical results. Does nothing if no
+// body is free.
 class MovingThings {
 public:
-    // scene: with what moves set apart as things; felt: compiled of it.
+    // `scene`: the moving things are separated from it. `felt` is compiled from it.
     MovingThings(const EnteringWorld& world, const HapticScene& felt, const TouchTuning& tuning, double ceiling_n)
         : scene_(world.moves_freely), engine_(scene_) {
         feel_.world_m_per_hand_m = tuning.world_m_per_hand_m;
@@ -116,7 +117,7 @@ public:
         for (const auto& body : felt.bodies) poses_.push_back({body.start, true});
         engine_.step(frame_, events_);
     }
-    // Where they are for this row.
+    // Touches the bodies where they are at this row.
     TouchResult touch(TouchState& state, const HapticScene& felt, const TouchTuning& tuning, const Vec3& hand_m,
                       double dt_s) {
         bodies_.hear(frame_);
@@ -209,7 +210,7 @@ int run_touch(const TouchArguments& arguments, std::ostream&, std::ostream& err,
                 << '\n';
             return 2;
         }
-        if (limits->name == ideal_device_spec().name) limits = nullptr;  // it has none
+        if (limits->name == ideal_device_spec().name) limits = nullptr;  // the ideal device has no limits
     }
     const auto refuse = [&](const Error& error) {
         progress.done();

@@ -13,7 +13,7 @@
 namespace handrail {
 namespace {
 
-// FNV-1a, 64 bits (Fowler, Noll and Vo; RFC 9923): told apart are bits, not values, so that 0.0 and -0.0 differ.
+// FNV-1a, 64 bits (Fowler, Noll and Vo; RFC 9923). It compares bits and not values, so 0.0 and -0.0 differ.
 class Checksum {
 public:
     void take(double value) {

@@ -1,5 +1,5 @@
-// What was said, played and felt in a session on the virtual clock, as text for people and for comparing two versions
-// of the program byte for byte. Pure.
+// What was said, played and felt in a session on the virtual clock, as text for people and for a comparison of two
+// program versions byte for byte. Pure functions.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace handrail {
 
-// A line for each sentence ("   1.250 say ..."), sound and change of a loop, in the order of time; every tenth of a
-// second where the body and the hand are. Numbers are written so that they read back bit for bit, and each line of
-// places ends in a checksum of all ticks (a thousand a second) until then: two sessions that differ anywhere differ in
+// One line for each sentence ("   1.250 say ..."), each sound and each change of a loop, in the order of time. Every
+// tenth of a second a line says where the walker and the hand are. Numbers read back bit for bit. Each of these lines
+// ends in a checksum of all ticks until then (a thousand a second), so two sessions that differ anywhere differ in
 // their text. Seconds, metres, newtons, radians; world axes. Ends in a line feed.
 std::string transcript(const SessionLog& log);
 

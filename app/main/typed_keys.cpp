@@ -10,8 +10,8 @@
 namespace handrail {
 namespace {
 
-// Keys that follow each other faster are one key held down: the Linux console repeats eleven times a second, others
-// faster, and nobody taps one key so fast on purpose.
+// Equal keys that follow each other faster than this are one key held down. The Linux console repeats eleven times a
+// second, other terminals faster, and nobody taps one key so fast on purpose.
 constexpr double kRepeats_s = 0.1;
 
 std::string_view terminal_kind() {
@@ -19,7 +19,7 @@ std::string_view terminal_kind() {
     return kind ? kind : "";
 }
 
-// To the terminal, which takes a few characters without waiting.
+// Writes to the terminal, which takes a few characters without waiting.
 void show(std::string_view text) {
     while (!text.empty()) {
         const ssize_t put = ::write(STDOUT_FILENO, text.data(), text.size());
@@ -63,7 +63,7 @@ void TypedKeys::take(double now_s, WizardSession* wizard) {
 }
 
 void TypedKeys::take_input(const TimedInput& came, WizardSession* wizard, double now_s) {
-    // What was asked has been left meanwhile, by another way in.
+    // The question was answered or left meanwhile through another input.
     if (editor_.is_open() && answers_ && !asked(wizard)) show(editor_.close());
     if (!editor_.is_open()) {
         const TerminalInput& input = came.input;
@@ -84,7 +84,7 @@ bool TypedKeys::take_into_line(const TerminalInput& input, WizardSession* wizard
     LineEditor::Reply reply = editor_.take(input);
     show(reply.echo);
     for (std::string& line : reply.lines) {
-        // The answer to a question does not wait for a walk to end.
+        // The answer to a question does not wait until a walk ends.
         if (asked(wizard)) app_.apply(LineTyped{line}, now_s);
         else lines_.lines().add(std::move(line));
     }
@@ -97,7 +97,7 @@ void TypedKeys::take_key(const TimedInput& came, WizardSession* wizard, double n
     const bool held = !key.empty() && key == last_key_ && came.at_s - last_key_s_ < kRepeats_s;
     last_key_ = key;
     last_key_s_ = came.at_s;
-    // Whoever presses a key wants that, and not the rest of what was typed.
+    // A pressed key cancels the typed lines that still wait.
     if (!held) lines_.lines().drop();
     const auto command = app_.keys().find(key);
     const bool again = held && !wizard && !app_.dialogue().is_open() && command && info(*command).hold && app_.idle();

@@ -1,6 +1,6 @@
-// The keys of a terminal, acting at once as those of the window do, and words typed behind a colon. A key of a terminal
-// never goes up, so each is a tap; one that comes again and again, as a held key makes it, acts again only when what it
-// began is over. App thread; the stop key acts on the terminal keys' own.
+// The keys of a terminal, which act at once as those of the window do, and words typed after a colon. A terminal never
+// reports that a key goes up, so each key is a tap. A key that repeats, as if held, acts again only when what it began
+// is over. App thread; the stop key acts on the thread of the terminal keys.
 #pragma once
 
 #include <memory>
@@ -19,13 +19,13 @@ namespace handrail {
 
 class TypedKeys {
 public:
-    // Null where standard input and output are no terminal, or one that knows no keys (TERM=dumb), as those of editors
-    // are. All outlive this object; the terminal is given back when it ends.
+    // Null if standard input or output is no terminal, or if the terminal supports no keys (TERM=dumb), as in editors.
+    // All arguments outlive this object, whose destruction restores the terminal.
     static std::unique_ptr<TypedKeys> open(Session& app, WorldVisits& worlds, ServoSwitches& switches, Clock& clock);
 
-    // Once a frame. To the wizard, where there is one.
+    // Call once a frame. Input goes to the wizard if it is not null.
     void take(double now_s, WizardSession* wizard);
-    // The person left, or the terminal has gone.
+    // True if the person left, or if the terminal has gone.
     bool closed() const { return closed_ || acts_.closed() || lines_.left(); }
 
 private:
@@ -40,7 +40,7 @@ private:
     KeyActs acts_;
     ProgramLines lines_;
     LineEditor editor_;
-    bool answers_ = false;  // the line that is open answers a question of the session
+    bool answers_ = false;  // the open line answers a question of the session
     std::string last_key_;
     double last_key_s_ = 0.0;
     bool closed_ = false;

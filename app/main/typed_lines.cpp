@@ -32,8 +32,8 @@ std::vector<std::string> TypedLines::take_rest() {
     return rest;
 }
 
-// The word for the stop key, typed at a terminal, does not wait for its turn. In a file or a pipe it does: there it is
-// a line of a script. On the line watch's thread.
+// The word for the stop key acts at once when a person types it at a terminal. In a file or a pipe it waits for its
+// turn, as a line of a script. Runs on the line watch's thread.
 bool TypedLines::stops_at_once(std::string_view line) {
     if (!typed_) return false;
     const auto parsed = parse_terminal_line(line);
@@ -43,7 +43,7 @@ bool TypedLines::stops_at_once(std::string_view line) {
 }
 
 void TypedLines::take(double now_s, WizardSession* wizard, bool hand_is_sought) {
-    const bool ended = watch_.ended();  // asked first: lines that came before the end are taken below
+    const bool ended = watch_.ended();  // checked first: lines that came before the end are taken below
     bool emptied = false;
     std::vector<std::string> typed =
         watch_.take(emptied, LineWatch::kMostWaiting - std::min(lines_.lines().waiting(), LineWatch::kMostWaiting));
@@ -51,7 +51,7 @@ void TypedLines::take(double now_s, WizardSession* wizard, bool hand_is_sought) 
     for (std::string& line : typed) lines_.lines().add(std::move(line));
     if (lines_.take(now_s, wizard) || !ended) return;
     if (wizard) return wizard->end_of_lines();
-    // Nobody will answer the welcome any more.
+    // Nobody will answer the welcome any more, as the input has ended.
     if (app_.greeting_waits()) return void(app_.apply(LessonLeft{}, now_s));
     closed_ = !hand_is_sought;
 }

@@ -1,5 +1,5 @@
-// What a person or a script types line by line, where there is no window. App thread; the word for the stop key, typed
-// at a terminal, acts on the line watch's own.
+// What a person or a script types line by line when there is no window. App thread; the word for the stop key, typed at
+// a terminal, acts on the line watch's thread.
 #pragma once
 
 #include <string>
@@ -14,15 +14,16 @@ namespace handrail {
 
 class TypedLines {
 public:
-    // All outlive this object. Reads standard input from its construction on; `before` comes before that.
+    // All of these outlive this object. It reads standard input from its construction on; the lines of `before` come
+    // first.
     TypedLines(Session& app, WorldVisits& worlds, ServoSwitches& switches, const std::vector<std::string>& before = {});
 
-    // Once a frame. To the wizard, where there is one. While a hand is sought the end of the lines does not end the
-    // session.
+    // Call once a frame. Input goes to the wizard if it is not null. While a hand is searched for, the end of the lines
+    // does not end the session.
     void take(double now_s, WizardSession* wizard, bool hand_is_sought);
-    // The person left, or there are no more lines and nothing to wait for.
+    // True if the person left, or if there are no more lines and nothing is awaited.
     bool closed() const { return closed_ || lines_.left(); }
-    // What was read and is not done yet, for whoever reads on.
+    // Lines that were read but not yet carried out, for the next reader.
     std::vector<std::string> take_rest();
 
 private:
@@ -30,7 +31,7 @@ private:
 
     Session& app_;
     ServoSwitches& switches_;
-    const bool typed_;  // at a terminal
+    const bool typed_;  // standard input is a terminal
     ProgramLines lines_;
     bool closed_ = false;
     LineWatch watch_;  // last: its thread uses the others

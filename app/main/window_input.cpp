@@ -21,7 +21,7 @@ WindowInput::WindowInput(std::unique_ptr<Window> window, Session& app, WorldVisi
 
 void WindowInput::take(WizardSession* wizard) {
     const double now_s = clock_.now_s();
-    // A routing key of the braille display: more about this.
+    // A routing key of the braille display asks for more about the current thing.
     if (ears_.braille()->more_asked.exchange(0) > 0 && !wizard && app_.scene()) {
         app_.apply(CommandDown{Command::WhatIsThis}, now_s);
         app_.apply(CommandUp{Command::WhatIsThis}, now_s);

@@ -1,5 +1,6 @@
-// What a person does at the window and at what goes with it: keys, text, a moved pointer, the accessible list, the
-// braille display's keys. App thread; the stop key and the keyboard's loss act on the window's own thread too, at once.
+// The person's input at the window and the parts that belong to it: keys, text, pointer movement, the accessible list,
+// the braille display's keys. App thread; the stop key and the loss of keyboard focus also act at once on the window's
+// own thread.
 #pragma once
 
 #include <memory>
@@ -16,13 +17,13 @@ namespace handrail {
 
 class WindowInput {
 public:
-    // All outlive this object; the ears have what goes with a window.
+    // All of these outlive this object. The ears own the outputs that belong to a window.
     WindowInput(std::unique_ptr<Window> window, Session& app, WorldVisits& worlds, Ears& ears, ServoSwitches& switches,
                 Clock& clock);
 
-    // Once a frame. To the wizard, where there is one.
+    // Call once a frame. Input goes to the wizard if it is not null.
     void take(WizardSession* wizard);
-    // The person left before there was a world, or closed the window.
+    // True if the person left before there was a world, or closed the window.
     bool closed() const { return closed_ || acts_.closed(); }
     void draw(const ViewState& view) { window_->draw(view); }
 

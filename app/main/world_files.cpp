@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Beside the program, installed or built: a build folder has a link there, which is followed. Where there is none it is
-// the place that a sentence can name.
+// The folder next to the program, installed or built. A build folder contains a link to it, which is followed. If it
+// does not exist, this is still a path that an error can name.
 fs::path installed_folder() {
     std::error_code ec;
     const fs::path program = fs::read_symlink("/proc/self/exe", ec);
@@ -35,7 +35,7 @@ fs::path folder_as_set() {
     return set && *set ? fs::path(set) : fs::path();
 }
 
-// Absolute, links followed.
+// The absolute path with links followed.
 fs::path real_world(const fs::path& world) {
     std::error_code ec;
     fs::path whole = fs::weakly_canonical(fs::absolute(world, ec), ec);

@@ -1,5 +1,5 @@
-// Where the worlds that ship with the program lie: beside an installed program, else in the source tree it was built
-// from.
+// Finds the worlds that come with the program: next to an installed program, else in the source tree from which it was
+// built.
 #pragma once
 
 #include <filesystem>
@@ -16,39 +16,40 @@ namespace handrail {
 
 struct CommonArguments;
 
-// HANDRAIL_WORLDS when set, else ../share/handrail/worlds from the program's own place, else the source tree's
-// worlds/maps.
+// HANDRAIL_WORLDS if set, else ../share/handrail/worlds relative to the program, else worlds/maps in the source tree.
 std::filesystem::path world_folder();
-// The world is one of these, or of those that would be without HANDRAIL_WORLDS or an installation; by whatever path,
-// links followed.
+// True if the world is one of these, or one of those that would be used without HANDRAIL_WORLDS or an installation. The
+// path may be any one to it; links are followed.
 bool is_shipped(const std::filesystem::path& world);
-// By which what is kept of a world is found again: the path as it is, of one of ours absolute and links followed.
+// The path under which the data kept about a world is found again. It is the path as given; for a world that comes with
+// the program it is absolute with links followed.
 std::filesystem::path kept_by(const std::filesystem::path& world);
-// "house", where no file of that name is here: the world of world_folder() that is called so; none: there is none.
+// The world in world_folder() with this name ("house"), if no file here has that name; none if there is none.
 std::optional<std::filesystem::path> world_by_name(const std::filesystem::path& name);
-// What those are called: "house".
+// The names of those worlds, such as "house".
 std::vector<std::string> world_names();
-// The world that a command was given: a file, or one of ours by its name, "house". Where there is neither and it may
-// have been meant for a name, fails with the nearest one; a file that is not there is for the reader to tell.
+// Finds the world that a command names: a file, or a name such as "house". If neither exists and the word may be a
+// name, fails with the nearest one; a missing file is reported by the reader.
 Result<std::filesystem::path> world_given(const std::filesystem::path& word);
-// As import_world, with the person's cache. Any thread but the app's.
+// Calls import_world with the person's cache. Any thread except the app thread.
 Result<ImportedWorld> imported(const std::filesystem::path& world, const ReadOptions& options);
-// The same for scenarios, recordings and lessons (WorldReader in app/core/scenario/read_request.h).
+// The same for scenarios, recordings and lessons; see WorldReader in app/core/scenario/read_request.h.
 Result<Scene> imported_scene(const WorldRequest& request);
-// Reads the TOML files that are next to a world, which somebody else may have written: by TomlApart, or in this process
-// without handrail-reader. Any thread.
+// Reads the TOML files next to a world, which somebody else may have written. Uses TomlApart, or this process if
+// handrail-reader is missing. Any thread.
 const TomlReader& toml_beside_worlds();
-// Keeps ways and rooms in the person's cache; nothing without one, or without handrail-reader, which unpacks them.
+// Keeps routes and rooms in the person's cache. Does nothing without a cache, or without handrail-reader, which unpacks
+// them.
 WaysKeeper ways_in_cache();
-// With the unit that a person has said of this world before, where the request says none. See keep_unit. Any thread.
+// Adds the unit that a person has stated for this world before, if the request has none. See keep_unit. Any thread.
 WorldRequest with_kept_unit(WorldRequest request, const CommonArguments& common);
-// With the doors that a person has said to be missing in it: of whoever keeps what they add in that folder. The same
-// where there are none. Any thread.
+// Adds the doors that a person has marked as missing. They come from the data folder of `common`, be it the user's or a
+// learner's. Without any, the scene stays as it is. Any thread.
 Scene mended(Scene scene, const std::filesystem::path& world, const CommonArguments& common);
-// What was imported as commands look at it: mended, and whole by validate(). Any thread.
+// An imported world as commands use it: with the doors added, and valid by validate(). Any thread.
 Result<Scene> mended_and_valid(Result<ImportedWorld> read, const std::filesystem::path& world,
                                const CommonArguments& common);
-// The world that a first start explores.
+// The world that the first start of the program explores.
 std::filesystem::path first_world();
 
 }  // namespace handrail

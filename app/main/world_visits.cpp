@@ -16,7 +16,7 @@ namespace handrail {
 
 namespace {
 
-// The word of an input that stands for itself in a report; empty: it says nothing, or what only concerns the person.
+// The word for an input in a crash report. Empty if the input says nothing, or only something about the person.
 std::string_view act_word(const SessionInput& input) {
     if (const auto* down = std::get_if<CommandDown>(&input)) return info(down->command).word;
     if (std::holds_alternative<LineTyped>(input)) return "line-typed";
@@ -94,7 +94,7 @@ WorldRequest WorldVisits::first() const {
     return request;
 }
 
-// What the world before brought goes, what this one brings comes.
+// Removes the settings of the previous world and applies those of the new one.
 void WorldVisits::take_settings(SettingsStore settings, const std::vector<Diagnostic>& problems, double asked_s) {
     settings_.take_layer(SettingSource::World, std::move(settings));
     new_settings_ = true;
@@ -120,12 +120,13 @@ void WorldVisits::enter(LoadedWorld world, double asked_s) {
                     {{"count", report.warnings_in_all}, {"first", report.warnings.front().sentence()}}),
              asked_s);
     SideFile side_file = additions_to(world.request.file);
-    // The unit said on the command line is kept when the world is first entered; from then on what is kept holds.
+    // The unit from the command line is kept when the world is first entered. From then on the kept unit applies.
     if (world.asked.unit_m) {
         keep_unit(side_file, *world.asked.unit_m);
         if (const auto saved = side_file.save(); !saved) say_(saved.error().sentence(), asked_s);
     }
-    if (!arguments_.common.data_in.empty()) {  // what was learnt without consent, or before it was withdrawn, goes
+    // Deletes progress that was kept without consent, or before it was withdrawn.
+    if (!arguments_.common.data_in.empty()) {
         set_remembers(side_file, arguments_.remember);
         if (const auto saved = side_file.save(); !saved) say_(saved.error().sentence(), asked_s);
     }
@@ -143,7 +144,8 @@ void WorldVisits::enter(LoadedWorld world, double asked_s) {
     app_.apply(WorldsKnown{{world_folder(), recent_.worlds()}}, asked_s);
 }
 
-// What was added to the world: by a learner in the learner's own folder, which begins with what there is for everybody.
+// The person's additions to the world. A learner's are in the learner's own folder, and begin as a copy of the common
+// ones.
 SideFile WorldVisits::additions_to(const std::filesystem::path& path) const {
     const std::filesystem::path kept = kept_by(path);
     if (arguments_.common.data_in.empty())
@@ -153,7 +155,7 @@ SideFile WorldVisits::additions_to(const std::filesystem::path& path) const {
                                 of_all = SideFile::path_of(kept, user_data_folder(), is_shipped(path));
     if (!std::filesystem::exists(own, ec) && std::filesystem::exists(of_all, ec)) {
         std::filesystem::create_directories(own.parent_path(), ec);
-        std::filesystem::copy_file(of_all, own, ec);  // where that fails the learner begins with nothing
+        std::filesystem::copy_file(of_all, own, ec);  // if copying fails, the learner begins without additions
     }
     return SideFile::of_world(kept, arguments_.common.data_in, true, toml_beside_worlds());
 }
@@ -163,7 +165,7 @@ void WorldVisits::begin_reading(WorldRequest request) {
     next_ = std::make_unique<WorldLoading>(asked_, arguments_.common);
 }
 
-// Where it is another world than the one one is in, once that is read.
+// Goes to the last place. If that is in another world, this world is read first.
 void WorldVisits::go_on_at(LastPlace last, double now_s) {
     std::error_code ec;
     if (std::filesystem::equivalent(last.world.file, here_.file, ec) && last.world.building == here_.building)
@@ -175,7 +177,7 @@ void WorldVisits::go_on_at(LastPlace last, double now_s) {
 void WorldVisits::change(double now_s) {
     if (auto wanted = app_.requests().take_world()) {
         if (next_) return say_(phrase("program.still_read", {{"world", name_of_file(asked_.file)}}));
-        wanted->map_scale_m_per_unit = arguments_.common.map_scale_m_per_unit;  // said of every map
+        wanted->map_scale_m_per_unit = arguments_.common.map_scale_m_per_unit;  // applies to every map
         begin_reading(std::move(*wanted));
     }
     if (app_.requests().take_read_again() && !next_ && !here_.file.empty()) {
@@ -195,7 +197,7 @@ void WorldVisits::change(double now_s) {
     if (place) app_.apply(WentOnAt{*place}, now_s);
 }
 
-// What one is in stays as it was read, until the person wants it otherwise.
+// The current world stays as it was read until the person reloads it.
 void WorldVisits::watch_file(double now_s) {
     const WorldWatch::News news = watch_.look(now_s);
     if (news == WorldWatch::News::None) return;
@@ -206,7 +208,7 @@ void WorldVisits::watch_file(double now_s) {
 
 bool WorldVisits::give_up_reading(double now_s) {
     if (!next_) return false;
-    next_.reset();  // waits for what looks at the stop many times a second
+    next_.reset();  // waits for the loading thread, which checks the stop request many times a second
     next_place_.reset();
     say_(phrase("program.given_up", {{"left", name_of_file(asked_.file)}, {"world", app_.scene()->name}}), now_s);
     return true;

@@ -1,4 +1,5 @@
-// Which world the session is in, which one is read to be entered next, and where the last session was. App thread.
+// Which world the session is in, which world is being read to be entered next, and where the last session was. App
+// thread.
 #pragma once
 
 #include <cstdint>
@@ -22,43 +23,46 @@
 
 namespace handrail {
 
-// One fault in full; of several the first, for all of them at once took minutes. The menu lists them.
+// One fault in full. If there are several, only the first, because reading all of them aloud took minutes; the menu
+// lists them.
 std::string settings_faults_words(const std::vector<std::string>& faults);
 std::vector<std::string> sentences_of(const std::vector<Diagnostic>& problems);
 
 class WorldVisits {
 public:
-    // All outlive this object.
+    // All of these outlive this object.
     WorldVisits(const ExploreArguments& arguments, SettingsStore& settings, Session& app, const SessionVoice& say)
         : arguments_(arguments), settings_(settings), app_(app), say_(say) {}
 
-    // What was amiss with the list of worlds, and then of a session before this one that was never left, with the way
-    // to go on there; empty where there is nothing to say.
+    // Problems with the list of worlds, and then a previous session that was never left, with the way to continue it.
+    // Empty if there is nothing to say.
     std::string take_news() { return recent_.take_news(); }
     std::string crash_words(bool with_window, double now_s);
-    // Once, before anything happens: what a report of a crash of this session would say from now on.
+    // Call once, before anything else happens. Begins the notes from which a crash of this session would be reported.
     void begin_notes(double now_s);
-    // Once a frame.
+    // Call once a frame.
     void keep_notes(double now_s);
 
-    // The world that the command line asks for.
+    // The world that the command line requests.
     WorldRequest first() const;
-    // With what the world's report, its settings and its side file have to say, as parts of the reply of `asked_s`.
+    // Enters the world. Announces its report and the faults of its settings and its side file as parts of the reply of
+    // `asked_s`.
     void enter(LoadedWorld world, double asked_s);
-    // Once a frame: another world is read while this one goes on; one that cannot be read leaves everything as it is.
-    // The settings hold all changes of this session by then.
+    // Call once a frame. Another world is read while this one continues; one that cannot be read changes nothing. The
+    // settings must already contain all changes of this session.
     void change(double now_s);
-    // Settings came or went with a world since this was asked last.
+    // True if a world has brought or removed settings since the last call.
     bool take_new_settings() { return std::exchange(new_settings_, false); }
-    const WorldRequest& here() const { return here_; }  // the world one is in; its file is absolute
+    const WorldRequest& here() const { return here_; }  // the current world; its file is absolute
     const std::filesystem::path& path() const { return here_.file; }
-    // A lesson sets these on top of the world's own settings, until it ends; empty: the world's own alone.
+    // Sets a lesson's settings on top of the world's own until the lesson ends. An empty list leaves the world's own
+    // alone.
     void set_lesson_settings(std::vector<std::pair<std::string, std::string>> settings, double now_s);
     bool reading() const { return next_ != nullptr; }
-    // Stays where one is instead, and says so. False when no other world is being read.
+    // Cancels the reading of another world and says so. Returns false if none is being read.
     bool give_up_reading(double now_s);
 
-    // Once a frame: so that a session that ends otherwise than by end() is gone on with.
+    // Call once a frame. It lets the person continue a session that ended without end().
     void note_place(double now_s);
     void end() {
         crash_signal_.reset();
@@ -77,18 +81,18 @@ private:
     SettingsStore& settings_;
     Session& app_;
     const SessionVoice& say_;
-    // A learner has both in the learner's own folder, so that nothing of them is left elsewhere.
+    // For a learner both are in the learner's own folder, so that no trace of them is left elsewhere.
     RecentWorlds recent_{of_learner() ? arguments_.common.data_in / "recent-worlds.txt" : recent_worlds_path()};
     SessionTrace trace_{of_learner() ? arguments_.common.data_in / "sessions" : sessions_folder()};
     std::optional<CrashSignal> crash_signal_;
     std::optional<CrashNotes> notes_;
     std::uint64_t notes_kept_ = 0;
     bool new_settings_ = false;
-    WorldRequest here_;                    // without the unit, which is kept next to the world by now
-    std::optional<LastPlace> next_place_;  // where to go on in the world that is read
+    WorldRequest here_;                    // without the unit, which is already kept next to the world
+    std::optional<LastPlace> next_place_;  // where to continue in the world that is being read
     WorldWatch watch_;
     std::unique_ptr<WorldLoading> next_;
-    WorldRequest asked_;  // of that one
+    WorldRequest asked_;  // the request for the world that is being read
 };
 
 }  // namespace handrail

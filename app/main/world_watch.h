@@ -1,4 +1,4 @@
-// Whether the file of the world one is in is still as it was when it was entered. App thread.
+// Watches whether the file of the current world has changed since it was entered. App thread.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,16 @@ class WorldWatch {
 public:
     static constexpr double kEvery_s = 2.0;
 
-    // From now on this file, as it is now.
+    // Watches this file from now on, starting from its present state.
     void begin(const std::filesystem::path& file, double now_s);
 
     enum class News : std::uint8_t { None, Changed, Gone };
-    // Looks every kEvery_s. Each change is told once, when the file has stayed as it is from one look to the next, so
-    // half a file is no news; so is that it has gone.
+    // Looks every kEvery_s. Reports each change or removal once, when the file has stayed the same from one look to the
+    // next, so that a half-written file is not reported.
     News look(double now_s);
 
 private:
-    struct Stamp {  // none: there is no such file
+    struct Stamp {  // none: the file does not exist
         std::uintmax_t size = 0;
         std::filesystem::file_time_type written;
         bool operator==(const Stamp&) const = default;

@@ -1,5 +1,5 @@
-// What is wrong with a command line, in one sentence of the language spoken: what the parsing library found, in our
-// words. App thread.
+// Says what is wrong with a command line in one sentence of the spoken language: the parsing library finds the fault,
+// the words are ours. App thread.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,8 +7,7 @@
 
 namespace handrail {
 
-// app: the command whose words they are. The library's own words only where it has found something that none of ours
-// tells.
+// `app` is the command that was parsed. The library's own words appear only for a fault for which we have no sentence.
 std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace handrail
