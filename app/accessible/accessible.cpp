@@ -34,7 +34,7 @@ double now_s() { return std::chrono::duration<double>(SteadyTime::now().time_sin
 class Accessible::Impl {
 public:
     explicit Impl(std::shared_ptr<ReaderChannel> channel) : channel_(std::move(channel)) {
-        const char* unwanted = std::getenv("NO_AT_BRIDGE");  // as every toolkit's bridge has it
+        const char* unwanted = std::getenv("NO_AT_BRIDGE");  // the bridges of all toolkits obey this variable
         if ((unwanted && std::string_view(unwanted) == "1") || !session_bus_is_there()) return;
         channel_->set_state(VoiceState::Opening);
         channel_->on_change([] { g_main_context_wakeup(nullptr); });
@@ -101,7 +101,7 @@ private:
         answer_reader({});
     }
 
-    // Until something is to be done or the next thing is due.
+    // Waits until there is work or until the next thing is due.
     void wait() {
         double due_s = look_due_s_;
         if (settles_at_s_ > now_s()) due_s = std::min(due_s, settles_at_s_);
@@ -113,7 +113,7 @@ private:
         g_main_context_iteration(nullptr, TRUE);
         g_source_destroy(alarm);
         g_source_unref(alarm);
-        // What the bus has queued is worked off, but never for so long that words wait.
+        // Handles the queued bus messages, but never for so long that words must wait.
         for (int i = 0; i < 50 && g_main_context_iteration(nullptr, FALSE); ++i) {
         }
     }
@@ -122,22 +122,22 @@ private:
         tried_ = true;
         frame_ = make_node(handrail_frame_get_type(), ATK_ROLE_FRAME, "Handrail", root_node(),
                            {ATK_STATE_SHOWING, ATK_STATE_VISIBLE, ATK_STATE_ENABLED, ATK_STATE_SENSITIVE});
-        // Of a drawing area Orca 43 says the role after the name whenever the focus comes back to it, and each message
-        // is its name.
+        // For a drawing area, Orca 43 would add the role to the name whenever the focus returns to it. Each message is
+        // such a name, so the role is unknown.
         view_ = make_node(
             handrail_node_get_type(), ATK_ROLE_UNKNOWN, phrase("window.building").c_str(), frame_,
             {ATK_STATE_SHOWING, ATK_STATE_VISIBLE, ATK_STATE_FOCUSABLE, ATK_STATE_ENABLED, ATK_STATE_SENSITIVE});
-        // The bridge reads no arguments of ours.
+        // The bridge reads none of our arguments.
         if (atk_bridge_adaptor_init(nullptr, nullptr) != 0) return;
-        // libdbus would end the whole program when the person's session does, and the hand would be let go of without a
-        // ramp.
+        // By default libdbus ends the whole program when the person's session ends, and the force on the hand would
+        // then end without a ramp.
         if (DBusConnection* session = dbus_bus_get(DBUS_BUS_SESSION, nullptr)) {
             dbus_connection_set_exit_on_disconnect(session, FALSE);
             dbus_connection_unref(session);
         }
         answer_reader({[this](std::size_t item, int action) {
                            constexpr std::array kActs{ItemAct::Kind::Choose, ItemAct::Kind::More,
-                                                      ItemAct::Kind::Less};  // as ReaderCalls::act has them
+                                                      ItemAct::Kind::Less};  // in the order of ReaderCalls::act
                            note_act(item, kActs[static_cast<std::size_t>(action)], {});
                        },
                        [this](std::size_t item, double number) { note_act(item, ItemAct::Kind::Put, number); }});
@@ -174,8 +174,8 @@ private:
         if (focused) set_state(focus_, ATK_STATE_FOCUSED, true);
     }
 
-    // What has the keyboard within the window. Orca tells by itself what the focus comes to; a message that waited
-    // there is not told again.
+    // Sets what has the keyboard within the window. Orca itself announces what receives the focus, so a message that
+    // was shown there must not be announced again.
     void move_focus(HandrailNode* to) {
         if (to == focus_) return;
         if (told_focus_) set_state(focus_, ATK_STATE_FOCUSED, false);
@@ -184,9 +184,9 @@ private:
         if (told_focus_) set_state(focus_, ATK_STATE_FOCUSED, true);
     }
 
-    // Once the reader has had its moment it is told of window and focus again, and then speaks for us; it does so until
-    // it goes, wherever the keyboard is: while that is in another window the reader reads there, and a second voice
-    // would talk over it.
+    // After the settling time the reader is notified of window and focus again, and from then on speaks for us. It does
+    // so until it goes, wherever the keyboard is: while another window has the keyboard, the reader reads there, and a
+    // second voice would talk over it.
     void settle() {
         if (heard_ && told_focus_ && !settled_ && now_s() >= settles_at_s_) {
             show_focus(true);
@@ -199,18 +199,17 @@ private:
         if (!settled_ || !told_focus_) return;
         auto text = channel_->take();
         if (!text) return;
-        follow_dialogue();  // what is open was told before the words about it
+        follow_dialogue();  // the open list must be reported before the words about it
         if (!told_by_focus_.empty() && (*text == told_by_focus_ || text->ends_with(". " + told_by_focus_))) {
             told_by_focus_.clear();
-            return;  // Orca has told it: the focus went there
+            return;  // Orca has announced it, because the focus moved there
         }
         if (focus_ != view_) {
-            // Of an item that has the keyboard Orca reads each new description as a message, and the name stays its
-            // name.
+            // For an item with the keyboard, Orca reads each new description as a message, and the item keeps its name.
             if (const char* shown = atk_object_get_description(&focus_->parent); shown && *text == shown) *text += ' ';
             return atk_object_set_description(&focus_->parent, text->c_str());
         }
-        // Only a name that changes is read.
+        // The reader reads only names that change.
         if (const char* shown = atk_object_get_name(&view_->parent); shown && *text == shown) *text += ' ';
         atk_object_set_name(&view_->parent, text->c_str());
     }
@@ -219,8 +218,8 @@ private:
         return item.value.empty() ? item.name : phrase("window.item", {{"name", item.name}, {"value", item.value}});
     }
 
-    // The objects of the open list or question: made anew for another one, else kept up to date. The keyboard is with
-    // the item one is at, or the question.
+    // Updates the objects of the open list or question, or makes new ones if another one is open. The keyboard is with
+    // the current item, or with the question.
     void follow_dialogue() {
         if (!built_) return;
         std::optional<DialogueView> next;
@@ -246,7 +245,8 @@ private:
                           });
     }
 
-    // A change of the number is told by that of the name; Orca 43 would say the value twice if it heard of both.
+    // The change of the name announces that of the number. Orca 43 would say the value twice if it were notified of
+    // both.
     static void fill_item(HandrailNode& node, const ListItem& item) {
         node.actions = item.adjustable ? 3 : 1;
         node.number = item.number.value_or(ItemNumber{});
@@ -316,24 +316,24 @@ private:
     ReaderKeys keys_;
 
     std::mutex acts_mutex_;
-    std::vector<ItemAct> acts_;  // under acts_mutex_
+    std::vector<ItemAct> acts_;  // guarded by acts_mutex_
 
-    DialogueView given_;  // app thread
+    DialogueView given_;  // used by the app thread
     std::mutex dialogue_mutex_;
-    std::optional<DialogueView> next_dialogue_;  // under dialogue_mutex_
+    std::optional<DialogueView> next_dialogue_;  // guarded by dialogue_mutex_
 
-    // Accessibility thread.
+    // Used by the accessibility thread.
     DialogueView shown_;
-    HandrailNode* dialogue_ = nullptr;  // of frame_; null: nothing is open
+    HandrailNode* dialogue_ = nullptr;  // child of frame_; null: nothing is open
     double look_due_s_ = 0.0;
     bool listened_to_ = false, tried_ = false, built_ = false;
     double built_at_s_ = 0.0;
     bool told_focus_ = false, heard_ = false, settled_ = false;
     double settles_at_s_ = 0.0;
-    HandrailNode* frame_ = nullptr;  // of the root
+    HandrailNode* frame_ = nullptr;  // child of the root
     HandrailNode* view_ = nullptr;
-    HandrailNode* focus_ = nullptr;  // has the keyboard while the window has: view_, or what is open
-    std::string told_by_focus_;      // words that the reader says by itself, as the focus came to them
+    HandrailNode* focus_ = nullptr;  // has the keyboard while the window does: view_, or the open list or question
+    std::string told_by_focus_;      // words that the reader says itself, because the focus moved to them
 };
 
 Accessible::Accessible(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}

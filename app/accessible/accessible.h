@@ -1,12 +1,13 @@
-// The window as screen readers see it: a frame with one focused area whose name is the message of the moment. Says what
-// ReaderChannel brings, and gives the reader each key first. A list or question that is open stands beside it as
-// objects of its own and has the keyboard: the item one is at is focused, so the reader tells it as it tells every
-// list, and what else is to be said is that item's description, of which Orca 43 reads each change. On a thread of its
-// own with GLib's default context, which nobody else in the program uses: what a screen reader or the bus is slow with
-// holds up neither window nor ears nor hand.
+// The window as screen readers see it: a frame with one focused area whose name is the current message. It speaks the
+// text of ReaderChannel and offers the reader each key first.
 //
-// Nothing is started for it: where there is no session bus, or nobody on it listens to names and focus, it only looks
-// again every two seconds.
+// An open list or question has its own objects in the frame and takes the keyboard. The current item is focused, so the
+// reader announces it like an item of any list. Other words become that item's description, and Orca 43 reads each
+// change of it.
+//
+// Runs on a separate thread with GLib's default context, which nothing else in the program uses, so that a slow screen
+// reader or bus delays neither window nor sound nor hand. It starts no other program: without a session bus, or without
+// anybody on it who listens to names and focus, it only looks again every two seconds.
 #pragma once
 
 #include <cstdint>
@@ -22,25 +23,26 @@ namespace handrail {
 class Accessible {
 public:
     static constexpr double kLooksEvery_s = 2.0;
-    // What is told before a reader has heard of the window and its focus is lost, so words wait that long after both.
-    // Measured with Orca 43: 0.6 s.
+    // A text is lost if it comes before the reader has noticed the window and its focus, so words wait this long after
+    // both. Measured with Orca 43: 0.6 s.
     static constexpr double kSettles_s = 0.8;
 
-    // Reads the environment: before other threads change it. The channel's voice counts as opening until somebody has
-    // been looked for.
+    // Reads the environment, so call it before other threads change that. Until the first search for a reader, the
+    // channel's voice counts as opening.
     static std::unique_ptr<Accessible> start(std::shared_ptr<ReaderChannel> channel);
     ~Accessible();
     Accessible(const Accessible&) = delete;
     Accessible& operator=(const Accessible&) = delete;
 
-    // App thread; each returns at once. The keyboard is in our window, or left it.
+    // Called by the app thread; each call returns at once. `focused`: our window has the keyboard.
     void set_focus(bool focused);
-    // What is open now, before the words about it are spoken; costs a comparison where nothing changed.
+    // Sets what is open; call it before the words about it are spoken. Costs a comparison if nothing has changed.
     void show(const DialogueView& dialogue);
-    // What a reader did with items since it was asked last: "press" chooses, "increase" and "decrease" change a value,
-    // and that of a quantity is set outright.
+    // What a reader did with items since the last call: "press" chooses, "increase" and "decrease" change a value, and
+    // the value of a quantity can be set directly.
     std::vector<ItemAct> take_acts();
-    // A key for the reader, see KeyReader; 0 where none listens, or it has left an earlier key without an answer.
+    // Offers a key to the reader, see KeyReader. Returns 0 if no reader listens, or if it has left an earlier key
+    // unanswered.
     std::uint64_t offer(const KeyStroke& stroke);
     KeyVerdict verdict(std::uint64_t ticket);
 

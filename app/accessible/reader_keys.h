@@ -1,4 +1,5 @@
-// Keys on their way to a screen reader and back: the window offers each first, the reader says whether it is its own.
+// Passes keys to a screen reader and its answers back. The window offers each key first, and the reader says whether it
+// takes it.
 #pragma once
 
 #include <atomic>
@@ -13,14 +14,14 @@ namespace handrail {
 
 class ReaderKeys {
 public:
-    // App thread. 0 where no reader listens, or it has left an earlier key without an answer; now_s: any clock that
-    // never goes back.
+    // App thread. Returns 0 if no reader listens, or if it has left an earlier key unanswered. `now_s` may be of any
+    // clock that never goes back.
     std::uint64_t offer(const KeyStroke& stroke, double now_s);
     KeyVerdict verdict(std::uint64_t ticket);
 
-    // Accessibility thread. Whether the window is heard of, so that a reader that listens to keys is asked.
+    // Accessibility thread. `heard`: a reader has noticed the window, so a reader that listens to keys may be asked.
     void set_heard(bool heard);
-    // Asks the reader about each key that was offered.
+    // Asks the reader about each offered key.
     void ask();
 
 private:
@@ -31,8 +32,8 @@ private:
     };
 
     std::atomic<bool> listened_to_{false};
-    std::uint64_t last_ticket_ = 0;  // app thread
-    std::mutex mutex_;               // guards all below
+    std::uint64_t last_ticket_ = 0;  // used by the app thread
+    std::mutex mutex_;               // guards all members below
     std::deque<Offered> offered_;
     std::map<std::uint64_t, KeyVerdict> verdicts_;
     std::uint64_t answered_ = 0;

@@ -58,7 +58,7 @@ bool ReaderWatch::listens() {
     return names && focus;
 }
 
-// The bus that readers use, where one runs; nothing is started.
+// Connects to the bus that screen readers use, if one runs; starts nothing.
 bool ReaderWatch::connect() {
     if (bus_ && !g_dbus_connection_is_closed(bus_.get())) return true;
     forget();

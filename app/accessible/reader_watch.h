@@ -1,4 +1,4 @@
-// Who listens on the accessibility bus. Accessibility thread.
+// Watches who listens on the accessibility bus. Accessibility thread.
 #pragma once
 
 #include <gio/gio.h>
@@ -10,13 +10,13 @@
 
 namespace handrail {
 
-// GLib and libdbus start a bus of their own where they find none, and leave it behind; so it is looked for first.
+// Call this first: without a session bus, GLib and libdbus would start one and leave it behind.
 bool session_bus_is_there();
 
-// Whether somebody on the accessibility bus hears of names and focus, as a screen reader does.
+// Reports whether somebody on the accessibility bus listens to names and focus, as a screen reader does.
 class ReaderWatch {
 public:
-    // `news` is called from GLib's default context when somebody comes or goes.
+    // `news` is called from GLib's default context when a listener comes or goes.
     explicit ReaderWatch(std::function<void()> news) : news_(std::move(news)) {}
     ~ReaderWatch() { forget(); }
     ReaderWatch(const ReaderWatch&) = delete;

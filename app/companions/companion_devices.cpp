@@ -20,10 +20,10 @@ double together(double a, double b) { return std::clamp(a + b, -1.0, 1.0); }
 
 std::optional<Command> command_of(CompanionButton button) {
     static constexpr std::array<std::optional<Command>, kButtons> kMeans{
-        Command::WhereAmI,  Command::WhatIsThis, Command::Repeat,         Command::Heading, Command::TurnLeft,
-        Command::TurnRight, Command::StopSpeech, Command::StopEverything, Command::Home,    std::nullopt,
-        Command::Forward,   Command::TurnRight,  Command::Back,           Command::TurnLeft};  // as CompanionButton
-                                                                                               // lists them
+        Command::WhereAmI, Command::WhatIsThis, Command::Repeat, Command::Heading, Command::TurnLeft,
+        Command::TurnRight, Command::StopSpeech, Command::StopEverything, Command::Home, std::nullopt,
+        // In the order of CompanionButton.
+        Command::Forward, Command::TurnRight, Command::Back, Command::TurnLeft};
     return kMeans.at(static_cast<std::size_t>(button));
 }
 
@@ -73,7 +73,7 @@ void CompanionDevices::run() {
     plugged_.clear();
 }
 
-// What is new is opened and named; one that could not be opened is not tried again until it was away.
+// Opens and announces new devices. One that could not be opened is tried again only after it was disconnected.
 void CompanionDevices::look_around(double now_s) {
     looked_s_ = now_s;
     std::vector<FoundCompanion> found = find_companions();
@@ -102,7 +102,7 @@ void CompanionDevices::look_around(double now_s) {
     news_.insert(news_.end(), std::make_move_iterator(news.begin()), std::make_move_iterator(news.end()));
 }
 
-// False when it is gone.
+// Returns false if the device is gone.
 bool CompanionDevices::serve(Plugged& plugged, const FingerCue& cue, double now_s, Steering& sum) {
     const std::uint32_t was = plugged.state.buttons;
     if (!plugged.device->read(plugged.state, now_s)) return false;

@@ -1,8 +1,8 @@
-// Game pads, SpaceMouse and rumble pads in a session: finds them, plugged in before or later, turns their sticks and
-// buttons into steering and commands, and gives them cues. Has a thread of its own, which alone touches the devices: a
-// slow one holds up neither app nor servo. The app thread calls everything marked so, which takes a mutex for
-// microseconds. step() is the whole body of the loop, so the owner of virtual time needs no thread. Where nothing is
-// plugged in the thread looks around every two seconds and does nothing else.
+// Game pads, SpaceMouse and rumble pads in a session. Finds them, whether connected before or later, turns their sticks
+// and buttons into steering and commands, and gives them cues. A separate thread alone touches the devices, so a slow
+// one delays neither app nor servo. The app thread calls everything marked so, which holds a mutex for microseconds.
+// step() is the whole body of the loop, so tests with a virtual clock need no thread. With no device connected, the
+// thread only looks around every two seconds.
 #pragma once
 
 #include <atomic>
@@ -19,14 +19,14 @@
 
 namespace handrail {
 
-// Which command a button gives; nothing: none. Table of docs/user-guide/devices.md.
+// The command of a button, as in the table of docs/user-guide/devices.md; nothing if it has none.
 std::optional<Command> command_of(CompanionButton button);
 
 class CompanionDevices {
 public:
     static constexpr double kPeriod_s = 0.008, kLookAgain_s = 2.0;
-    static constexpr double kCueEvery_s = 0.016;  // 62 reports a second: half of what a pad takes over Bluetooth
-    static constexpr double kCueAgain_s = 0.5;    // an unchanged cue, in case a report was lost
+    static constexpr double kCueEvery_s = 0.016;  // 62 reports a second, half of what a pad accepts over Bluetooth
+    static constexpr double kCueAgain_s = 0.5;    // repeats an unchanged cue, in case a report was lost
 
     // The clock outlives this object.
     explicit CompanionDevices(Clock& clock) : clock_(clock) {}
@@ -34,18 +34,18 @@ public:
     CompanionDevices(const CompanionDevices&) = delete;
     CompanionDevices& operator=(const CompanionDevices&) = delete;
 
-    // App thread. stop() leaves every device still and loose; more often does no harm.
+    // App thread. stop() leaves every device still and without force; calling it again does no harm.
     void start();
     void stop();
 
     // App thread.
     bool any() const { return count_.load(std::memory_order_relaxed) > 0; }
-    Steering steering();                   // of all of them together
-    std::vector<Command> take_commands();  // of buttons pressed since the last call
-    std::vector<std::string> take_news();  // sentences: found, gone, not permitted
-    void give(const FingerCue& cue);       // felt until the next
+    Steering steering();                   // of all devices together
+    std::vector<Command> take_commands();  // from the buttons pressed since the last call
+    std::vector<std::string> take_news();  // sentences: device found, gone, or not permitted
+    void give(const FingerCue& cue);       // felt until the next cue
 
-    // One round at the clock's time: the thread's body, or for the owner of virtual time.
+    // One round at the clock's time: the thread's body, or called by the owner of a virtual clock.
     void step();
 
 private:
@@ -62,19 +62,19 @@ private:
     bool serve(Plugged& plugged, const FingerCue& cue, double now_s, Steering& sum);
 
     Clock& clock_;
-    std::thread thread_;  // app thread
+    std::thread thread_;  // used by the app thread
     std::atomic<bool> stop_asked_{false};
     std::atomic<std::size_t> count_{0};
 
-    std::mutex mutex_;  // guards the next four
+    std::mutex mutex_;  // guards the next four members
     Steering steering_;
     std::vector<Command> commands_;
     std::vector<std::string> news_;
     FingerCue cue_;
 
-    // The companions' thread only.
+    // Used by the companions' thread only.
     std::vector<Plugged> plugged_;
-    std::set<std::string> refused_;  // paths that could not be opened; told once
+    std::set<std::string> refused_;  // paths that could not be opened; reported once
     double looked_s_ = -1e9;
 };
 

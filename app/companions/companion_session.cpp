@@ -16,7 +16,7 @@ std::vector<std::string> CompanionSession::guide(Session& app, double now_s, boo
     if (steering != steering_) app.apply(Steered{steering}, now_s);
     steering_ = steering;
     for (const Command command : devices_.take_commands()) {
-        if (busy_elsewhere) continue;  // done with: it must not come later
+        if (busy_elsewhere) continue;  // discarded, so that it does not act later
         app.apply(CommandDown{command}, now_s);
         app.apply(CommandUp{command}, now_s);
     }

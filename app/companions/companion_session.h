@@ -1,5 +1,5 @@
-// What pads and pucks do to a session and what it does to them, in two calls a frame. App thread; where none is plugged
-// in both are one comparison.
+// Connects pads and pucks with a session in both directions, in two calls a frame. App thread. With no device
+// connected, both calls cost one comparison.
 #pragma once
 
 #include <span>
@@ -14,15 +14,15 @@ namespace handrail {
 
 class CompanionSession {
 public:
-    // Looks for devices from now on, on a thread of its own. `run_thread` false: the owner of virtual time calls
+    // Looks for devices from now on, on a separate thread. With `run_thread` false, the owner of a virtual clock calls
     // devices().step().
     explicit CompanionSession(Clock& clock, bool run_thread = true);
 
-    // Before the app's tick: steers it and presses what was pressed, unless the person is busy elsewhere. Gives the
-    // sentences that are due: what was found, what is gone.
+    // Call before the session's tick: steers the session and carries out pressed buttons, unless the person is busy
+    // elsewhere. Returns the sentences that are due: which devices were found or have gone.
     std::vector<std::string> guide(Session& app, double now_s, bool busy_elsewhere = false);
-    // After it: cues from what the app asks to be heard and what the hand touches; `tool` is nullptr where there is no
-    // hand.
+    // Call after the tick: makes cues from the session's cue requests and the hand's contacts. `tool` is nullptr if
+    // there is no hand.
     void follow(const Session& app, std::span<const CueRequest> requests, const ToolState* tool, double now_s);
 
     CompanionDevices& devices() { return devices_; }
@@ -35,7 +35,7 @@ private:
     Steering steering_;
 };
 
-// Of a device that was asked for by name and has no hand.
+// True if the name is that of a device without a hand.
 bool is_companion(std::string_view name);
 std::string cues_and_walking_sentence(std::string_view model);
 std::string no_companion_sentence(std::string_view name);

@@ -1,5 +1,5 @@
-// handrail-guard: the small processes that hold a real device and take its force away when the program dies, or one
-// another. Started by the program alone; see haptic/drivers/guard_process.h.
+// handrail-guard: the small processes that hold a real device and remove its force when the program, or another of
+// them, dies. Started only by the program; see haptic/drivers/guard_process.h.
 #include "haptic/drivers/guard_process.h"
 #include "worlds/base/clock.h"
 

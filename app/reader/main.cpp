@@ -1,4 +1,4 @@
-// handrail-reader: the process in which files are read that others made. Started by the program alone; see
+// handrail-reader: the process that reads files which others made. Started only by the program; see
 // app/import/reader_process.h.
 #include "app/import/reader_process.h"
 

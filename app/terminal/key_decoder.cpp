@@ -14,7 +14,7 @@ constexpr char kEscape = '\x1b';
 constexpr std::string_view kPasteEnds = "\x1b[201~";
 constexpr std::size_t kLongestSequence = 64;
 
-// A sum of these, as the sequences have it less one.
+// Modifier bits. The sequences contain their sum plus one.
 enum Modifier : unsigned { kShift = 1, kAlt = 2, kControl = 4 };
 
 struct Sign {
@@ -22,7 +22,7 @@ struct Sign {
     std::string_view key;
 };
 
-// Signs by the keys of an English keyboard; those of digits are the keyboard's own.
+// Signs by the keys of an English keyboard. The signs on digits depend on the keyboard.
 constexpr Sign kSigns[] = {{" ", "Space"},
                            {"`", "Grave"},
                            {"-", "Minus"},
@@ -52,13 +52,13 @@ struct Numbered {
     std::string_view key;
 };
 
-// CSI number ~: VT220 and its kin, with rxvt's Home and End.
+// CSI number ~, as of VT220 and its relatives, with rxvt's Home and End.
 constexpr Numbered kNumbered[] = {{1, "Home"},     {2, "Insert"}, {3, "Delete"}, {4, "End"},  {5, "PageUp"},
                                   {6, "PageDown"}, {7, "Home"},   {8, "End"},    {11, "F1"},  {12, "F2"},
                                   {13, "F3"},      {14, "F4"},    {15, "F5"},    {17, "F6"},  {18, "F7"},
                                   {19, "F8"},      {20, "F9"},    {21, "F10"},   {23, "F11"}, {24, "F12"}};
 
-// The same beyond F12: the function keys with Shift, of the Linux console from F1 on and of rxvt from F3 on.
+// The same beyond F12: function keys with Shift. The Linux console uses them from F1 on, and rxvt from F3 on.
 constexpr unsigned kShiftedFunctions[] = {25, 26, 28, 29, 31, 32, 33, 34};
 
 struct Lettered {
@@ -66,19 +66,19 @@ struct Lettered {
     std::string_view key;
 };
 
-// CSI letter, CSI 1 ; modifiers letter, SS3 letter.
+// Keys sent as CSI letter, CSI 1 ; modifiers letter, or SS3 letter.
 constexpr Lettered kLettered[] = {{'A', "Up"},      {'B', "Down"}, {'C', "Right"},   {'D', "Left"},
                                   {'E', "Keypad5"}, {'F', "End"},  {'G', "Keypad5"}, {'H', "Home"},
                                   {'P', "F1"},      {'Q', "F2"},   {'R', "F3"},      {'S', "F4"}};
 
-// SS3 letter, of a keypad in application mode.
+// Keys sent as SS3 letter by a keypad in application mode.
 constexpr Lettered kKeypad[] = {
     {'M', "KeypadEnter"},   {'X', "KeypadEqual"},  {'j', "KeypadMultiply"}, {'k', "KeypadAdd"}, {'m', "KeypadSubtract"},
     {'n', "KeypadDecimal"}, {'o', "KeypadDivide"}, {'p', "Keypad0"},        {'q', "Keypad1"},   {'r', "Keypad2"},
     {'s', "Keypad3"},       {'t', "Keypad4"},      {'u', "Keypad5"},        {'v', "Keypad6"},   {'w', "Keypad7"},
     {'x', "Keypad8"},       {'y', "Keypad9"}};
 
-// Lone modifiers, as the protocol of kitty numbers them.
+// Modifiers pressed alone, as numbered by the kitty protocol.
 constexpr Numbered kLoneModifiers[] = {{57441, "Shift"}, {57442, "Control"}, {57443, "Alt"},
                                        {57447, "Shift"}, {57448, "Control"}, {57449, "Alt"}};
 
@@ -99,7 +99,7 @@ std::string_view key_of(const Rows& rows, unsigned number) {
     return {};
 }
 
-// With the modifiers before it, in the window's order; one that the key's name has already is not put twice.
+// Puts the modifiers before the key in the window's order; one that the name already contains is not repeated.
 std::string with_modifiers(std::string_view key, unsigned modifiers) {
     if (key.empty()) return {};
     constexpr std::string_view kShifted = "Shift+";
@@ -122,7 +122,7 @@ std::size_t length_of_character(unsigned char first) {
     return 0;
 }
 
-// The numbers of a sequence; an absent one is 0, of a number with parts ("97:65") the first part counts.
+// The numbers of a sequence. A missing one is 0; of a number with parts ("97:65") the first part counts.
 std::vector<unsigned> numbers_of(std::string_view text) {
     std::vector<unsigned> numbers;
     while (true) {
@@ -135,7 +135,7 @@ std::vector<unsigned> numbers_of(std::string_view text) {
     }
 }
 
-// Of "1;5:3": the kind of event behind the modifiers' colon; 1 is a press.
+// The kind of event, which follows the colon of the modifiers: 3 in "1;5:3"; 1 is a press.
 unsigned event_of(std::string_view parameters) {
     const std::size_t colon = parameters.find(':', std::min(parameters.find(';'), parameters.size()));
     unsigned event = 1;
@@ -158,7 +158,7 @@ std::string_view sign_key(std::string_view text) {
 
 TerminalKeyboard terminal_keyboard(std::string_view language, std::string_view terminal, char erase) {
     TerminalKeyboard keyboard;
-    // Slash and equals sign are keys of their own, as they are called.
+    // Slash and equals sign are separate keys with their own names.
     if (language == "de") keyboard.shifted_digits = {"", "!", "\"", "§", "$", "%", "&", "", "(", ")"};
     keyboard.erase = erase;
     keyboard.rxvt_functions = terminal.starts_with("rxvt");
@@ -195,7 +195,7 @@ void KeyDecoder::take_held(std::vector<TerminalInput>& done, bool nothing_follow
 bool KeyDecoder::paste_step(std::vector<TerminalInput>& done) {
     const std::size_t escape = held_.find(kEscape);
     if (escape != 0) {
-        // A character that has not come as a whole waits, unless it never will.
+        // An incomplete character waits for its remaining bytes, unless they can no longer come.
         std::size_t end = std::min(escape, held_.size());
         for (std::size_t back = 1; escape == std::string::npos && back <= std::min<std::size_t>(3, end); ++back) {
             const auto byte = static_cast<unsigned char>(held_[end - back]);
@@ -214,7 +214,7 @@ bool KeyDecoder::paste_step(std::vector<TerminalInput>& done) {
         return true;
     }
     if (kPasteEnds.starts_with(held_)) return false;
-    // Terminals leave no Escape in what they paste: the end was lost, and this is a key again.
+    // Terminals remove Escape from pasted text. So the end mark was lost, and this is a key again.
     pasting_ = false;
     return true;
 }
@@ -234,13 +234,13 @@ KeyDecoder::Step KeyDecoder::escape_step(std::string_view bytes, bool nothing_fo
         behind = control_step(bytes);
         if (behind.bytes > 0) return behind;
         if (!nothing_follows) return {};
-        // Alt and that key; what is longer was cut off, and is passed over.
+        // Two bytes are Alt with that key. A longer sequence was cut off and is skipped.
         if (bytes.size() > 2) return {bytes.size(), {}};
         return {2, {with_modifiers(bytes[1] == '[' ? "LeftBracket" : "O", bytes[1] == '[' ? kAlt : kAlt | kShift), {}}};
     }
     behind = step(bytes.substr(1), nothing_follows);
     if (behind.bytes == 0) return {};
-    // Two of them and nothing more are two keys.
+    // Two Escapes with nothing after them are two keys.
     if (behind.input.key == "Escape" || behind.input.pasted) return alone;
     if (behind.input.key.empty()) return {1 + behind.bytes, {}};
     std::string key = behind.input.key;
@@ -257,10 +257,10 @@ KeyDecoder::Step KeyDecoder::named(std::size_t used, std::string_view key, unsig
     return {used, {with_modifiers(key, modifiers), {}, false}};
 }
 
-// ESC [ ... and ESC O ...
+// Sequences ESC [ ... and ESC O ...
 KeyDecoder::Step KeyDecoder::control_step(std::string_view bytes) const {
     if (bytes.size() < 3) return {};
-    // The Linux console's F1 to F5.
+    // F1 to F5 of the Linux console.
     if (bytes[1] == '[' && bytes[2] == '[') {
         if (bytes.size() < 4) return {};
         constexpr std::string_view kFunctions[] = {"F1", "F2", "F3", "F4", "F5"};
@@ -270,18 +270,18 @@ KeyDecoder::Step KeyDecoder::control_step(std::string_view bytes) const {
     while (end < bytes.size() && bytes[end] >= 0x30 && bytes[end] <= 0x3F) ++end;
     const std::string_view parameters = bytes.substr(2, end - 2);
     const bool plain_number = !parameters.empty() && parameters.find_first_not_of("0123456789") == std::string::npos;
-    // rxvt's Shift stands where others have the begin of what comes before the last letter.
+    // The $ that rxvt sends for Shift comes where other terminals begin the bytes before the last letter.
     const bool rxvt_shift = plain_number && end < bytes.size() && bytes[end] == '$';
     while (!rxvt_shift && end < bytes.size() && bytes[end] >= 0x20 && bytes[end] <= 0x2F) ++end;
     if (end >= kLongestSequence) return {end, {}};
     if (end == bytes.size()) return {};
     const char last = bytes[end];
     const std::size_t used = end + 1;
-    // What cannot stand in a sequence ends it and is itself.
+    // A byte that cannot be part of a sequence ends it and counts separately.
     if (!rxvt_shift && (last < 0x40 || last > 0x7E)) return {end, {}};
     const std::vector<unsigned> numbers = numbers_of(parameters);
     unsigned modifiers = modifiers_of(numbers, 1);
-    // Some write the modifiers of a lettered key as the only number.
+    // Some terminals send the modifiers of a lettered key as the only number.
     if (numbers.size() == 1 && !key_of(kLettered, last).empty()) modifiers = modifiers_of(numbers, 0);
     if (parameters.find_first_of("<=>?") != std::string_view::npos || event_of(parameters) == 3) return {used, {}};
 
@@ -301,7 +301,7 @@ KeyDecoder::Step KeyDecoder::control_step(std::string_view bytes) const {
     return named(used, key_of(kLettered, last), modifiers);
 }
 
-// A key by the code of its character.
+// Decodes a key given by the code of its character.
 KeyDecoder::Step KeyDecoder::coded_step(std::size_t used, unsigned code, unsigned modifiers) const {
     if (const std::string_view alone = key_of(kLoneModifiers, code); !alone.empty()) return named(used, alone, 0);
     if (code == 27) return named(used, "Escape", modifiers);
@@ -312,7 +312,7 @@ KeyDecoder::Step KeyDecoder::coded_step(std::size_t used, unsigned code, unsigne
             {with_modifiers(typed.input.key, modifiers), modifiers == 0 ? typed.input.text : std::string{}, false}};
 }
 
-// A key by its number, with the sign that ends its sequence.
+// Decodes a key given by its number, with the sign that ends its sequence.
 KeyDecoder::Step KeyDecoder::numbered_step(std::size_t used, char last, unsigned number, unsigned modifiers) const {
     unsigned held = modifiers;
     if (last == '^' || last == '@') held |= kControl;

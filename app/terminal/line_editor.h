@@ -1,6 +1,6 @@
-// A line that is typed where keys act at once: what is to be shown for each key, and the line when it is whole. Plain
-// text without cursor movement but a step back to delete, as the terminal itself does it, so that screen readers and
-// braille displays follow. Pure state.
+// A line that is typed at a terminal where keys otherwise act at once: what to show for each key, and the line when it
+// is complete. It moves the cursor only one step back to delete, as the terminal itself does, so that screen readers
+// and braille displays can follow. Pure state.
 #pragma once
 
 #include <string>
@@ -15,20 +15,20 @@ class LineEditor {
 public:
     struct Reply {
         std::string echo;                // to be written to the terminal
-        std::vector<std::string> lines;  // whole now; more than one only of pasted text
-        bool left = false;               // by Escape: the line is given up
-        bool taken = false;              // false: no key of a line
+        std::vector<std::string> lines;  // the completed lines; more than one only from pasted text
+        bool left = false;               // Escape was pressed: the line is cancelled
+        bool taken = false;              // false: the key does not belong to a line
     };
 
     bool is_open() const { return open_; }
-    // Begins a line; `prompt` is what is to be shown before it. Returns that.
+    // Begins a line; returns `prompt`, which is to be shown before it.
     std::string open(std::string_view prompt = {});
-    // For an open line.
+    // Call it only while a line is open.
     Reply take(const TerminalInput& input);
-    // Gives the line up unseen, and returns what ends it on the terminal.
+    // Cancels the line without carrying it out. Returns what ends it on the terminal.
     std::string close();
 
-    static constexpr std::size_t kLongest = 4096;  // bytes; what is typed beyond is not taken
+    static constexpr std::size_t kLongest = 4096;  // bytes; further typing is ignored
 
 private:
     Reply take_text(std::string_view text);

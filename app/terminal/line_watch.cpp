@@ -96,7 +96,7 @@ void LineWatch::run() {
         }
         if (waits) continue;
         for (std::string& line : input_.take()) {
-            // Held while the line acts too: whoever takes lines after it was seen finds none from before it.
+            // Held while the line acts as well, so that a caller who takes lines afterwards finds none from before it.
             const std::lock_guard guard(mutex_);
             if (at_once_(line)) {
                 lines_.clear();

@@ -1,4 +1,4 @@
-// Lines of text as they come from a terminal, a pipe or a file. App thread.
+// Lines of text from a terminal, a pipe or a file. App thread.
 #pragma once
 
 #include <atomic>
@@ -14,12 +14,12 @@
 
 namespace handrail {
 
-// Lines from a file descriptor without ever blocking. Owns nothing.
+// Reads lines from a file descriptor without ever blocking. Owns nothing.
 class LineInput {
 public:
     explicit LineInput(int descriptor) : descriptor_(descriptor) {}
-    // The next lines that have arrived since the last call, without their line ends, of at most kBytesAtOnce; the rest
-    // waits where it is. Lines over 4096 bytes are cut there.
+    // The lines that have arrived since the last call, without their line ends. Reads at most kBytesAtOnce; the rest
+    // stays in the descriptor. Lines over 4096 bytes are split there.
     std::vector<std::string> take();
     bool ended() const { return ended_; }  // end of input or an error: no more lines will come
 
@@ -31,27 +31,27 @@ private:
     bool ended_ = false;
 };
 
-// The same on a thread of its own, so that a line which must not wait is seen at once, whatever the app's thread is
+// Reads lines on a separate thread, so that a line which must not wait is seen at once, whatever the app thread is
 // doing.
 class LineWatch {
 public:
-    // When kMostWaiting lines or more wait to be taken: of a script the rest waits in its pipe or file; of a person who
-    // types, or lets a key repeat, the rest is lost, so that the line which must not wait is seen behind it all the
-    // same.
+    // What happens when kMostWaiting or more lines have not been taken yet. `Waits`: the rest of a script stays in its
+    // pipe or file. `Loses`: further lines of a person, who types or lets a key repeat, are lost, so that a line which
+    // must not wait is still seen.
     enum class WhenFull { Waits, Loses };
-    // at_once is asked of each line as it arrives, on the watch's thread. True: it is done already, and no line before
-    // it is to be done any more.
+    // `at_once` is called with each line as it arrives, on the watch's thread. If it returns true, the line has already
+    // been carried out, and all lines before it must be dropped.
     LineWatch(int descriptor, WhenFull when_full, std::function<bool(std::string_view)> at_once);
     ~LineWatch();
     LineWatch(const LineWatch&) = delete;
     LineWatch& operator=(const LineWatch&) = delete;
 
-    // App thread: at most `most` lines. `emptied` is set when lines that an earlier call gave are not to be done any
-    // more.
+    // App thread: returns at most `most` lines. Sets `emptied` if lines from an earlier call must not be carried out
+    // any more.
     std::vector<std::string> take(bool& emptied, std::size_t most = kMostWaiting);
     bool ended() const {
         return ended_.load(std::memory_order_acquire);
-    }  // no more lines will come than wait to be taken
+    }  // No more lines will come than those that wait to be taken.
 
     static constexpr std::size_t kMostWaiting = 1024;
 
@@ -60,7 +60,7 @@ private:
     void wake();
     bool is_full();
 
-    LineInput input_;  // the watch's thread
+    LineInput input_;  // used by the watch's thread
     int descriptor_;
     WhenFull when_full_;
     std::function<bool(std::string_view)> at_once_;
@@ -70,7 +70,7 @@ private:
     bool emptied_ = false;
     std::atomic<bool> leaving_{false};
     std::atomic<bool> ended_{false};
-    std::thread thread_;  // last
+    std::thread thread_;  // last: its thread uses the others
 };
 
 }  // namespace handrail

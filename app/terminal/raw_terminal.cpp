@@ -15,7 +15,7 @@
 namespace handrail {
 namespace {
 
-// What a handler needs: written before `is_taken` is set, and only read while it is.
+// Data for the signal handlers: written before `is_taken` is set, and only read while it is.
 struct Held {
     int input = -1, output = -1;
     termios before{}, raw{};
@@ -24,7 +24,7 @@ Held held;
 std::atomic<bool> is_taken{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-// Those that end a program which does not ask for them. What a session asks for (EndSignals) or ignores stays with it.
+// Signals that end a program by default. Those that a session handles (EndSignals) or ignores are left alone.
 constexpr std::array kEnding{SIGHUP,  SIGINT,  SIGQUIT, SIGILL,  SIGTRAP, SIGABRT,   SIGBUS,  SIGFPE,  SIGSEGV, SIGSYS,
                              SIGPIPE, SIGALRM, SIGTERM, SIGUSR1, SIGUSR2, SIGVTALRM, SIGPROF, SIGXCPU, SIGXFSZ};
 std::array<struct sigaction, kEnding.size()> ending_before;
@@ -32,18 +32,19 @@ std::array<bool, kEnding.size()> ending_caught;
 struct sigaction stop_before, go_on_before;
 bool stop_caught = false, go_on_caught = false;
 
-// Stack for a handler after the stack has overflowed.
+// The stack for a handler after the normal stack has overflowed.
 alignas(16) std::array<char, 65536> spare_stack;
 
 constexpr std::string_view kMarkPastes = "\x1b[?2004h", kMarkNoPastes = "\x1b[?2004l";
 
-// From the background the modes are the shell's, and changing them would stop us. No group: no job control.
+// In the background the terminal's modes belong to the shell, and changing them would stop us. A negative group means
+// that there is no job control.
 bool is_ours(int terminal) {
     const pid_t foreground = ::tcgetpgrp(terminal);
     return foreground < 0 || foreground == ::getpgrp();
 }
 
-// Never waits: where nobody reads it is left out.
+// Never waits: if nobody reads, the text is dropped.
 void write_if_ready(std::string_view text) {
     pollfd ready{held.output, POLLOUT, 0};
     if (::poll(&ready, 1, 0) != 1 || (ready.revents & POLLOUT) == 0) return;
@@ -62,13 +63,13 @@ void take_again() {
     write_if_ready(kMarkPastes);
 }
 
-// Gives the terminal back and lets the signal do what it would have done.
+// Restores the terminal and then lets the signal do what it would have done.
 void on_ending(int signal) {
     const int error = errno;
     give_back();
     for (std::size_t i = 0; i < kEnding.size(); ++i)
         if (kEnding[i] == signal) ::sigaction(signal, &ending_before[i], nullptr);
-    ::raise(signal);  // held up until this handler has returned
+    ::raise(signal);  // delayed until this handler has returned
     errno = error;
 }
 
@@ -84,7 +85,7 @@ void on_stop(int signal) {
     sigemptyset(&this_one);
     sigaddset(&this_one, signal);
     ::raise(signal);
-    ::pthread_sigmask(SIG_UNBLOCK, &this_one, &mask);  // stops here, until somebody says go on
+    ::pthread_sigmask(SIG_UNBLOCK, &this_one, &mask);  // stops here until the process is continued
     ::pthread_sigmask(SIG_SETMASK, &mask, nullptr);
     catch_stop();
     take_again();
@@ -112,7 +113,7 @@ bool ends_by_default(int signal) {
     return ::sigaction(signal, nullptr, &now) == 0 && (now.sa_flags & SA_SIGINFO) == 0 && now.sa_handler == SIG_DFL;
 }
 
-// A crash is seen even where somebody else (a sanitizer) looks at it too: that one comes after us.
+// Crashes are handled even if another handler exists, such as a sanitizer's; that one is called after ours.
 bool is_crash(int signal) {
     return signal == SIGSEGV || signal == SIGBUS || signal == SIGFPE || signal == SIGILL || signal == SIGABRT ||
            signal == SIGTRAP || signal == SIGSYS;
@@ -155,7 +156,7 @@ std::unique_ptr<RawTerminal> RawTerminal::take(int input, int output) {
     held = {input, output, before, before};
     held.raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO | ECHONL | IEXTEN);
     held.raw.c_lflag |= ISIG;
-    // Enter stays CR, Ctrl+S and Ctrl+Q are keys, and every bit of a character comes.
+    // Enter stays CR, Ctrl+S and Ctrl+Q are keys, and all eight bits of a character arrive.
     held.raw.c_iflag &= ~static_cast<tcflag_t>(ICRNL | INLCR | IGNCR | IXON | ISTRIP);
     held.raw.c_cc[VMIN] = 1;
     held.raw.c_cc[VTIME] = 0;
@@ -176,7 +177,8 @@ std::unique_ptr<RawTerminal> RawTerminal::take(int input, int output) {
 RawTerminal::RawTerminal() = default;
 
 RawTerminal::~RawTerminal() {
-    // Keys that were meant for us are none of the shell's: Up and Enter would repeat its last command.
+    // Drops keys that were meant for us, so that the shell does not get them: Up and Enter would repeat its last
+    // command.
     if (is_ours(held.input)) ::tcflush(held.input, TCIFLUSH);
     give_back();
     is_taken.store(false, std::memory_order_release);

@@ -7,16 +7,16 @@
 namespace handrail {
 namespace {
 
-constexpr double kSameLine_m = 1e-4;  // far above rounding of file coordinates, far below what is seen
+constexpr double kSameLine_m = 1e-4;  // far above the rounding of file coordinates, far below what is visible
 constexpr double kAngleCell_rad = 1e-3;
 constexpr double kOffsetCell_m = 1e-3;
 
-// Two unit vectors in the plane.
+// Two perpendicular unit vectors in a plane.
 struct PlaneAxes {
     Vec3 u, v;
 };
 
-// u level and v as upright as the plane allows, so that stripes stand or lie in the room.
+// u is level, and v is as upright as the plane allows, so that stripes look upright or level in the room.
 PlaneAxes axes_of(const Vec3& normal) {
     const Vec3 level = glm::cross(Vec3(0.0, 0.0, 1.0), normal);
     const double length = glm::length(level);
@@ -29,9 +29,9 @@ PlaneAxes axes_of(const Vec3& normal) {
 struct PlaneEdge {
     Vec3 a_m, b_m;
     double angle_rad = 0.0;
-    double offset_m = 0.0;  // of the line from the plane's origin
+    double offset_m = 0.0;  // distance of the line from the plane's origin
     double t_from_m = 0.0, t_to_m = 0.0;
-    bool forward = true;  // polygon runs with the line's direction
+    bool forward = true;  // the polygon runs in the line's direction
 };
 
 PlaneEdge plane_edge(const Vec3& a_m, const Vec3& b_m, const PlaneAxes& axes) {
@@ -50,7 +50,7 @@ PlaneEdge plane_edge(const Vec3& a_m, const Vec3& b_m, const PlaneAxes& axes) {
     return edge;
 }
 
-// Parts of the edges of coplanar pieces that no other piece continues across.
+// Finds the parts of the edges of coplanar pieces across which no other piece continues.
 class Outline {
 public:
     void add(const Polygon& polygon, const PlaneAxes& axes, const Vec3& origin_m) {
@@ -83,7 +83,7 @@ private:
         const std::int64_t angles = std::llround(kPi / kAngleCell_rad);
         std::int64_t angle = std::llround(angle_rad / kAngleCell_rad) + d_angle;
         double offset = offset_m;
-        if (angle < 0 || angle >= angles) {  // past the end the line's direction turns round
+        if (angle < 0 || angle >= angles) {  // beyond the end of its range of angles the line's direction reverses
             angle += angle < 0 ? angles : -angles;
             offset = -offset;
         }
@@ -92,7 +92,8 @@ private:
 
     static void cover(const PlaneEdge& edge, const PlaneEdge& other, std::vector<std::pair<double, double>>& covered) {
         const double turned = std::abs(edge.angle_rad - other.angle_rad) > kPi / 2 ? -1.0 : 1.0;
-        if (edge.forward == (other.forward == (turned > 0.0))) return;  // the other piece lies on the same side
+        // The other piece is on the same side of the line.
+        if (edge.forward == (other.forward == (turned > 0.0))) return;
         const Vec3 along = (edge.b_m - edge.a_m) / glm::distance(edge.a_m, edge.b_m);
         for (const Vec3& p : {other.a_m, other.b_m}) {
             const Vec3 to = p - edge.a_m;
@@ -151,7 +152,7 @@ public:
             if (both_sides) indices.insert(indices.end(), {first, first + i + 1, first + i});
         }
 
-        // Rounding can put two coplanar pieces under different keys; then a line is drawn between them, which does no
+        // Rounding can put two coplanar pieces under different keys. A line is then drawn between them, which does no
         // harm.
         const Vec3 local = points.front() - mesh_.origin_m;
         const auto rounded = [](double value) { return std::llround(value * 1000.0); };
@@ -263,7 +264,7 @@ DrawMesh build_draw_mesh(const Scene& scene, const std::function<bool(FeatureId)
     for (const MeshTriangle& triangle : scene.triangles) {
         const Vec3 across = glm::cross(triangle.b_m - triangle.a_m, triangle.c_m - triangle.a_m);
         const double twice_area_m2 = glm::length(across);
-        if (twice_area_m2 < 1e-12 || left_out(triangle.feature)) continue;  // a needle has nothing to see
+        if (twice_area_m2 < 1e-12 || left_out(triangle.feature)) continue;  // a needle-shaped triangle is invisible
         const Vec3 normal = across / twice_area_m2;
         builder.add({{triangle.a_m, triangle.b_m, triangle.c_m}}, normal, triangle.feature,
                     look_of(kind_of(triangle.feature), SolidRole::Solid, normal), true);

@@ -14,7 +14,7 @@ constexpr ImU32 kWallColour = IM_COL32(200, 200, 200, 255);
 
 ImVec2 im(const Vec2& p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
-// Places in ViewState::rooms, the smallest first and the one that one is in last.
+// Indices into ViewState::rooms, the smallest room first and the current one last.
 std::vector<std::size_t> rooms_of_storey(const ViewState& view) {
     std::vector<std::size_t> rooms;
     if (!view.rooms) return rooms;
@@ -30,9 +30,9 @@ std::vector<std::size_t> rooms_of_storey(const ViewState& view) {
     return rooms;
 }
 
-// White on black in the middle of each room, of the one that one is in turned round to black on white. Where names
-// would cover each other or the body, a name moves up or down or gets smaller, and of a small room it is left out at
-// last; the one that one is in always stands.
+// Draws each name white on black in the middle of its room, and that of the current room inverted. If names would cover
+// each other or the walker, a name moves up or down or becomes smaller. A small room's name is dropped at last, but the
+// current room's is always drawn.
 void draw_room_names(ImDrawList& list, ImFont& font, const PlanLayout& layout, const ViewState& view, float unit_px) {
     const std::vector<std::size_t> rooms = rooms_of_storey(view);
     const Vec2 feet = layout.to_pixels(view.feet_m);
@@ -90,7 +90,7 @@ void draw_hand(ImDrawList& list, const PlanLayout& layout, const ViewState& view
     list.AddCircleFilled(at, radius_px, view.touching ? IM_COL32(255, 13, 13, 255) : IM_COL32(13, 255, 51, 255));
 }
 
-// An arrow whose tip points where one faces.
+// An arrow whose tip points where the walker faces.
 void draw_body(ImDrawList& list, const PlanLayout& layout, const ViewState& view, float unit_px) {
     const ImVec2 at = im(layout.to_pixels(view.feet_m));
     const double turn = view.heading_rad - layout.turn_rad;
@@ -119,7 +119,7 @@ void draw_scale_and_north(ImDrawList& list, ImFont& font, const PlanLayout& layo
         list.AddLine({x, start.y - 1.5F * unit_px}, {x, start.y + 1.5F * unit_px}, white, 0.6F * unit_px);
     list.AddText(&font, text_px, {start.x, start.y - text_px - 1.5F * unit_px}, white, bar.words.c_str());
 
-    // The needle's tip is north.
+    // The tip of the needle points north.
     const ImVec2 middle(static_cast<float>(layout.box.max_px.x) - 8.0F * unit_px, 8.0F * unit_px);
     const auto needle = [&](double along, double across) {
         return ImVec2(middle.x + unit_px * static_cast<float>(across * std::cos(layout.turn_rad) -
@@ -154,7 +154,7 @@ void PlanDrawing::draw(const ViewState& view, ImFont& font, PixelSize picture) {
     const PlanLayout layout = lay_out_plan(view.scene->bounds_m, view.feet_m, view.heading_rad, view.north_up, box);
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     list.PushClipRect({0.0F, 0.0F}, im(box.max_px));
-    // A step up or down is shown; the sway of walking on a slope does not cut the plan anew each frame.
+    // A step up or down cuts the plan anew; the small height changes of walking on a slope do not.
     if (!cut_ || std::abs(cut_->feet_height_m - view.feet_m.z) > 0.1) cut(view);
     for (const PlanShape& shape : cut_->shapes) draw_shape(list, layout, shape);
     const auto where_free = [&](std::size_t thing) -> std::optional<Placement> {
@@ -183,10 +183,13 @@ void PlanDrawing::draw(const ViewState& view, ImFont& font, PixelSize picture) {
     list.PopClipRect();
 }
 
-// Kinds differ in filling and outline: floors dark, walls full, objects darker with a light border, doors open with a
-// cross, movers open, liquids hatched, low things thin outlines.
+// Kinds differ in filling and outline:
+// - floors are dark, walls filled;
+// - objects are darker with a light border;
+// - doors are unfilled with a cross, movers unfilled;
+// - liquids are hatched, low things have thin outlines.
 void PlanDrawing::draw_shape(ImDrawList& list, const PlanLayout& layout, const PlanShape& shape) {
-    // ImGui smooths borders rightly when corners run clockwise as seen: the turned y axis makes them so.
+    // ImGui smooths borders correctly if corners run clockwise as seen; the flipped y axis makes them so.
     points_.clear();
     Aabb bounds_px;
     for (const Vec2& p : shape.outline_m) {
@@ -231,7 +234,8 @@ void PlanDrawing::draw_shape(ImDrawList& list, const PlanLayout& layout, const P
     }
 }
 
-// Of the storey, the one that one is in last and thrice as thick: white on black, as all that matters here.
+// Outlines the rooms of the storey. The current one comes last and is three times as thick: white on black, like
+// everything that matters here.
 void PlanDrawing::draw_room_outlines(ImDrawList& list, const PlanLayout& layout, const ViewState& view, float unit_px) {
     for (const std::size_t r : rooms_of_storey(view)) {
         const float thick_px = (r == view.room ? 1.2F : 0.4F) * unit_px;
@@ -246,7 +250,7 @@ void PlanDrawing::draw_room_outlines(ImDrawList& list, const PlanLayout& layout,
     }
 }
 
-// Level lines across the shape in points_, by cutting it like a plan.
+// Draws level lines across the shape in points_, which it cuts as a plan is cut.
 void PlanDrawing::draw_hatch(ImDrawList& list, const Aabb& bounds_px) {
     const ImU32 colour = IM_COL32(90, 170, 255, 255);
     list.AddPolyline(points_.data(), static_cast<int>(points_.size()), colour, ImDrawFlags_Closed, 2.0F);

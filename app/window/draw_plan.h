@@ -1,5 +1,5 @@
-// The plan as it is painted: the cut through the storey, the rooms with their names, the way, the hand, the body, the
-// scale and north. App thread.
+// Draws the plan: the cut through the storey, the rooms with their names, the route, the hand, the walker, the scale
+// and north. App thread.
 #pragma once
 
 #include <imgui.h>
@@ -15,9 +15,9 @@ namespace handrail {
 
 class PlanDrawing {
 public:
-    // Into ImGui's background, whose context is current.
+    // Draws into ImGui's background list; its context must be current.
     void draw(const ViewState& view, ImFont& font, PixelSize picture);
-    // The view has another scene from here on.
+    // Call it when the view gets another scene.
     void forget_scene() {
         cut_.reset();
         free_.clear();
@@ -29,9 +29,9 @@ private:
     void draw_room_outlines(ImDrawList& list, const PlanLayout& layout, const ViewState& view, float unit_px);
     void draw_hatch(ImDrawList& list, const Aabb& bounds_px);
 
-    std::optional<PlanCut> cut_;  // without what moves freely
-    std::vector<bool> free_;      // of Scene::placed; empty: not known yet
-    std::vector<ImVec2> points_;  // of the shape being drawn
+    std::optional<PlanCut> cut_;  // without freely moving bodies
+    std::vector<bool> free_;      // for each thing of Scene::placed; empty: not known yet
+    std::vector<ImVec2> points_;  // of the current shape
 };
 
 }  // namespace handrail

@@ -8,10 +8,11 @@
 namespace handrail {
 namespace {
 
-constexpr double kFieldOfView_rad = kPi / 3.0;  // upright
+constexpr double kFieldOfView_rad = kPi / 3.0;  // vertical
 constexpr double kNear_m = 0.02;
-constexpr double kSmallestBallPart = 0.02;  // of its distance: a ball of 5 mm stays in sight across a room
-// Width of an outline, of the picture's height; the white core is a third of it.
+// Smallest radius as a share of the distance: the hand's 5 mm ball stays visible across a room.
+constexpr double kSmallestBallPart = 0.02;
+// Width of an outline as a share of the picture's height. Its white core takes a third of it.
 constexpr float kEdgePart = 1.0F / 100.0F;
 
 constexpr const char* kSurfaceVertex = R"(#version 330 core
@@ -54,8 +55,9 @@ void main() {
     shown = vec4(colour * (1.0 - 0.6 * dark), opacity);
 })";
 
-// A line of a given width in pixels: four corners from the two ends, cut in front of the eye and drawn a little towards
-// it, so that the surfaces it borders do not hide it. Core profiles draw lines one pixel wide only.
+// Draws a line of a given width in pixels, because core profiles draw lines one pixel wide only. Makes four corners
+// from the two ends, cuts them off in front of the eye, and moves them a little towards it, so that the bordering
+// surfaces do not hide the line.
 constexpr const char* kEdgeVertex = R"(#version 330 core
 layout(location = 0) in vec3 a_m;
 layout(location = 1) in vec3 b_m;
@@ -87,7 +89,7 @@ void main() {
     gl_Position = end;
 })";
 
-// Black with a white core: one of the two stands out on any surface.
+// Black with a white core, because one of the two stands out on any surface.
 constexpr const char* kEdgeFragment = R"(#version 330 core
 in float across;
 out vec4 shown;
@@ -126,14 +128,14 @@ void main() {
     }
 })";
 
-// A mesh as it is drawn: turned about its origin, and where that is from the eye.
+// A mesh with its rotation about its origin, and that origin relative to the eye.
 struct Part {
     UploadedMesh* mesh;
     glm::mat3 turn;
     Vec3 origin_from_eye_m;
 };
 
-// A thing that the scene has at `from` and that is at `to` by now.
+// A thing that the scene has placed at `from` and that is now at `to`.
 Part moved_part(UploadedMesh& mesh, const Placement& from, const Placement& to, const Vec3& eyes_m) {
     const PlacedFrame was(from), is(to);
     glm::mat3 turn;
@@ -145,7 +147,7 @@ Part moved_part(UploadedMesh& mesh, const Placement& from, const Placement& to, 
     return {&mesh, turn, is.to_world(was.to_own(mesh.origin_m())) - eyes_m};
 }
 
-// The building first, then what moves freely in it.
+// Returns the building first, then the bodies that move freely in it.
 std::vector<Part> parts_of(const ViewState& view, UploadedScene& scene) {
     std::vector<Part> parts{{&scene.building(), glm::mat3(1.0F), scene.building().origin_m() - view.eyes_m}};
     for (const UploadedScene::Body& body : scene.bodies()) {
@@ -174,7 +176,7 @@ void FirstPerson::draw(const ViewState& view, UploadedScene& scene, PixelSize pi
     const Vec3 right = right_of_heading(view.heading_rad);
     const Vec3 forward = std::cos(view.tilt_rad) * level + std::sin(view.tilt_rad) * Vec3(0.0, 0.0, 1.0);
     const Vec3 up = glm::cross(right, forward);
-    // The eye is taken away in double, so that a building far from its file's origin does not tremble.
+    // The eye is subtracted in double precision, so that a building far from its file's origin does not tremble.
     const std::vector<Part> parts = parts_of(view, scene);
     const Vec3& origin_from_eye = parts.front().origin_from_eye_m;
     const double far_m = std::max(100.0, 1.1 * (scene.reach_m() + glm::length(origin_from_eye)));
@@ -189,7 +191,7 @@ void FirstPerson::draw(const ViewState& view, UploadedScene& scene, PixelSize pi
     glDepthFunc(GL_LEQUAL);
     glDisable(GL_BLEND);
     glEnable(GL_CULL_FACE);
-    // What the four sides of the picture and the plane of the eyes leave in sight.
+    // Limits the view by the four sides of the picture and the plane of the eyes.
     const double half_high = std::tan(0.5 * kFieldOfView_rad), half_wide = aspect * half_high;
     scene.building().choose(origin_from_eye, {forward, forward * half_wide - right, forward * half_wide + right,
                                               forward * half_high - up, forward * half_high + up});
@@ -233,7 +235,7 @@ void FirstPerson::draw_ball(const ViewState& view, const glm::mat4& clip_from_ey
     ball_program_.set("clip_from_eye", clip_from_eye);
     ball_program_.set("centre_from_eye_m", glm::vec3(centre));
     ball_program_.set("radius_m", static_cast<float>(radius_m));
-    // In front of the surface it rests on; a wall between eye and ball still hides it.
+    // Moves the ball in front of the surface on which it rests; a wall between eye and ball still hides it.
     ball_program_.set("pull", static_cast<float>(std::max(0.5, 1.0 - 2.0 * radius_m / std::max(distance_m, 1e-3))));
     ball_program_.set("right", glm::vec3(right));
     ball_program_.set("up", glm::vec3(up));

@@ -1,5 +1,5 @@
-// The view of somebody who stands in the building: surfaces, their outlines, the ball of the hand, and last what is
-// translucent. App thread, the one whose context is current.
+// Draws the first-person view: surfaces, their outlines, the ball that shows the hand, and translucent surfaces last.
+// Used by the app thread, whose OpenGL context must be current.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -13,16 +13,17 @@ namespace handrail {
 
 class FirstPerson {
 public:
-    // Fails where the driver refuses a program.
+    // Fails if the driver rejects a shader program.
     Result<void> start();
-    // Into the picture's pixels, which begin so far above the framebuffer's lower edge. `scene` is that of the view.
+    // Draws into a picture that begins `bottom_px` above the framebuffer's lower edge. `scene` must be that of the
+    // view.
     void draw(const ViewState& view, UploadedScene& scene, PixelSize picture, int bottom_px);
 
 private:
     void draw_ball(const ViewState& view, const glm::mat4& clip_from_eye, const Vec3& right, const Vec3& up);
 
     GlProgram surface_program_, edge_program_, ball_program_;
-    GlVertexArray no_vertices_;  // core profiles want one bound even for shaders that make their own vertices
+    GlVertexArray no_vertices_;  // core profiles require one to be bound even for shaders that make their own vertices
 };
 
 }  // namespace handrail

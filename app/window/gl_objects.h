@@ -1,5 +1,5 @@
-// What the graphics card keeps for us, each with its owner: buffers, arrays of vertices and programs. App thread, the
-// one whose context is current.
+// Owners for objects of the graphics card: buffers, vertex arrays and programs. Used by the app thread, whose OpenGL
+// context must be current.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -14,7 +14,7 @@
 
 namespace handrail {
 
-// OpenGL names are owned one by one; the context must be current when they go.
+// Owns one OpenGL name. The context must be current on destruction.
 class GlName {
 protected:
     GLuint name_ = 0;
@@ -49,7 +49,7 @@ public:
     GlProgram() { name_ = glCreateProgram(); }
     ~GlProgram() { glDeleteProgram(name_); }
 
-    // The driver's own words where it refuses.
+    // If the driver rejects the program, fails with the driver's own message.
     Result<void> build(const char* vertex, const char* fragment);
     void use() const { glUseProgram(name_); }
     void set(const char* uniform, float value) const { glUniform1f(at(uniform), value); }

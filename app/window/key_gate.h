@@ -1,6 +1,6 @@
-// Lets a screen reader have each key before we act on it. The question goes out at once and the answer is fetched
-// later, so the app's loop never waits for another program; keys stay in order meanwhile. A reader that does not answer
-// in time has lost its say. App thread.
+// Offers each key to a screen reader before the program acts on it. The request is sent at once and the answer is
+// fetched later, so the app's loop never waits for another program; keys stay in order meanwhile. If a reader does not
+// answer in time, the key is ours. App thread.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,20 @@
 
 namespace handrail {
 
-// A key as X and screen readers know it.
+// A key in the terms of X and screen readers.
 struct KeyStroke {
     bool press = true;
     unsigned state = 0;  // X's modifier bits
     unsigned keycode = 0;
     unsigned keysym = 0;
-    std::string name;  // of the keysym: "Return"
+    std::string name;  // name of the keysym: "Return"
 };
 
 enum class KeyVerdict { Waiting, Ours, Readers };
 
 struct KeyReader {
-    std::function<std::uint64_t(const KeyStroke&)> offer;  // a number to ask with; 0: no reader is there
+    // Returns a ticket for fetching the answer; 0: no reader listens.
+    std::function<std::uint64_t(const KeyStroke&)> offer;
     std::function<KeyVerdict(std::uint64_t)> verdict;
 };
 
@@ -36,23 +37,23 @@ public:
     };
     struct Passed {
         Key key;
-        std::string text;  // that it typed, UTF-8
-        bool ours = true;  // else the reader used it up
+        std::string text;  // the text that the key typed, UTF-8
+        bool ours = true;  // false: the reader has used the key up
     };
 
     void set_reader(KeyReader reader) { reader_ = std::move(reader); }
     void take(const Key& key, const KeyStroke& stroke, double now_s);
-    // Typed by the key taken last; false when that one is not here any more.
+    // Adds the text that the last key typed. Returns false if that key has already been passed on.
     bool take_text(const std::string& utf8);
-    // Decided since the last call, in the order they came.
+    // The keys decided since the last call, in the order in which they came.
     std::vector<Passed> decided(double now_s);
-    // The keyboard went elsewhere: what has not been decided is dropped.
+    // Call it when the window loses the keyboard; drops all undecided keys.
     void clear() { waiting_.clear(); }
 
 private:
     struct Waiting {
         Key key;
-        std::uint64_t ticket = 0;  // 0: ours
+        std::uint64_t ticket = 0;  // 0: no reader was asked, so the key is ours
         double since_s = 0.0;
         std::string text;
     };

@@ -20,7 +20,7 @@ constexpr std::array kSigns{
 
 bool is_letter(int key) { return key >= GLFW_KEY_A && key <= GLFW_KEY_Z; }
 
-// GLFW's tokens of letters are those of ASCII.
+// GLFW's tokens for letters are the ASCII codes.
 std::optional<int> letter_of(const std::string& label) {
     if (label.size() != 1) return std::nullopt;
     const int key = label[0] >= 'a' && label[0] <= 'z' ? label[0] - 'a' + GLFW_KEY_A : label[0];
@@ -52,7 +52,7 @@ std::map<int, int> keys_by_label(const KeyLabels& labels) {
     const auto give = [&](int key, int name) {
         if (!named.contains(key) && taken.insert(name).second) named[key] = name;
     };
-    // Letters of the American places first, so that of two keys with one label the usual one has it.
+    // Tries letters at their American places first, so that of two keys with one label the usual one gets it.
     for (int key = GLFW_KEY_A; key <= GLFW_KEY_Z; ++key)
         if (letter_of(label_of(labels, key)) == key) give(key, key);
     const auto by_label = [&](int key) {
@@ -60,7 +60,7 @@ std::map<int, int> keys_by_label(const KeyLabels& labels) {
     };
     for (int key = GLFW_KEY_A; key <= GLFW_KEY_Z; ++key) by_label(key);
     for (const auto& [key, sign] : kSigns) by_label(key);
-    // What is left stays at its place.
+    // The remaining keys stay at their places.
     for (int key = GLFW_KEY_A; key <= GLFW_KEY_Z; ++key) give(key, key);
     for (const auto& [key, sign] : kSigns) give(key, key);
     for (const auto& [name, sign] : kSigns)

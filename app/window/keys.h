@@ -1,5 +1,5 @@
-// Keys by name. Letters are bound by what is printed on their keys (key_labels.h), all others by their place: GLFW's
-// key token comes from the scancode. Names are those a settings file takes. Pure values; app thread.
+// Keys by name. Letters are bound by the label of their key (key_labels.h), all others by their place: GLFW derives the
+// key token from the scancode. The names are those of settings files. Plain values; app thread.
 #pragma once
 
 #include <optional>
@@ -20,20 +20,21 @@ struct KeyEvent {
     bool operator==(const KeyEvent&) const = default;
 };
 
-// The name of a GLFW key token with GLFW's modifier bits, or nothing for keys we have no name for. Lock keys do not
-// count as modifiers.
+// The name of a GLFW key token with GLFW's modifier bits; nothing for keys without a name here. Lock keys do not count
+// as modifiers.
 std::optional<std::string> key_name(int glfw_key, int glfw_modifiers);
 
-// Turns the stream of raw keys into events. A release carries the name its press had, whatever happened to the
-// modifiers since. Control, Shift and Alt say nothing when pressed: when they come up again and no other key or mouse
-// button went down meanwhile, they are one press followed at once by a release. So Control+C never means silence, and
-// Control does while a walking key is held.
+// Turns the stream of raw keys into events. A release has the same name as its press, even if modifiers changed in
+// between. Pressing Control, Shift or Alt reports nothing. When one is released and no other key or mouse button went
+// down meanwhile, it becomes a press followed at once by a release. So Control+C never means silence, but Control alone
+// does, even while a walking key is held.
 class KeyTracker {
 public:
     std::vector<KeyEvent> take(int glfw_key, int glfw_action, int glfw_modifiers);
-    // A mouse button or wheel was used: a held modifier belonged to that.
+    // Call it when a mouse button or the wheel is used: a held modifier then belonged to that.
     void other_input() { lone_modifier_ = 0; }
-    // The window lost the keyboard: releases for all that is down. Modifiers that were down no longer count as alone.
+    // Call it when the window loses the keyboard. Returns releases for all keys that are down; modifiers that were down
+    // no longer count as alone.
     std::vector<KeyEvent> let_go();
 
 private:
@@ -42,7 +43,7 @@ private:
         std::string name;
     };
     std::vector<Held> held_;
-    int lone_modifier_ = 0;  // GLFW key of the modifier that is down with nothing after it, or 0
+    int lone_modifier_ = 0;  // GLFW's token of a modifier that is down with no key after it, or 0
 };
 
 }  // namespace handrail

@@ -21,7 +21,7 @@ void put(ImDrawList& list, ImFont& font, float line_px, ImVec2 at, ImU32 colour,
     list.AddText(&font, line_px, at, colour, text.data(), text.data() + text.size());
 }
 
-// On one line, with three dots where something is left out.
+// Shortens the text to one line; three dots show that something is left out.
 std::string cut_short(ImFont& font, float line_px, const std::string& text, float wrap_px) {
     if (width_of(font, line_px, text) <= wrap_px) return text;
     const auto lines = wrapped_lines(font, line_px, text, std::max(line_px, wrap_px - width_of(font, line_px, " ...")));
@@ -34,7 +34,7 @@ std::string words_of(const ListItem& item) {
 
 void draw_arrow(ImDrawList& list, ImVec2 middle, float half_px, bool up) {
     const float tip = up ? -half_px : half_px;
-    // Corners clockwise as seen, as ImGui's smooth borders want them.
+    // Corners run clockwise as seen, as ImGui's smooth borders require.
     if (up)
         list.AddTriangleFilled({middle.x, middle.y + tip}, {middle.x + half_px, middle.y - tip},
                                {middle.x - half_px, middle.y - tip}, kWhite);
@@ -50,12 +50,12 @@ std::vector<std::string_view> wrapped_lines(ImFont& font, float line_px, const s
     const char* at = text.data();
     const char* const end = at + text.size();
     while (at < end) {
-#if IMGUI_VERSION_NUM >= 19200  // fonts have no size of their own any more
+#if IMGUI_VERSION_NUM >= 19200  // since this version fonts have no fixed size
         const char* stop = font.CalcWordWrapPosition(line_px, at, end, wrap_px);
 #else
         const char* stop = font.CalcWordWrapPositionA(line_px / font.FontSize, at, end, wrap_px);
 #endif
-        if (stop == at) ++stop;  // not even one letter fits
+        if (stop == at) ++stop;  // not even one letter fits, so take it anyway
         const char* newline = std::find(at, stop, '\n');
         lines.emplace_back(at, static_cast<std::size_t>(newline - at));
         at = newline < stop ? newline + 1 : stop;
@@ -69,7 +69,7 @@ ListWindow list_window(std::span<const std::size_t> lines, std::size_t at, std::
     contract_pre(at < lines.size());
     ListWindow window{at, 1};
     std::size_t used = lines[at];
-    // Neighbours by turns, the next one first, until neither side has one that fits.
+    // Adds neighbours on alternate sides, the next one first, until none fits on either side.
     for (bool more = true; more;) {
         more = false;
         if (const std::size_t after = window.first + window.count;
@@ -101,7 +101,7 @@ void draw_dialogue(ImDrawList& list, ImFont& font, const DialogueView& dialogue,
                                   : std::string();
     const float place_px = place.empty() ? 0.0F : width_of(font, line_px, place) + line_px;
 
-    // The title: of a question as much as leaves room for the answer.
+    // Draws the title; a question's is cut so that room for the answer remains.
     float y = min_px.y + margin;
     const std::size_t most_title =
         is_list ? kMostTitleLines : static_cast<std::size_t>(std::max(1.0F, (max_px.y - y) / line_px - 2.0F));
@@ -115,7 +115,7 @@ void draw_dialogue(ImDrawList& list, ImFont& font, const DialogueView& dialogue,
     y += 2.0F * margin;
 
     if (!is_list) {
-        // What is typed between two lines, with a bar behind the last letter.
+        // Draws the typed text in a frame, with a bar after the last letter.
         const float text_px = right - left - 4.0F * margin, frame_px = std::max(2.0F, line_px / 16.0F);
         std::string_view end = dialogue.text;
         while (!end.empty() && width_of(font, line_px, end) > text_px) {

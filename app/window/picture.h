@@ -1,4 +1,4 @@
-// A picture of the window in memory and as a PNG file. Plain value.
+// A picture of the window, in memory or as a PNG file. Plain value.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ struct Picture {
     }
 };
 
-// Fails with a sentence where the file cannot be written.
+// Fails with a sentence if the file cannot be written.
 Result<void> save_png(const Picture& picture, const std::filesystem::path& path);
 
 }  // namespace handrail

@@ -1,5 +1,5 @@
-// Where on the screen the plan of the storey around the body is shown (worlds/plan has the plan itself). Pure
-// functions; the renderer turns plan and layout into lines and fills.
+// Computes where on the screen the plan of the storey around the walker is shown; the plan itself is made in
+// worlds/plan. Pure functions; the renderer draws lines and fills from plan and layout.
 #pragma once
 
 #include <string>
@@ -12,10 +12,10 @@ struct PixelBox {
     Vec2 min_px{0.0}, max_px{0.0};  // y grows downwards
 };
 
-// From the world's x, y to pixels.
+// Maps the world's x and y to pixels.
 struct PlanLayout {
-    Vec2 centre_m{0.0};     // shown in the middle of the box
-    double turn_rad = 0.0;  // this heading is up
+    Vec2 centre_m{0.0};     // the point shown in the middle of the box
+    double turn_rad = 0.0;  // the heading that points up
     double pixels_per_m = 1.0;
     PixelBox box;
 
@@ -23,14 +23,14 @@ struct PlanLayout {
     Vec2 to_pixels(const Vec3& world_m) const { return to_pixels(Vec2(world_m.x, world_m.y)); }
 };
 
-// North up: the whole world when at least kPlanFinest_px_per_m remain, else the part around the feet, kept within the
-// world's bounds. Heading up: the feet in the middle.
-inline constexpr double kPlanFinest_px_per_m = 16.0;    // a wall of 0.2 m is 3 pixels wide
-inline constexpr double kPlanClosest_px_per_m = 100.0;  // a small room does not fill a large window with one wall
+// With north up: the whole world if at least kPlanFinest_px_per_m remain, else the part around the feet, kept within
+// the world's bounds. With the heading up: the feet are in the middle.
+inline constexpr double kPlanFinest_px_per_m = 16.0;    // a 0.2 m wall is then 3 pixels wide
+inline constexpr double kPlanClosest_px_per_m = 100.0;  // so that one wall of a small room does not fill a large window
 PlanLayout lay_out_plan(const Aabb& bounds_m, const Vec3& feet_m, double heading_rad, bool north_up,
                         const PixelBox& box);
 
-// A length of 1, 2 or 5 times a power of ten that takes at most `widest_px`, and its words: "5 metres", "50
+// A length of 1, 2 or 5 times a power of ten that is at most `widest_px` wide, and its words: "5 metres", "50
 // centimetres".
 struct ScaleBar {
     double length_m = 1.0;

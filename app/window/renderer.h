@@ -1,6 +1,6 @@
-// Draws a ViewState with OpenGL 3.3 core into whatever is the current framebuffer: first person or plan, or the list or
-// question that is open, and the last spoken line in large letters on a black band. Knows nothing of windows and takes
-// no input. App thread, the one whose context is current.
+// Draws a ViewState with OpenGL 3.3 core into the current framebuffer: the first-person view, the plan, or the open
+// list or question. The last spoken line is in large letters on a black band. Knows nothing of windows and takes no
+// input. Used by the app thread, whose context must be current.
 #pragma once
 
 #include <memory>
@@ -18,25 +18,26 @@ struct PixelSize {
     bool operator==(const PixelSize&) const = default;
 };
 
-// The height of a letter's line as a part of the picture's height, for people with low vision.
+// Height of a line of text as a share of the picture's height, for people with low vision.
 inline constexpr double kTextLinePart = 1.0 / 12.0;
 // The band takes at least two lines, so that the picture stays in place from one sentence to the next, and at most this
-// part.
+// share of the height.
 inline constexpr double kLargestBandPart = 0.75;
 
 class Renderer {
 public:
-    // Needs a current OpenGL context of 3.3 or later; fails with a sentence where the driver cannot do what is needed.
+    // Needs a current OpenGL context of 3.3 or later. Fails with a sentence if the driver lacks something.
     static Result<std::unique_ptr<Renderer>> create();
     // Needs the same context to be current.
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    // The first call with another scene uploads it (build_draw_mesh); after that a frame costs what the card needs.
+    // The first call with another scene uploads it (build_draw_mesh). After that a frame costs only the card's own
+    // work.
     void draw(const ViewState& view, PixelSize size);
 
-    // What stands in the current framebuffer's read buffer.
+    // Reads the picture in the read buffer of the current framebuffer.
     static Picture read_back(PixelSize size);
 
 private:

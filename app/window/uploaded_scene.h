@@ -1,5 +1,5 @@
-// A scene on the card: triangles and outlines of the building, and apart from it those of each thing that moves freely;
-// which parts of them a view may show. App thread, the one whose context is current.
+// A scene on the graphics card: triangles and outlines of the building, and separately those of each thing that moves
+// freely. Chooses which parts a view may show. Used by the app thread, whose context must be current.
 #pragma once
 
 #include <array>
@@ -18,15 +18,15 @@ public:
     explicit UploadedMesh(const DrawMesh& mesh);
 
     const Vec3& origin_m() const { return origin_m_; }
-    double reach_m() const { return reach_m_; }  // of what is drawn, from the origin
-    // The chunks that the view may show, nearest first, so that near walls spare the card the painting of what they
-    // hide.
+    double reach_m() const { return reach_m_; }  // greatest distance of a drawn point from the origin
+    // Chooses the chunks that the view may show, nearest first, so that near walls save the card from painting what
+    // they hide.
     void choose(const Vec3& origin_from_eye_m, const std::array<Vec3, 5>& inward_normals);
     void choose_all();
-    // Of the chunks chosen last.
+    // These two draw the chunks that were chosen last.
     void draw_opaque();
     void draw_edges();
-    void draw_translucent() const;  // all of it
+    void draw_translucent() const;  // draws all of it
 
 private:
     template <class Range>
@@ -46,21 +46,21 @@ private:
 
 class UploadedScene {
 public:
-    // Takes as long as build_draw_mesh.
+    // Takes as long as build_draw_mesh does.
     explicit UploadedScene(std::shared_ptr<const Scene> scene);
 
     const Scene* scene() const { return scene_.get(); }
     UploadedMesh& building() { return *building_; }
     double reach_m() const { return building_->reach_m(); }
-    // A thing that moves freely, as the scene has it.
+    // A thing that moves freely, as placed in the scene.
     struct Body {
-        std::uint32_t thing = 0;  // of Scene::placed
+        std::uint32_t thing = 0;  // index into Scene::placed
         std::unique_ptr<UploadedMesh> mesh;
     };
     const std::vector<Body>& bodies() const { return bodies_; }
 
 private:
-    std::shared_ptr<const Scene> scene_;  // kept, so that its address cannot come back as another scene
+    std::shared_ptr<const Scene> scene_;  // held, so that no other scene can get its address
     std::unique_ptr<UploadedMesh> building_;
     std::vector<Body> bodies_;
 };

@@ -13,13 +13,13 @@
 namespace handrail {
 namespace {
 
-constexpr std::uint32_t kSeatVersion = 5;  // the first that can be released
+constexpr std::uint32_t kSeatVersion = 5;  // the first version whose seat can be released
 
 struct FreeContext {
     void operator()(xkb_context* context) const { xkb_context_unref(context); }
 };
 
-// The compositor's text of the layout; null if it cannot be read.
+// Reads the compositor's description of the layout; null if it cannot be read.
 Keymap keymap_from(int fd, std::uint32_t size) {
     void* text = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, fd, 0);
     if (text == MAP_FAILED) return nullptr;
@@ -91,13 +91,13 @@ struct WaylandKeyboard::Listeners {
 
 WaylandKeyboard::WaylandKeyboard(wl_display* display, Calls calls)
     : display_(display), calls_(std::move(calls)), queue_(wl_display_create_queue(display)) {
-    // All that is made of the wrapper reports on our queue.
+    // Every object made from this wrapper reports to our queue.
     auto* own = static_cast<wl_display*>(wl_proxy_create_wrapper(display));
     wl_proxy_set_queue(reinterpret_cast<wl_proxy*>(own), queue_);
     registry_ = wl_display_get_registry(own);
     wl_proxy_wrapper_destroy(own);
     wl_registry_add_listener(registry_, &Listeners::kRegistry, this);
-    for (int answer = 0; answer < 3; ++answer)  // the seat, its keyboard, the keyboard's layout
+    for (int answer = 0; answer < 3; ++answer)  // waits for the seat, its keyboard and the keyboard's layout in turn
         if (wl_display_roundtrip_queue(display_, queue_) < 0) return;
 }
 
@@ -127,14 +127,14 @@ KeySymbol WaylandKeyboard::symbol_of(int scancode, bool shift) const {
     return keymap_ ? key_symbol(*keymap_, scancode, layout_, shift) : KeySymbol{};
 }
 
-// The first seat is the person's, as it is for GLFW.
+// The first seat is the person's; GLFW assumes the same.
 void WaylandKeyboard::bind_seat(wl_registry* registry, std::uint32_t name, std::uint32_t version) {
     if (seat_ || version < kSeatVersion) return;
     seat_ = static_cast<wl_seat*>(wl_registry_bind(registry, name, &wl_seat_interface, kSeatVersion));
     wl_seat_add_listener(seat_, &Listeners::kSeat, this);
 }
 
-// A keyboard may be plugged in and pulled out at any time.
+// A keyboard may be connected or removed at any time.
 void WaylandKeyboard::take_capabilities(std::uint32_t capabilities) {
     const bool there = (capabilities & WL_SEAT_CAPABILITY_KEYBOARD) != 0;
     if (there && !keyboard_) {

@@ -1,5 +1,5 @@
-// The keyboard of a Wayland session, as the compositor reports it to this program's window: an event queue of its own
-// on GLFW's connection, so that it needs neither GLFW's thread nor its key table. Only one thread uses an object; two
+// The keyboard of a Wayland session, as the compositor reports it to this program's window. It has its own event queue
+// on GLFW's connection, so it needs neither GLFW's thread nor its key table. Only one thread uses an object; two
 // objects on two threads do not disturb each other.
 #pragma once
 
@@ -18,7 +18,8 @@ struct FreeKeymap {
 };
 using Keymap = std::unique_ptr<xkb_keymap, FreeKeymap>;
 
-// What the key means in that layout, alone or with Shift. Layouts without the key's second level ignore Shift.
+// The meaning of the key in that layout, alone or with Shift. If the layout has no second level for the key, Shift is
+// ignored.
 KeySymbol key_symbol(xkb_keymap& keymap, int scancode, unsigned layout, bool shift);
 
 // X counts the kernel's key codes from 8.
@@ -27,19 +28,19 @@ constexpr unsigned x_code_of(int scancode) { return static_cast<unsigned>(scanco
 class WaylandKeyboard {
 public:
     struct Calls {
-        std::function<void(int scancode, unsigned modifiers)> pressed;  // modifiers: bits of key_codes.h
+        std::function<void(int scancode, unsigned modifiers)> pressed;  // `modifiers` has the bits of key_codes.h
         std::function<void(bool)> focused;
     };
 
-    // Waits until the compositor has said whether there is a keyboard and what its layout is: about 1 ms.
+    // Waits until the compositor has reported whether there is a keyboard, and its layout; about 1 ms.
     WaylandKeyboard(wl_display* display, Calls calls);
     ~WaylandKeyboard();
     WaylandKeyboard(const WaylandKeyboard&) = delete;
     WaylandKeyboard& operator=(const WaylandKeyboard&) = delete;
 
-    // Makes the calls for what has come in. Never waits.
+    // Makes the calls for all events that have arrived. Never waits.
     void take_pending();
-    // Waits for what comes in, or until `wake` can be read. False after `wake`, and when the connection is broken.
+    // Waits for events, or until `wake` is readable. Returns false after `wake`, or if the connection is broken.
     bool wait(int wake);
 
     KeySymbol symbol_of(int scancode, bool shift) const;

@@ -13,7 +13,7 @@
 #include "worlds/base/descriptor.h"
 #include "worlds/base/executor.h"
 
-// Weak, because a GLFW that was built for X11 alone does not have it, as before 3.4.
+// A weak symbol, because GLFW before 3.4, and a GLFW built for X11 alone, does not have it.
 extern "C" __attribute__((weak)) wl_display* glfwGetWaylandDisplay();
 
 namespace handrail {
@@ -47,7 +47,7 @@ private:
 
     KeyWatchCalls calls_;
     KeysByCode keys_;
-    WaylandKeyboard keyboard_;  // the watch's thread, from its start to its end
+    WaylandKeyboard keyboard_;  // used by the watch's thread while that runs
     Descriptor wake_;
     std::thread thread_;
 };

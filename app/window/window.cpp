@@ -12,10 +12,10 @@
 namespace handrail {
 namespace {
 
-// After a change of size drivers may still present a buffer of the old one.
+// After a change of size, drivers may still present a buffer of the old size.
 constexpr int kFramesToSettle = 3;
 
-// A character beyond Unicode gives nothing; GLFW has none.
+// Returns an empty string for a character beyond Unicode, which GLFW never reports.
 std::string utf8_of(unsigned int c) {
     const auto byte = [](unsigned int bits) { return static_cast<char>(bits); };
     if (c < 0x80) return {byte(c)};
@@ -103,7 +103,7 @@ public:
         const PixelSize size = framebuffer_size();
         if (size != shown_size_) frames_in_size_ = 0;
         if (shown_ && *shown_ == view && frames_in_size_ >= kFramesToSettle) return;
-        // Without a graphics card a picture can take longer than the time until the next one is due.
+        // Without a graphics card a picture can take longer to draw than the time until the next one.
         const double begin_s = glfwGetTime();
         if (begin_s < rest_until_s_) return;
         renderer_->draw(view, size);
@@ -131,8 +131,8 @@ private:
         return size;
     }
 
-    // A held key keeps its name, whatever becomes of the layout meanwhile. Layouts change without a word from GLFW, so
-    // its table is read with each key that goes down.
+    // A held key keeps its name even if the layout changes meanwhile. GLFW does not report layout changes, so its table
+    // is read at each key press.
     int named_key(int key, int action) {
         if (key < GLFW_KEY_SPACE || key > GLFW_KEY_WORLD_2) return key;
         if (action == GLFW_PRESS) {
@@ -169,7 +169,7 @@ private:
         }
     }
 
-    // What a key types comes right after the key, and shares its fate.
+    // The text that a key types follows the key directly and goes to the same receiver.
     void take_text(std::string text) {
         if (!gate_.take_text(text)) events_.emplace_back(TextEvent{std::move(text)});
     }
@@ -182,11 +182,11 @@ private:
         events_.emplace_back(FocusChange{focused});
         if (focused) return;
         gate_.clear();
-        // GLFW reports the releases after this, too; by then the tracker holds nothing any more.
+        // GLFW also reports these releases later; the tracker has no key down by then and ignores them.
         for (KeyEvent& event : keys_.let_go()) events_.emplace_back(std::move(event));
     }
 
-    // A display that goes away is reported by poll(), once.
+    // poll() already reports, once, that the display has gone.
     void take_close() {
         if (!system_->lost()) events_.emplace_back(CloseRequest{});
     }
@@ -203,7 +203,7 @@ private:
         move_hand({0.0, 0.0, kHandMetresPerNotch * notches});
     }
 
-    // Motions that follow each other are one.
+    // Consecutive motions become one.
     void move_hand(const Vec3& by_m) {
         if (!events_.empty())
             if (auto* last = std::get_if<HandDragged>(&events_.back())) {
@@ -218,15 +218,15 @@ private:
     std::unique_ptr<KeyWatch> watch_;
     std::unique_ptr<Renderer> renderer_;
     KeyTracker keys_;
-    std::map<int, int> held_as_;  // the key by its place -> by its label
+    std::map<int, int> held_as_;  // maps the key by its place to the key by its label
     KeyGate gate_;
-    std::function<bool(const std::string&)> never_waits_;  // empty: no reader is asked
+    std::function<bool(const std::string&)> never_waits_;  // empty: no screen reader is asked
     std::vector<WindowEvent> events_;
-    std::optional<Vec2> cursor_;      // where the last motion event put it; asking GLFW would give where it is by now
-    std::optional<ViewState> shown_;  // what stands in the window; none when it must be drawn again
+    std::optional<Vec2> cursor_;      // position in the last motion event; GLFW itself would return the present one
+    std::optional<ViewState> shown_;  // shown in the window; none if it must be drawn again
     PixelSize shown_size_;
     int frames_in_size_ = 0;
-    double rest_until_s_ = 0.0;  // GLFW's time
+    double rest_until_s_ = 0.0;  // in GLFW's time
     bool told_of_loss_ = false;
 };
 

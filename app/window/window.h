@@ -1,6 +1,6 @@
-// The real window: keys, mouse and focus in, a picture out, for people with low vision and sighted helpers. Everything
-// in it can also be had by touch, sound and the terminal. App thread only (GLFW wants the main one); at most one Window
-// at a time.
+// The real window: takes keys, mouse and focus, and shows a picture for people with low vision and sighted helpers.
+// Everything in it is also available by touch, sound and terminal. App thread only, which GLFW requires to be the main
+// thread; at most one Window at a time.
 #pragma once
 
 #include <functional>
@@ -18,19 +18,20 @@
 
 namespace handrail {
 
-// The simulated hand was moved with the mouse: hand metres to the right, forward and up. Dragging with the left button
-// moves it in the level plane, with the right button right and up; a notch of the wheel is one kHandMetresPerNotch up.
+// A mouse movement of the simulated hand, in hand metres to the right, forward and up. Dragging with the left button
+// moves it in the level plane, with the right button to the right and up. A notch of the wheel is one
+// kHandMetresPerNotch up.
 struct HandDragged {
     Vec3 by_m{0.0};
 };
-inline constexpr double kHandMetresPerPixel = 0.0002;  // 15 cm, a device's reach, across 750 pixels
+inline constexpr double kHandMetresPerPixel = 0.0002;  // a device's workspace of 15 cm spans 750 pixels
 inline constexpr double kHandMetresPerNotch = 0.005;
 
 struct FocusChange {
     bool focused = false;
 };
 
-// Characters as the keyboard's layout makes them, after the key's own event.
+// Characters from the keyboard's layout; they come after the key's own event.
 struct TextEvent {
     std::string utf8;
 };
@@ -42,40 +43,41 @@ using WindowEvent = std::variant<KeyEvent, TextEvent, HandDragged, FocusChange, 
 
 struct WindowOptions {
     std::string title = "Handrail";
-    int width = 960;  // of the inside, in screen coordinates
+    int width = 960;  // inner size, in screen coordinates
     int height = 720;
 };
 
 class Window {
 public:
-    // Fails with one sentence: "There is no display; ..." where none can be reached, else what the graphics driver
-    // lacks. About 0.2 s.
+    // Takes about 0.2 s. Fails with one sentence: "There is no display; ..." if none can be reached, else what the
+    // graphics driver lacks.
     static Result<std::unique_ptr<Window>> open(const WindowOptions& options = {});
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    // What happened since the last call, in order. Never waits. When the focus goes, releases of all held keys come
-    // after its FocusChange.
+    // The events since the last call, in order. Never waits. If the focus is lost, releases of all held keys follow its
+    // FocusChange.
     std::vector<WindowEvent> poll();
 
-    // From now on keys and the keyboard's loss are told on a thread of their own too, at once; see KeyWatch. poll()
-    // gives them all the same. False when the display allows no second connection.
+    // From now on a separate thread also reports keys and the loss of the keyboard, at once; see KeyWatch. poll() still
+    // returns them all. Returns false if the display allows no second connection.
     bool watch_keys(KeyWatchCalls calls);
 
-    // From now on a screen reader has each key first, except those that are not to wait for it (by name, as
-    // KeyEvent::key).
+    // From now on a screen reader is offered each key first, except those for which `never_waits` is true. It is given
+    // the name as in KeyEvent::key.
     void offer_keys(KeyReader reader, std::function<bool(const std::string&)> never_waits);
 
-    // X's number of this window, by which other programs know which one has the keyboard. 0 on Wayland, which has none.
+    // X's number of this window, from which other programs know which window has the keyboard. 0 on Wayland, which has
+    // no such numbers.
     unsigned number() const;
 
-    // Shows the view; call it each time round the loop. The same thread also feeds ears and hand, so this does not wait
-    // for the screen's refresh, costs nothing when neither view nor window changed, and where drawing is slow skips
-    // pictures so as to take at most a third of the time; what was skipped is shown by a later call.
+    // Shows the view; call it each time round the loop. It never waits for the screen's refresh, because the same
+    // thread also serves sound and hand. It costs nothing if neither view nor window has changed. If drawing is slow,
+    // it skips pictures to take at most a third of the time; a later call shows what was skipped.
     void draw(const ViewState& view);
 
-    // The view as draw() shows it.
+    // A picture of the view as draw() would show it.
     Picture picture(const ViewState& view);
 
 private:

@@ -10,7 +10,7 @@
 namespace handrail {
 namespace {
 
-// These came with GLFW 3.4. An older library refuses the hints and goes on.
+// These hints came with GLFW 3.4. An older library rejects them and continues.
 constexpr int kPlatform = 0x00050003, kPlatformWayland = 0x00060003, kPlatformX11 = 0x00060004;
 constexpr int kWaylandLibdecor = 0x00053001, kWaylandDisableLibdecor = 0x00038002;
 #ifdef GLFW_PLATFORM
@@ -26,13 +26,13 @@ bool in_wayland_session() {
 
 bool start_glfw(int platform) {
     glfwInitHint(kPlatform, platform);
-    // libdecor may load GTK, whose accessible objects would take the place of ours.
+    // libdecor may load GTK, whose accessible objects would replace ours.
     glfwInitHint(kWaylandLibdecor, kWaylandDisableLibdecor);
     glfwGetError(nullptr);
     return glfwInit() == GLFW_TRUE;
 }
 
-// The library itself knows what it was built for; before 3.4 that is one system.
+// The version string names the systems for which the library was built; before 3.4 there was only one.
 bool glfw_knows_wayland() { return std::string(glfwGetVersionString()).find("Wayland") != std::string::npos; }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// KeyWatch on X11: a connection of its own, on which the server reports the window's keys as it does to the window.
+// KeyWatch on X11: opens a separate connection, on which the server reports the window's keys as it does to the window.
 #pragma once
 
 #include <memory>
@@ -7,7 +7,7 @@
 
 namespace handrail {
 
-// display_name and window: as Xlib has them. Null when the display takes no second connection. GLFW's thread.
+// `display_name` and `window` are Xlib's. Returns null if the display accepts no second connection. GLFW's thread.
 std::unique_ptr<KeyWatch> x11_key_watch(const char* display_name, unsigned long window, KeyWatchCalls calls);
 
 }  // namespace handrail

@@ -7,8 +7,8 @@
 #include "app/window/window_system.h"
 #include "app/window/x11_key_watch.h"
 
-// As GLFW's own header of native access declares them; that one requires more X headers than we need. Weak, because a
-// GLFW that was built for Wayland alone does not have them.
+// Declared as in GLFW's own header for native access, which would require more X headers than we need. Weak symbols,
+// because a GLFW built for Wayland alone does not have them.
 extern "C" __attribute__((weak)) Display* glfwGetX11Display();
 extern "C" __attribute__((weak)) XID glfwGetX11Window(GLFWwindow*);
 
@@ -18,8 +18,8 @@ namespace {
 class X11System final : public WindowSystem {
 public:
     explicit X11System(Display* display) : display_(display) {
-        // Left alone, Xlib ends the whole program when the display goes away, and the hand would be let go of without a
-        // ramp.
+        // By default Xlib ends the whole program when the display goes away, and the force on the hand would then end
+        // without a ramp.
         XSetIOErrorHandler([](Display*) { return 0; });
         XSetIOErrorExitHandler(
             display_, [](Display*, void* self) { static_cast<X11System*>(self)->lost_ = true; }, this);

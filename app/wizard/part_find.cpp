@@ -1,4 +1,4 @@
-// The part `find`: the search for a device, which the host makes, and what it tells.
+// The part `find`: the search for a device. The host searches; this part announces its news.
 #include "app/wizard/wizard.h"
 
 #include "worlds/base/language.h"
@@ -6,7 +6,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kFirstAnswer_s = 0.2;  // a device that was opened needs a moment to say where it is
+constexpr double kFirstAnswer_s = 0.2;  // a device needs a moment after opening before it reports its position
 
 }  // namespace
 

@@ -1,4 +1,5 @@
-// The part `gentlest`: a force that grows until it is noticed, with room for the person to let go of it.
+// The part `gentlest`: a force that grows until the person notices it. There is enough room for the person to let go of
+// it.
 #include "app/wizard/wizard.h"
 
 #include <fmt/format.h>
@@ -11,11 +12,11 @@
 namespace handrail {
 namespace {
 
-constexpr double kPressAfter_s = 1.5;  // at the earliest; never before the question is over
-constexpr double kLetGoAfter_s = 5.0;  // at the gentlest part's most
-constexpr double kNoticed_n = 0.05;    // an answer to less is no answer to the force
+constexpr double kPressAfter_s = 1.5;  // earliest time after the question began; never before it has been spoken
+constexpr double kLetGoAfter_s = 5.0;  // time at this part's greatest force until it is switched off
+constexpr double kNoticed_n = 0.05;    // an answer below this force is not an answer to the force
 
-// Everything a hand can reach, pushing it towards the person; how strongly, the ceiling says.
+// Fills the whole workspace and pushes the hand towards the person. The ceiling decides how strongly.
 std::shared_ptr<const HapticScene> pressing_scene() {
     EffectVolume push;
     push.region = SphereRegion{Vec3(0.0), 1.0};

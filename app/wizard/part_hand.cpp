@@ -1,4 +1,4 @@
-// The part `hand`: which hand holds the grip, as a key says or the grip moved to that side.
+// The part `hand`: which hand holds the grip. The person presses a key or moves the grip to that side.
 #include "app/wizard/wizard.h"
 
 #include <cmath>

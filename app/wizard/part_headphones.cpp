@@ -1,4 +1,4 @@
-// The part `headphones`: a bell at each side, and the sides swapped where they are heard the wrong way round.
+// The part `headphones`: plays a bell on each side, and swaps the sides if the person hears them reversed.
 #include "app/wizard/wizard.h"
 
 #include "worlds/base/language.h"

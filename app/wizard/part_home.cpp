@@ -1,4 +1,4 @@
-// The part `home`: the grip is pulled and pushed until the device knows its place, each leg with a click.
+// The part `home`: the person pulls and pushes the grip until the device knows its position. Each completed leg clicks.
 #include "app/wizard/wizard.h"
 
 #include <bit>
@@ -15,7 +15,7 @@ void Wizard::accept_homing() {
     say(phrase("wizard.not_homed", {{"legs", std::popcount(static_cast<unsigned>(sense_.tool.homed_legs))}}));
 }
 
-// Whoever takes the grip may squeeze its button.
+// Returns true to ignore the button, because a person who takes the grip may squeeze it.
 bool Wizard::watch_homing(double) {
     const auto legs = [](std::uint8_t bits) { return std::popcount(static_cast<unsigned>(bits)); };
     const int fresh = legs(sense_.tool.homed_legs) - legs(homing_.legs_seen);

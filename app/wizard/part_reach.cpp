@@ -1,4 +1,4 @@
-// The part `reach`: how far the hand comes, how much of a world that is to be, and whether a rim marks its end.
+// The part `reach`: how far the hand can move, how much of a world that stands for, and whether a rim marks its end.
 #include "app/wizard/wizard.h"
 
 #include <fmt/format.h>
@@ -13,13 +13,13 @@
 namespace handrail {
 namespace {
 
-constexpr double kSideShare = 0.3;        // of the device's radius, that counts as one side of the sweep
-constexpr double kLeastReachShare = 0.3;  // of the device's width: less was no sweep
-// The middle of the reach lies this share of its depth ahead of the body: 5 parts ahead, 3 behind.
+constexpr double kSideShare = 0.3;        // share of the device's radius that counts as one side of the sweep
+constexpr double kLeastReachShare = 0.3;  // share of the device's width; a smaller movement was no sweep
+// The middle of the workspace is this share of its depth ahead of the body: 5 parts ahead, 3 behind.
 constexpr double kAheadShare = 0.125;
 constexpr std::array kScales{7.5, 15.0, 30.0, 60.0, 120.0, 240.0};
 
-// 9 or 7.5.
+// Rounds to 9 or 7.5.
 double rounded(double value) { return value < 10.0 ? std::round(value * 10.0) / 10.0 : std::round(value); }
 
 }  // namespace
@@ -56,7 +56,8 @@ void Wizard::keep_reach() {
     change_profile("width_m", kept(size_m.x));
     change_profile("depth_m", kept(size_m.y));
     change_profile("height_m", kept(std::max(size_m.z, 0.01)));
-    // The middle of what the hand reaches lies a little ahead of the body, at the height that the workspace asks for.
+    // The middle of the hand's reach is put a little ahead of the body, at the height that the workspace settings
+    // require.
     change_profile("offset_ahead_m", kept(std::clamp(kAheadShare * size_m.y - middle_m.y, -0.1, 0.1)));
     change_profile("offset_up_m", kept(std::clamp(-middle_m.z, -0.1, 0.1)));
     say(phrase("wizard.reach",
@@ -99,7 +100,7 @@ void Wizard::keep_scale() {
     go_on();
 }
 
-// ---- what lies beyond ----
+// ---- beyond the workspace ----
 
 std::string Wizard::ask_beyond() const {
     return settings_.workspace.rim ? phrase("wizard.beyond_on") : phrase("wizard.beyond_off");

@@ -1,4 +1,4 @@
-// The part `step`: how long the person's step is, by figures or the arrows.
+// The part `step`: the length of the person's step, typed in figures or set with the arrows.
 #include "app/wizard/wizard.h"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ bool Wizard::adjust_step_length(WizardKey key) {
     return true;
 }
 
-// One number, of which the size says what it is: metres of a step, metres of ten steps, or centimetres of a step.
+// Takes one number, whose size shows its unit: metres of a step, metres of ten steps, or centimetres of a step.
 void Wizard::keep_step_length() {
     double typed = 0.0;
     if (!asked_.typed.empty()) {

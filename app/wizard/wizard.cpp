@@ -11,7 +11,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kLongestTick_s = 0.05;  // a frame that came late is not made up for by more force
+constexpr double kLongestTick_s = 0.05;  // a late frame must not be made up for by more force
 
 }  // namespace
 
@@ -27,7 +27,7 @@ Wizard::Wizard(const Settings& settings, std::span<const WizardPart> parts)
 }
 
 WorkspacePose Wizard::pose() const {
-    WorkspacePose pose;  // device metres are world metres here
+    WorkspacePose pose;  // device metres equal world metres here
     pose.time_s = now_s_;
     pose.jump = kFirstJump + felt_.jump;
     return pose;
@@ -65,7 +65,7 @@ void Wizard::change_profile(std::string_view field, std::string value) {
            std::move(value));
 }
 
-// ---- the way through the questions ----
+// ---- the order of the questions ----
 
 bool Wizard::is_skipped(Step step) const {
     if (part_of(step).needs_device && (lost_device_ || sense_.search == WizardSearch::Nothing)) return true;
@@ -116,7 +116,7 @@ DeviceProfile Wizard::own_profile() const {
     return found == settings_.profiles.end() ? DeviceProfile{} : found->second;
 }
 
-// ---- what the person answers ----
+// ---- the person's answers ----
 
 void Wizard::answer(const WizardEvent& event, double now_s) {
     if (!begun_ || finished_) return;
@@ -132,7 +132,7 @@ void Wizard::answer(const WizardEvent& event, double now_s) {
         felt_.tuning.panic = true;
         return;
     }
-    CueRequest quiet;  // any key interrupts what is being said
+    CueRequest quiet;  // any key interrupts the current sentence
     quiet.kind = CueRequestKind::StopSpeech;
     quiet.time_s = now_s_;
     cues_.push_back(std::move(quiet));
@@ -146,14 +146,14 @@ void Wizard::answer(const WizardEvent& event, double now_s) {
     switch (*key) {
         case WizardKey::Enter:
             return accept();
-        case WizardKey::Forces:  // nothing has taken it away
+        case WizardKey::Forces:  // the force has not been removed
             return repeat_question();
         case WizardKey::Repeat:
             if (asked_.step == Step::Press) begin_force(felt_.scene);
             begin_bell();
             return repeat_question();
         case WizardKey::Back:
-            if (!asked_.typed.empty()) {  // first what was mistyped
+            if (!asked_.typed.empty()) {  // first delete a mistyped number
                 asked_.typed.clear();
                 return ask();
             }
@@ -178,7 +178,7 @@ void Wizard::pause(std::string words) {
     say(std::move(words));
 }
 
-// The same question again, from its beginning; a fault that was told is confirmed with it.
+// Repeats the question from its beginning. This also confirms an announced fault.
 void Wizard::resume() {
     ++felt_.tuning.confirm;
     enter(index_);
@@ -195,7 +195,7 @@ void Wizard::adjust(WizardKey key) {
     play(SoundKind::Denied, sense_.listener.ears_m);
 }
 
-// ---- what happens by itself ----
+// ---- what happens on each tick ----
 
 void Wizard::tick(const WizardSense& sense) {
     contract_pre(std::isfinite(sense.now_s));
@@ -218,12 +218,12 @@ void Wizard::watch_hand(double dt_s) {
         lost_device_ = true;
         reply_s_ = now_s_;
         say(phrase(tool.fault == Fault::Unplugged ? "wizard.unplugged"
-                                                  : "wizard.lost"));  // the alarm says what is the matter
+                                                  : "wizard.lost"));  // the alarm says what has happened
         return go_on();
     }
-    if (tool.fault_latched && felt_.tuning.forces_on && !paused_) {  // where no force is wanted, none is missed
+    if (tool.fault_latched && felt_.tuning.forces_on && !paused_) {  // ignored if no force is wanted
         reply_s_ = now_s_;
-        return pause(phrase("wizard.fault"));  // what happened is said as everywhere
+        return pause(phrase("wizard.fault"));  // the fault itself is announced as everywhere else
     }
     const bool pressed = tool.buttons != 0 && !std::exchange(button_was_down_, tool.buttons != 0);
     if (tool.buttons == 0) button_was_down_ = false;

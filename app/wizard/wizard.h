@@ -1,10 +1,11 @@
-// The voice-led set-up of headphones, device, workspace and force, as a state machine: it is told what time it is, what
-// the hand does and what the person answers, and says what is to be heard, felt and stored. No thread, clock, device or
-// sound of its own, so that the same machine runs in the program and in tests. App thread, about 60 times a second.
-// Every question waits as long as it takes. Enter accepts what stands, Space says the question again word for word,
-// Backspace (and Up where it changes no value) goes back one, Escape explains, takes the force away and at the second
-// press leaves; what was found until then is kept. Force leaves through the servo's ForceLimiter as ever; here only its
-// ceiling rises, in steps of a few hundredths of a newton.
+// The voice-led set-up of headphones, device, workspace and force, as a state machine. It receives the time, the state
+// of the hand and the person's answers, and returns what is to be heard, felt and stored. It has no thread, clock,
+// device or sound, so the same machine runs in the program and in tests. App thread, about 60 times a second.
+//
+// Every question waits as long as it takes. Enter accepts the current value. Space repeats the question word for word.
+// Backspace goes back by one question, and so does Up if it changes no value. Escape explains and removes the force;
+// pressed again, it leaves the set-up and keeps what was found until then. Force passes through the servo's
+// ForceLimiter as always; here only its ceiling rises, in steps of a few hundredths of a newton.
 #pragma once
 
 #include <cstdint>
@@ -25,48 +26,49 @@
 
 namespace handrail {
 
-// Forces brings the force back after a fault, as the fault's own sentence says.
+// `Forces` switches the force on again after a fault, as the announced fault suggests.
 enum class WizardKey : std::uint8_t { Enter, Repeat, Back, Leave, Left, Right, Up, Down, Stop, Forces };
-// A key, or figures as they are typed.
+// A key, or typed figures.
 using WizardEvent = std::variant<WizardKey, std::string>;
 
 enum class WizardSearch : std::uint8_t { NotBegun, Looking, Ready, Nothing };
 
-// What the wizard may know, given on every tick.
+// The inputs of the wizard on every tick.
 struct WizardSense {
-    double now_s = 0.0;     // above zero, never goes back
-    bool audible = true;    // there is a sound device
-    bool speaking = false;  // something is being said
+    double now_s = 0.0;     // above zero, never decreases
+    bool audible = true;    // a sound device exists
+    bool speaking = false;  // a sentence is being spoken
     Listener listener;
     WizardSearch search = WizardSearch::NotBegun;
-    std::vector<std::string> news;  // of the search, since the last tick
-    HandFacts hand;                 // once the search is Ready
-    ToolState tool;                 // the newest
+    std::vector<std::string> news;  // news of the search since the last tick
+    HandFacts hand;                 // valid once the search is Ready
+    ToolState tool;                 // the newest state
 };
 
 class Wizard {
 public:
-    // What presses while the least noticed force is sought; below every ceiling.
+    // Greatest force while the least noticeable force is sought; below every ceiling.
     static constexpr double kGentlestMost_n = 1.0;
     static constexpr double kGentlestRise_n_per_s = 0.2;
-    static constexpr double kCeilingRise_n_per_s = 1.0;  // of the wall's force when another ceiling is chosen
+    static constexpr double kCeilingRise_n_per_s = 1.0;  // rate for the wall's force when another ceiling is chosen
 
-    // parts: in their order, no part twice; with a device's part the device is sought, and homed where it must be.
+    // `parts` are in order, none twice. A part that uses a device adds the search for it, and homing if the device
+    // needs it.
     Wizard(const Settings& settings, std::span<const WizardPart> parts);
 
     void answer(const WizardEvent& event, double now_s);
     void tick(const WizardSense& sense);
 
-    // What others take after each tick.
-    bool wants_search() const { return wants_search_; }  // the host is to look for a device now
+    // The host reads these after each tick.
+    bool wants_search() const { return wants_search_; }  // the host should search for a device now
     std::vector<CueRequest> take_cues() { return std::exchange(cues_, {}); }
     std::vector<std::pair<std::string, std::string>> take_setting_changes() { return std::exchange(changes_, {}); }
     const ServoTuning& tuning() const { return felt_.tuning; }
-    std::shared_ptr<const HapticScene> haptic_scene() const { return felt_.scene; }  // null: nothing to be felt
+    std::shared_ptr<const HapticScene> haptic_scene() const { return felt_.scene; }  // null: nothing can be felt
     WorkspacePose pose() const;
     bool waits_for_person() const { return asked_.step != Step::Search && !finished_; }
     bool finished() const { return finished_; }
-    std::string_view question() const { return asked_.text; }  // as Space says it
+    std::string_view question() const { return asked_.text; }  // as Space repeats it
 
 private:
     enum class Step : std::uint8_t {
@@ -84,19 +86,21 @@ private:
         StepLength,
         Done
     };
-    // So that coming from a world and going back to one is a jump for the servo.
+    // Jump counts begin here, so that the servo sees a jump on the way from a world and back to one.
     static constexpr std::uint32_t kFirstJump = 0x40000000;
-    static constexpr double kMovedShare = 0.4;  // of the device's radius, that counts as pulled, pushed or moved aside
-    // What one question does. Null: nothing beyond what all do.
+    // Share of the device's radius that counts as pulled, pushed or moved aside.
+    static constexpr double kMovedShare = 0.4;
+    // The functions of one question. Null: only the common behaviour.
     struct Row {
         WizardPart part;
-        void (Wizard::*begin)();  // when it is come to, before it is asked
+        void (Wizard::*begin)();  // on reaching the question, before it is spoken
         std::string (Wizard::*question)() const;
-        void (Wizard::*accept)();               // Enter; null: goes on
-        bool (Wizard::*adjust)(WizardKey key);  // an arrow; false: it means nothing here, so up goes back
-        void (Wizard::*frame)();                // on every tick, where no hand is needed
+        void (Wizard::*accept)();  // on Enter; null: continues
+        // On an arrow; returns false if it has no meaning here, so that Up goes back.
+        bool (Wizard::*adjust)(WizardKey key);
+        void (Wizard::*frame)();  // on every tick, for questions that need no hand
         bool (Wizard::*watch)(
-            double dt_s);  // on every tick in which the hand is there; true: its button means nothing now
+            double dt_s);  // On every tick in which the hand is present; returns true if its button has no meaning now.
     };
     static const Row& row(Step step);
     static const WizardPartInfo& part_of(Step step);
@@ -125,7 +129,7 @@ private:
     void watch_hand(double dt_s);
     void begin_force(std::shared_ptr<const HapticScene> scene);
 
-    // Each in the file of its part; the table says which question they belong to.
+    // Each is in the file of its part; the table says to which question they belong.
     void begin_bell();
     std::string ask_bell_left() const;
     std::string ask_bell_right() const;
@@ -187,11 +191,11 @@ private:
 
     Settings settings_;
     std::vector<Step> plan_;
-    bool home_wanted_ = false;  // else only where the device does not know its place
+    bool home_wanted_ = false;  // else homes only if the device does not know its position
     std::size_t index_ = 0;
     WizardSense sense_;
     double now_s_ = 0.0;
-    double reply_s_ = 0.0;  // what is said with the same reply time is said one after the other; a new one interrupts
+    double reply_s_ = 0.0;  // sentences with the same reply time wait for each other; a new time interrupts
     bool begun_ = false, finished_ = false, paused_ = false, wants_search_ = false, lost_device_ = false;
 
     struct Homing {
@@ -199,27 +203,27 @@ private:
         bool was_homed = true, newly_homed = false;
     };
     struct Reach {
-        Vec3 least_m{0.0}, most_m{0.0};  // of this question, device frame
-        Vec3 measured_m{0.0};            // size of the reach; zero: not measured
+        Vec3 least_m{0.0}, most_m{0.0};  // seen during this question, device frame
+        Vec3 measured_m{0.0};            // size of the workspace; zero: not measured
         std::uint8_t sides_seen = 0;     // bit 2i: low side of axis i; 2i + 1: its high side
         double scale = 60.0;
     };
 
-    // The question that stands, and what has been answered to it so far.
+    // The current question and the answers to it until now.
     struct Asked {
         Step step = Step::Search;
-        std::string text;  // as Space says it
+        std::string text;  // as Space repeats it
         double begun_s = 0.0;
-        Vec3 hand_m{0.0};  // where the hand was when it was begun, device frame
+        Vec3 hand_m{0.0};  // the hand when the question began, device frame
         std::string typed;
     };
-    // What the person is found to feel and to walk, until something else is.
+    // What was found out about the person's touch and step; the initial values are defaults.
     struct Found {
         double gentlest_n = 0.3;
         double ceiling_n = kLightCeiling_n;
         double step_length_m = 0.7;
     };
-    // What the servo is given.
+    // What the servo receives.
     struct Felt {
         ServoTuning tuning;
         std::shared_ptr<const HapticScene> scene;
@@ -231,7 +235,7 @@ private:
     bool button_was_down_ = false;
     Homing homing_;
     Reach reach_;
-    double held_top_s_ = 0.0;  // how long the gentlest part has pressed with its most
+    double held_top_s_ = 0.0;  // how long the gentlest part has pressed with its greatest force
     Asked asked_;
     Found found_;
     Felt felt_;

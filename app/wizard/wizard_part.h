@@ -18,7 +18,8 @@ struct WizardPartInfo {
     bool needs_device;
 };
 std::span<const WizardPartInfo> wizard_parts();
-// "headphones,reach" to parts in their order; empty text is all of them. Fails naming the nearest word.
+// Converts "headphones,reach" to parts in their order; an empty text means all of them. Fails with the nearest known
+// word.
 Result<std::vector<WizardPart>> parse_wizard_parts(std::string_view words);
 
 }  // namespace handrail

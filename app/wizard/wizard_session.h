@@ -1,5 +1,5 @@
-// The wizard with its ways in: keys of a window by name, lines of text one after the other, and with them the simulated
-// hand where there is no real one. The same for the program and for tests. App thread.
+// The wizard with its inputs: window keys by name, lines of text one after the other, and a simulated hand if there is
+// no real one. The program and the tests use the same class. App thread.
 #pragma once
 
 #include <deque>
@@ -11,9 +11,12 @@
 
 namespace handrail {
 
-// One line understood. "" is Enter; repeat, back, left, right, up, down, stop, leave; a number is typed and accepted;
-// button presses the simulated hand's button; hand-left 6 and so on move it by so many taps; wait 2 waits so many
-// seconds.
+// One parsed line:
+// - "" is Enter; repeat, back, left, right, up, down, stop and leave are keys;
+// - a number is typed and accepted;
+// - button presses the simulated hand's button;
+// - hand-left 6 and the like move that hand by this many taps;
+// - wait 2 waits for this many seconds.
 struct WizardLine {
     std::vector<WizardEvent> events;
     Vec3 hand_by_m{0.0};
@@ -22,22 +25,22 @@ struct WizardLine {
     double wait_s = 0.0;
 };
 Result<WizardLine> parse_wizard_line(std::string_view line);
-// What the keys and lines are, in a sentence or two.
+// Explains the keys and lines in a sentence or two.
 std::string wizard_help();
 
 class WizardSession {
 public:
     WizardSession(const Settings& settings, std::span<const WizardPart> parts) : wizard_(settings, parts) {}
 
-    // Carried out when the wizard waits for an answer and what came before has had its time.
+    // Queues a line. It is carried out when the wizard waits for an answer and earlier lines have taken effect.
     void type(std::string line) { lines_.push_back(std::move(line)); }
-    // No more lines will come: leaves once the last one is done.
+    // No more lines will come: leaves the set-up after the last one.
     void end_of_lines() { lines_end_ = true; }
-    // A key went down or repeats, by its name in app/window; names that mean nothing here are ignored.
+    // A key goes down or repeats, named as in app/window; names without a meaning here are ignored.
     void press(std::string_view key_name, double now_s);
 
     void tick(const WizardSense& sense);
-    // All lines so far are done, and an answer is waited for.
+    // True if all lines have been carried out and the wizard waits for an answer.
     bool wants_line(double now_s) const {
         return lines_.empty() && wizard_.waits_for_person() && now_s >= settle_until_s_;
     }
@@ -45,7 +48,7 @@ public:
     Wizard& wizard() { return wizard_; }
     const Wizard& wizard() const { return wizard_; }
     bool finished() const { return wizard_.finished(); }
-    // What a simulated hand is to do; a real one takes no notice.
+    // The commands for a simulated hand; a real one ignores them.
     const HandCommand& simulated_hand() const { return hand_; }
     std::vector<CueRequest> take_cues();
 
@@ -60,7 +63,7 @@ private:
     double button_until_s_ = 0.0;
     double reach_m_ = 0.0;
     HandCommand hand_;
-    std::vector<CueRequest> told_;  // of lines that were not understood
+    std::vector<CueRequest> told_;  // answers to lines that were not understood
 };
 
 }  // namespace handrail
