@@ -8,7 +8,7 @@
 
 namespace handrail::test {
 
-// Rays in one direction that lies along no face.
+// Counts how often a ray crosses the surface. The ray's direction is along no face.
 bool BlockMesh::holds(const Vec3& at_m) const {
     const Vec3 way = glm::normalize(Vec3(0.6180339, 0.4142135, 0.7320508));
     int through = 0;

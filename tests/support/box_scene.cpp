@@ -3,7 +3,7 @@
 namespace handrail::test {
 namespace {
 
-// The solid behind planes given with one polygon each.
+// Adds the plane of one face and its polygon to a solid.
 void add_face(ConvexSolid& solid, const Vec3& normal, std::vector<Vec3> points) {
     const Vec3 unit = normal / glm::length(normal);
     for (const Vec3& p : points) solid.bounds_m.include(p);

@@ -28,8 +28,8 @@ Nearest nearest_on_triangle(const LVec& a, const LVec& b, const LVec& c, const L
     Nearest best = nearest_on_segment(a, b, p);
     for (const Nearest& other : {nearest_on_segment(b, c, p), nearest_on_segment(c, a, p)})
         if (other.distance < best.distance) best = other;
-    // Barycentric coordinates of the foot on the plane (Cramer's rule); a flat triangle has none and is its three
-    // edges.
+    // Barycentric coordinates of the foot of the perpendicular (Cramer's rule). A flat triangle has no plane and counts
+    // as its three edges.
     const LVec u = b - a, v = c - a, w = p - a;
     const long double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), wu = dot(w, u), wv = dot(w, v);
     const long double det = uu * vv - uv * uv;
@@ -61,7 +61,8 @@ Nearest nearest_on_capsule(const LVec& a, const LVec& b, long double radius, con
 
 namespace {
 
-// The axis' direction; any for a shape without height, since those are discs square to z in the tests.
+// The direction of the axis. A shape without height may use any direction; in the tests those are discs perpendicular
+// to z.
 LVec direction_of(const LVec& a, const LVec& b) {
     const long double l = length(b - a);
     return l > 0.0L ? (b - a) / l : LVec(0.0L, 0.0L, 1.0L);
@@ -85,7 +86,7 @@ Nearest nearest_on_cone(const LVec& a, const LVec& b, long double radius, const 
     const long double height = length(b - a), z = dot(p - a, u);
     const LVec w = p - a - u * z;
     const long double rho = length(w), slant = std::sqrt(height * height + radius * radius);
-    // In the half-plane through the axis and the point the cone is a triangle.
+    // In the half-plane through the axis and the point, the cone is a triangle.
     if (slant > 0.0L) {
         const long double inside = std::min(z, ((radius - rho) * height - z * radius) / slant);
         if (inside >= 0.0L) return {p, -inside};
@@ -196,7 +197,7 @@ bool BruteForce::clear(const Vec3& from, const Vec3& to, long double clearance, 
     for (int i = 0; i <= samples; ++i) {
         const double t = static_cast<double>(i) / samples;
         const long double d = distance(from + (to - from) * t, clearance + between + 1.0L);
-        // Half-way between two samples the distance can be smaller by half their spacing at most.
+        // Between two samples the distance can be smaller by at most half their spacing.
         if (d < clearance + between * 0.5L) return false;
     }
     return true;

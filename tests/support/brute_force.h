@@ -1,7 +1,9 @@
-// An independent judge of the touch renderer: long double, no hierarchy, no cache, no projection routine. Closest
-// points of solids by trying every face, every pair and every triple of planes; of triangles by barycentric coordinates
-// and three segments; of polygons by the triangles of a fan; of round solids by clamping, or in the plane through axis
-// and point. Slow on purpose.
+// An independent judge of the touch renderer: in long double, without hierarchy, cache or projection routine. It finds
+// the closest points as follows; it is slow on purpose:
+// - of solids by trying every face, pair and triple of planes;
+// - of triangles by barycentric coordinates and three segments;
+// - of polygons by the triangles of a fan;
+// - of round solids by clamping, or in the plane through axis and point.
 #pragma once
 
 #include <functional>
@@ -23,18 +25,18 @@ struct Nearest {
 
 Nearest nearest_on_segment(const LVec& a, const LVec& b, const LVec& p);
 Nearest nearest_on_triangle(const LVec& a, const LVec& b, const LVec& c, const LVec& p);
-// Convex, its corners in order.
+// The polygon is convex; its corners are in order.
 Nearest nearest_on_polygon(const std::vector<LVec>& corners, const LVec& p);
-// From the middle of one end to the middle of the other; a capsule's round ends lie beyond. The cone's base is at a,
-// its apex at b.
+// `a` and `b` are the middles of both ends. A capsule's round ends are beyond them; a cone has its base at a and its
+// apex at b.
 Nearest nearest_on_capsule(const LVec& a, const LVec& b, long double radius, const LVec& p);
 Nearest nearest_on_cylinder(const LVec& a, const LVec& b, long double radius, const LVec& p);
 Nearest nearest_on_cone(const LVec& a, const LVec& b, long double radius, const LVec& p);
-// Every face, edge and corner tried; inside: the nearest plane.
+// Tries every face, edge and corner; for a point inside, the nearest plane.
 Nearest nearest_on_solid(const std::vector<Plane>& planes, const LVec& p);
 
-// The point nearest to `goal` among all that satisfy dot(n, x) >= b for each half-space, by trying every subset of at
-// most three; nothing when there is none.
+// The point nearest to `goal` among all that satisfy dot(n, x) >= b for each half-space, found by trying every subset
+// of at most three. Nothing if there is no such point.
 struct LHalfSpace {
     LVec normal;
     long double offset;
@@ -46,26 +48,26 @@ class BruteForce {
 public:
     struct Thing {
         bool solid = false;
-        LVec a{0.0L}, b{0.0L}, c{0.0L};             // triangle
-        std::vector<Plane> planes;                  // solid
-        std::function<Nearest(const LVec&)> other;  // anything else, when set
-        LVec centre{0.0L};                          // ball around it, to leave out what is far
+        LVec a{0.0L}, b{0.0L}, c{0.0L};             // of a triangle
+        std::vector<Plane> planes;                  // of a solid
+        std::function<Nearest(const LVec&)> other;  // any other thing, if set
+        LVec centre{0.0L};                          // centre of a sphere around it, by which distant things are skipped
         long double reach = 0.0L;
     };
     void add_triangle(const Vec3& a, const Vec3& b, const Vec3& c);
     void add_solid(const std::vector<Plane>& planes, const std::vector<Vec3>& corners);
 
-    // Anything else: its nearest point, and points whose hull, grown by `more`, holds it.
+    // Adds any other thing: a function for its nearest point, and points whose convex hull, grown by `more`, contains
+    // it.
     void add(std::function<Nearest(const LVec&)> nearest, const std::vector<Vec3>& corners, double more);
 
     const std::vector<Thing>& things() const { return things_; }
     Nearest nearest(const Thing& thing, const LVec& p) const;
-    // Distance to the nearest of all things, or `far` where nothing is nearer than that.
+    // Distance to the nearest of all things, or `far` if nothing is nearer than that.
     long double distance(const Vec3& p, long double far = 1.0L) const;
-    // True when the segment comes nearer than `clearance` to nothing, told from `samples` points and the distance
-    // between them.
+    // True if the segment is never nearer than `clearance` to anything. Judged from `samples` points and their spacing.
     bool clear(const Vec3& from, const Vec3& to, long double clearance, int samples = 8) const;
-    // How far the first-order contact problem at c would still move the ball towards the goal: 0 at a true local
+    // How far the first-order contact problem at c would still move the proxy towards the goal; 0 at a true local
     // optimum (KKT).
     long double residual(const Vec3& c, const Vec3& goal, long double radius) const;
 

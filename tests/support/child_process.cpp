@@ -43,7 +43,7 @@ std::unique_ptr<ChildProcess> ChildProcess::start(const std::vector<std::string>
         ::close(input[1]);
         return nullptr;
     }
-    ::setpgid(child, child);  // here too, so that it holds whoever comes first
+    ::setpgid(child, child);  // set in both processes, so that whichever runs first has done it
     ::signal(SIGPIPE, SIG_IGN);
     return std::unique_ptr<ChildProcess>(new ChildProcess(child, input[1]));
 }
@@ -55,7 +55,7 @@ ChildProcess::~ChildProcess() {
 
 void ChildProcess::type(const std::string& text) {
     if (::write(input_, text.data(), text.size()) < 0) {
-        // It has ended; the test sees that elsewhere.
+        // The child has ended; the test notices that elsewhere.
     }
 }
 
@@ -69,7 +69,7 @@ void ChildProcess::send(int signal) const {
 }
 
 void ChildProcess::kill() {
-    ::kill(-pid_, SIGKILL);  // what it has started may live longer than itself
+    ::kill(-pid_, SIGKILL);  // processes that it has started may outlive it
     exit_status();
 }
 

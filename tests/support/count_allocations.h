@@ -1,5 +1,5 @@
-// Counts every way to operator new and delete in a program. It defines them: to be included by exactly one source of a
-// test program.
+// Counts all calls of operator new and delete in a program. It defines these operators, so exactly one source of a test
+// program may include it.
 #pragma once
 
 #include <cstdlib>

@@ -1,5 +1,5 @@
-// TOML that toml++ 3.3 takes without end into itself: 200,000 tables within each other by one name, so the process that
-// parses it has no stack left.
+// TOML on which toml++ 3.3 recurses without limit: 200,000 nested tables in one dotted name, so the stack of the
+// process that parses it overflows.
 #pragma once
 
 #include <string>

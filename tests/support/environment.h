@@ -1,4 +1,4 @@
-// A variable of the environment for as long as a test needs it.
+// Sets an environment variable while a test needs it.
 #pragma once
 
 #include <cstdlib>
@@ -10,7 +10,7 @@ namespace handrail::test {
 
 class WithEnvironment {
 public:
-    // null: unset.
+    // With null, the variable is unset.
     WithEnvironment(std::string name, const char* value) : name_(std::move(name)) {
         if (const char* was = std::getenv(name_.c_str())) was_ = was;
         put(value);

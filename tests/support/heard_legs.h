@@ -1,5 +1,5 @@
-// What somebody understands who hears directions and knows nothing else: the form of legs in English and German, and of
-// the shorter directions that are given where a route is not told leg by leg. Pure functions.
+// What a person understands who hears only the directions: the form of legs in English and German, and of the shorter
+// directions that are given if a route is not announced leg by leg. Pure functions.
 #pragma once
 
 #include <map>
@@ -9,11 +9,11 @@
 
 namespace handrail::test {
 
-// What a leg asks for, by its words alone.
+// The meaning of a leg, from its words alone.
 struct HeardLeg {
-    int turn_notches = 0, steps = 0;  // clockwise, a sixteenth of a circle each
+    int turn_notches = 0, steps = 0;  // clockwise, each a sixteenth of a circle
     enum class Until { Counted, Stopped, FlightOver } until = Until::Counted;
-    bool use = false;  // a door at its end is to be opened or shut
+    bool use = false;  // open or shut a door at its end
 };
 
 // The words of one language that a walker must know.
@@ -25,10 +25,10 @@ struct LegForm {
 LegForm english_legs();
 LegForm german_legs();
 
-// None: it does not have the form.
+// None if the text does not have the form.
 std::optional<HeardLeg> understood(const std::string& text, const LegForm& form);
 
-// "5 steps, 30 degrees right", "12 steps to the left", "close by, ahead": the first that stands in a text.
+// The first direction in a text, such as "5 steps, 30 degrees right", "12 steps to the left" or "close by, ahead".
 struct Direction {
     int steps = 0;
     double right_deg = 0.0;

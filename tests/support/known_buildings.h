@@ -11,12 +11,12 @@ namespace handrail::test {
 
 struct KnownBuilding {
     std::filesystem::path file;
-    std::size_t doors = 0;  // that are in a wall
+    std::size_t doors = 0;  // only those in a wall
     bool large = false;     // reading it takes half a minute under a sanitizer
 };
 
-// Writes an office of two storeys into the folder. For each absent building it prints a line, as with_real_worlds()
-// does.
+// Writes an office of two storeys into the folder, as one of the buildings. Prints a line for each absent building, as
+// with_real_worlds() does.
 std::vector<KnownBuilding> known_buildings(const TemporaryFolder& folder);
 
 }  // namespace handrail::test

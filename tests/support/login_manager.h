@@ -1,4 +1,4 @@
-// logind on a system bus of the test's own, played by python3-dbusmock.
+// A simulated logind (python3-dbusmock) on a separate system bus for the test.
 #pragma once
 
 #include <filesystem>
@@ -11,18 +11,18 @@ namespace handrail::test {
 
 class LoginManager {
 public:
-    // Why it cannot be played here; empty where it can.
+    // Why it cannot run here; empty if it can.
     static std::string why_not();
 
-    // `folder` is for its socket and its output.
+    // `folder` holds its socket and its output.
     explicit LoginManager(std::filesystem::path folder);
     // Waits until it answers.
     bool ready() const;
-    // For DBUS_SYSTEM_BUS_ADDRESS.
+    // The value for DBUS_SYSTEM_BUS_ADDRESS.
     std::string address() const;
     // Announces that the computer is about to sleep, or that it is awake again.
     void announce_sleep(bool begins) const;
-    // Who delays what: "sleep Handrail delay" and a new line for each.
+    // The present inhibitors: a line like "sleep Handrail delay" for each.
     std::string inhibitors() const;
 
 private:

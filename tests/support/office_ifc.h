@@ -1,6 +1,6 @@
-// Office buildings of any size as the text of an IFC file: storeys with corridors, rooms of 5 by 5 metres on both sides
-// of them, a door and a window to each, a hall with stairs that joins the corridors. The same size makes the same text.
-// Any thread.
+// Office buildings of any size as the text of an IFC file: storeys with corridors, and rooms of 5 by 5 metres on both
+// sides of them, each with a door and a window. A hall with stairs joins the corridors. The same size makes the same
+// text. Any thread.
 #pragma once
 
 #include <string>
@@ -9,9 +9,10 @@ namespace handrail::test {
 
 struct OfficeIfcSize {
     int storeys = 1;
-    int corridors = 1;            // of each storey
-    int rooms_along = 4;          // on each side of a corridor
-    int facets_of_furniture = 0;  // of the closed, not convex pieces in each room; what makes real files large
+    int corridors = 1;    // on each storey
+    int rooms_along = 4;  // on each side of a corridor
+    // Triangles of the closed, non-convex furniture in each room; they make real files large.
+    int facets_of_furniture = 0;
 };
 
 struct OfficeIfc {

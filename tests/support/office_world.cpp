@@ -13,19 +13,19 @@ namespace {
 
 constexpr double kUnitsPerMetre = 32.0;
 constexpr double kRoom = 5.0, kCorridor = 2.0, kHall = 2.5,
-                 kLane = 1.5;                       // metres; a lane is where a flight of stairs stands
-constexpr double kPitch = 2.0 * kRoom + kCorridor;  // from corridor to corridor
+                 kLane = 1.5;                       // metres; a lane is the strip for a flight of stairs
+constexpr double kPitch = 2.0 * kRoom + kCorridor;  // from one corridor to the next
 constexpr double kWall = 0.1, kSlab = 0.2, kStorey = 3.2, kHigh = kStorey - kSlab;
 constexpr double kDoorWidth = 1.0, kDoorHeight = 2.1, kDoorThick = 0.05;
 constexpr int kSteps = 20;
 constexpr double kTread = 0.28, kFlight = kSteps * kTread, kFlightFrom = 3.0;  // from the corridors' southern edge
-constexpr int kLeastThing = 1, kDesk = 5, kChair = 6, kShelf = 7;              // brushes
+constexpr int kLeastThing = 1, kDesk = 5, kChair = 6, kShelf = 7;              // numbers of brushes
 
 struct Box {
     double x0, y0, z0, x1, y1, z1;  // metres
 };
 
-// What stands in a room, about its middle: x to the right and y ahead for somebody who comes in by the door.
+// Positions for furniture in a room, from its middle: x to the right and y ahead for a person who enters by the door.
 constexpr double kSlots[][2] = {{-1.7, 2.0}, {0.0, 2.0},   {1.7, 2.0}, {-2.0, 0.5},
                                 {2.0, 0.5},  {-2.0, -1.4}, {2.0, -1.4}};
 constexpr int kSlotCount = 7;
@@ -37,7 +37,7 @@ public:
     OfficeWorld make() {
         for (int storey = 0; storey < size_.storeys; ++storey) build_storey(storey);
         roof();
-        // What the building leaves, the same for each room, give or take one.
+        // The brushes that the building leaves are shared equally between the rooms, give or take one.
         const int doors = static_cast<int>(rooms_.size()), left = std::max(0, size_.brushes - made_.brushes - doors);
         for (int r = 0; r < doors; ++r) furnish(r, part(left, r + 1, doors) - part(left, r, doors));
         made_.rooms = made_.doors = doors;
@@ -52,8 +52,8 @@ public:
 
 private:
     struct RoomPlace {
-        double x, y, z;  // middle of its floor
-        bool south;      // of its corridor: the door is to the north
+        double x, y, z;  // the middle of the room's floor
+        bool south;      // south of its corridor, so the door is in the north
         int number;
     };
     static int part(int of, int some, int all) { return static_cast<int>(static_cast<std::int64_t>(of) * some / all); }
@@ -61,7 +61,7 @@ private:
     double width() const { return along() + kHall + kLane; }
     double depth() const { return size_.corridors * kPitch; }
     static bool has_stairs(int corridor) { return corridor % 3 == 0; }
-    // The same in every library, other than std::uniform_int_distribution.
+    // Gives the same numbers with every standard library, unlike std::uniform_int_distribution.
     int below(int count) { return static_cast<int>(random_() % static_cast<std::uint32_t>(count)); }
 
     void brush(std::string& to, const Box& box, const char* texture) {
@@ -98,7 +98,7 @@ private:
             const double south = corridor * kPitch;
             for (const bool is_south : {true, false}) {
                 const double wall_y = is_south ? south + kRoom - 0.5 * kWall : south + kRoom + kCorridor - 0.5 * kWall;
-                // To the corridor in pieces between the doorways, and above each of them.
+                // The wall to the corridor: pieces between the doorways, and one above each of them.
                 double from = 0.0;
                 for (int r = 0; r < size_.rooms_along_corridor; ++r) {
                     const double door = (r + 0.5) * kRoom - 0.5 * kDoorWidth;
@@ -106,7 +106,7 @@ private:
                     wall(door, wall_y, door + kDoorWidth, wall_y + kWall, z, kDoorHeight);
                     from = door + kDoorWidth;
                     const double back = is_south ? south : south + kPitch, front = is_south ? wall_y : wall_y + kWall;
-                    const double side = (r + 1) * kRoom - 0.5 * kWall;  // to the next room, or the hall
+                    const double side = (r + 1) * kRoom - 0.5 * kWall;  // the wall to the next room, or to the hall
                     wall(side, std::min(back, front), side + kWall, std::max(back, front), z);
                     rooms_.push_back({(r + 0.5) * kRoom, is_south ? south + 0.5 * kRoom : south + kPitch - 0.5 * kRoom,
                                       z, is_south,
@@ -118,7 +118,7 @@ private:
             if (corridor > 0) wall(0.0, south - 0.5 * kWall, hall, south + 0.5 * kWall, z);
             if (corridor > 0) wall(lane + kWall, south - 0.5 * kWall, width(), south + 0.5 * kWall, z);
             if (!has_stairs(corridor)) {
-                wall(lane, south, lane + kWall, south + kPitch, z);  // behind it is nothing
+                wall(lane, south, lane + kWall, south + kPitch, z);  // there is nothing behind it
                 continue;
             }
             const double from = south + kFlightFrom, to = from + kFlight;
@@ -126,7 +126,8 @@ private:
             wall(lane, from, lane + kWall, to, z);
             wall(lane, to + 2.0, lane + kWall, south + kPitch, z);
             if (storey + 1 < size_.storeys) flight(lane + kWall, from, z);
-            else wall(lane + kWall, from - kWall, width(), from, z, 0.0, 1.1);  // nobody falls down the stairs
+            // A parapet, so that nobody falls down the stairs.
+            else wall(lane + kWall, from - kWall, width(), from, z, 0.0, 1.1);
         }
     }
     int rooms_on_storey(int corridor, bool south, int r) const {
@@ -168,7 +169,7 @@ private:
         fmt::format_to(std::back_inserter(entities_), "{{\n\"classname\" \"{}\"\n{}{}}}\n", class_name, keys, brushes);
     }
 
-    // A box given about the middle of a room, for somebody who comes in.
+    // A box relative to the middle of a room, as seen by a person who enters.
     static Box in_room(const RoomPlace& room, const Box& own) {
         const double turn = room.south ? -1.0 : 1.0;
         return {room.x + std::min(turn * own.x0, turn * own.x1),
@@ -206,7 +207,7 @@ private:
                            "\"east\"\n\"opens\" \"{}\"\n",
                            room.number, room.south ? "south" : "north"),
                leaf);
-        // Every other room has a name of its own; the others go by what stands in them.
+        // Every other room has its own name; the others are named after their contents.
         if (r % 2 == 0)
             entity("info_room",
                    fmt::format("\"name\" \"Office {}\"\n\"origin\" \"{:.6g} {:.6g} {:.6g}\"\n", room.number,
@@ -241,7 +242,7 @@ private:
                 boxes.push_back({x - 0.3, y - 0.3, 0.0, x + 0.3, y + 0.3, 0.4 + 0.1 * below(12)});
                 thing(room, "Cupboard" + number, landmark, boxes, "metal");
             } else {
-                // Boards one above the other: as many as the room still needs, where no other place is left.
+                // Boards one above the other. The last free position gets all the brushes that the room still needs.
                 const int boards = last ? brushes : std::min(brushes, kShelf);
                 const double step = 1.9 / boards;
                 for (int b = 0; b < boards; ++b)

@@ -1,4 +1,4 @@
-// What nearly every test needs, compiled once.
+// Headers that nearly every test needs, compiled once.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// The files of the project itself, for tests of its shape.
+// Lists the project's own files, for tests of its structure.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace handrail::test {
 
-// By git where there is a repository; an unpacked archive has none: then everything but build output. Paths from the
-// project's root.
+// Lists the files in the git repository. An unpacked archive has none; then it lists everything except build output.
+// Paths are relative to the project's root.
 inline std::vector<std::string> project_files() {
     const std::filesystem::path root = test::project_root();
     std::vector<std::string> files;

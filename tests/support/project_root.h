@@ -1,5 +1,5 @@
-// Where the project and its build lie: the only test source that knows, so that all others compile to the same objects
-// in any folder.
+// The folders of the project and its build. This is the only test source that contains them, so all others compile to
+// the same objects in any folder.
 #pragma once
 
 #include <filesystem>
@@ -7,15 +7,15 @@
 
 namespace handrail::test {
 
-// Absolute, and of the build that these tests are of.
+// Absolute paths; the build is the one to which these tests belong.
 const std::filesystem::path& project_root();
 const std::filesystem::path& build_root();
 
-// "house.map": a world that ships with the program.
+// The path of a world that comes with the program, such as "house.map".
 std::string bundled_world(const std::string& file);
-// "handrail": a program of this build.
+// The path of a program of this build, such as "handrail".
 std::string built_program(const std::string& name);
-// "standin_hd": the library that stands in for a maker's.
+// The path of a library that replaces a device maker's, such as "standin_hd".
 std::string built_standin(const std::string& name);
 
 }  // namespace handrail::test

@@ -1,6 +1,6 @@
-// A program in a terminal of its own, started as a shell starts a job in the foreground: a session leader of its own
-// stays when the job has ended, so that the kernel does not put the terminal's modes back and what the job left can be
-// looked at. Stopped jobs go on by in_foreground(), as by `fg`.
+// A program in its own terminal, started as a shell starts a job in the foreground. A separate session leader stays
+// when the job has ended, so that the kernel does not restore the terminal's modes and the test can see what the job
+// left. in_foreground() continues a stopped job, as `fg` does.
 #pragma once
 
 #include <sys/types.h>
@@ -16,29 +16,31 @@ namespace handrail::test {
 
 class PtyJob {
 public:
-    // `run` is the job: called in a process of its own whose standard input, output and error are the terminal, and
-    // ends it; should it return, the job exits with 0. Null when there is no terminal to be had.
+    // Runs `run` as the job, in a separate process whose standard input, output and error are the terminal. It should
+    // end that process; if it returns, the job exits with 0. Null if no terminal is available.
     static std::unique_ptr<PtyJob> start(const std::function<void()>& run);
     ~PtyJob();
     PtyJob(const PtyJob&) = delete;
     PtyJob& operator=(const PtyJob&) = delete;
 
-    const termios& before() const { return before_; }  // as the terminal was given to the job
-    termios modes() const;                             // now
-    bool as_before() const;                            // every flag and character
+    const termios& before() const { return before_; }  // the modes when the job received the terminal
+    termios modes() const;                             // the present modes
+    bool as_before() const;                            // true if every flag and character is as before
     bool gives_keys() const { return (modes().c_lflag & (ICANON | ECHO)) == 0; }
 
-    void type(const std::string& bytes) const;  // what a keyboard sends
-    // True as soon as the job has written this after `from`; false after `most_s` or at its end.
+    void type(const std::string& bytes) const;  // sends bytes as a keyboard does
+    // Returns true as soon as the job has written `text` after position `from`; false after `most_s`, or when the job
+    // ends.
     bool says(const std::string& text, std::size_t from = 0, double most_s = kPatience_s);
-    const std::string& said();  // all that it has written by now
+    const std::string& said();  // everything that it has written until now
 
-    int waiting_bytes() const;  // typed, and read by nobody
+    int waiting_bytes() const;  // typed but not read by any program
 
     void send(int signal) const;
     void in_foreground() const;
-    bool stops(double most_s = kPatience_s);  // it has been stopped since it last went on
-    // 128 + the signal's number when one ended it; -1 when it has not ended after `most_s`.
+    bool stops(double most_s = kPatience_s);  // true if it has been stopped since it last continued
+    // Waits for the end and returns the exit status: 128 + the signal's number if a signal ended it, -1 if it has not
+    // ended after `most_s`.
     int ends(double most_s = kPatience_s);
 
 private:
@@ -53,8 +55,8 @@ private:
     int stopped_ = 0, ended_ = -1;
 };
 
-// That a program ended by that signal: with its status, or, where a sanitizer looks at crashes, with its report and a
-// status of its own.
+// Requires that this signal has ended a program. A sanitizer that catches crashes prints its report and uses its own
+// status; that is accepted too.
 void expect_ended_by(int signal, int status);
 
 }  // namespace handrail::test

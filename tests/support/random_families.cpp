@@ -14,7 +14,7 @@ public:
     double between(double low, double high) {
         return low + (high - low) * static_cast<double>(random_()) / 4294967296.0;
     }
-    // Evenly over the powers, for sizes that matter over many orders.
+    // Uniform in the logarithm, for sizes that matter over many orders of magnitude.
     double power(double low, double high) { return low * std::pow(high / low, between(0.0, 1.0)); }
     int count(int low, int high) {
         return low + static_cast<int>(random_() % static_cast<std::uint32_t>(high - low + 1));
@@ -32,10 +32,10 @@ private:
 
 constexpr double kSlab_m = 0.1;  // half the width of planes and slabs
 
-// A ball that edges can be felt with, or now and then a point.
+// A proxy radius that can feel edges, or now and then nearly a point.
 double some_radius(Draw& draw) { return draw.count(0, 4) == 0 ? 1e-5 : draw.between(0.002, 0.006); }
 
-// Pressed across a level surface at z = 0, from the air and back to it.
+// A hand path pressed across a level surface at z = 0, from the air and back to it.
 std::vector<Vec3> over_level(Draw& draw, int stops) {
     std::vector<Vec3> way{{draw.between(-.05, .05), draw.between(-.05, .05), .02}};
     for (int i = 0; i < stops; ++i)
@@ -44,7 +44,7 @@ std::vector<Vec3> over_level(Draw& draw, int stops) {
     return hand_path(way, draw.between(0.05, 0.5));
 }
 
-// Anywhere in a cube, from outside it and back.
+// A hand path anywhere in a cube, from outside it and back.
 std::vector<Vec3> anywhere(Draw& draw, double half, int stops, double speed) {
     std::vector<Vec3> way{{draw.between(-half, half) * 0.1, 0.0, 2.0 * half}};
     for (int i = 0; i < stops; ++i) way.push_back(draw.in_cube(half));
@@ -56,7 +56,7 @@ void level(TouchWorld& world, double from_x, double to_x) {
     world.quad({from_x, -kSlab_m, 0}, {to_x, -kSlab_m, 0}, {to_x, kSlab_m, 0}, {from_x, kSlab_m, 0});
 }
 
-// T1: a plane of strips whose ends do not meet.
+// T1: a plane made of strips whose ends do not meet.
 void strips(TouchCase& c, Draw& draw) {
     const double seam = draw.between(-.03, .03);
     level(c.world, -kSlab_m, seam);
@@ -76,11 +76,11 @@ void crack(TouchCase& c, Draw& draw) {
     c.radius_m = std::max(some_radius(draw), 0.6 * width);
     level(c.world, -kSlab_m, at);
     level(c.world, at + width, kSlab_m);
-    c.tidy = false;  // for some goals both the dip and the far side of it are places of rest
+    c.tidy = false;  // some goals have two places of rest: in the dip and on its far side
     c.goals_m = over_level(draw, 6);
 }
 
-// T3, T4: two or three boxes that overlap and make an inner edge or corner, in any representation.
+// T3, T4: two or three overlapping boxes that make an inner edge or corner, in any representation.
 void corner(TouchCase& c, Draw& draw) {
     const auto put = [&](const Vec3& low, const Vec3& high) {
         const int kind = draw.count(0, 2);
@@ -116,7 +116,7 @@ void groove(TouchCase& c, Draw& draw) {
     c.goals_m = hand_path(way, draw.between(0.05, 0.3));
 }
 
-// T6: over the edges of a box.
+// T6: a hand that passes over the edges of a box.
 void edge(TouchCase& c, Draw& draw) {
     const Vec3 half(draw.between(.01, .03), draw.between(.01, .03), draw.between(.01, .03));
     if (draw.coin()) c.world.box(-half, half);
@@ -141,7 +141,7 @@ void spike(TouchCase& c, Draw& draw) {
     c.goals_m = hand_path(way, 0.1);
 }
 
-// T8, T10: a plane that is doubled, overlapped and littered with triangles of no area.
+// T8, T10: a plane with duplicates, overlaps and many triangles of zero area.
 void litter(TouchCase& c, Draw& draw) {
     for (int i = draw.count(1, 3); i > 0; --i) level(c.world, -kSlab_m, kSlab_m);
     for (int i = draw.count(1, 3); i > 0; --i) level(c.world, draw.between(-.05, 0), draw.between(.01, .05));
@@ -155,7 +155,7 @@ void litter(TouchCase& c, Draw& draw) {
     c.goals_m = over_level(draw, 6);
 }
 
-// T9: slivers.
+// T9: sliver triangles.
 void slivers(TouchCase& c, Draw& draw) {
     const double height = 0.2 / draw.power(1e2, 1e7);
     const int strips = draw.count(4, 24);
@@ -168,7 +168,7 @@ void slivers(TouchCase& c, Draw& draw) {
     c.goals_m = over_level(draw, 6);
 }
 
-// T11, T12: a thin wall or a sheet, crossed at speed.
+// T11, T12: a thin wall or a sheet, crossed at high speed.
 void thin(TouchCase& c, Draw& draw) {
     if (draw.coin()) {
         const double half = draw.power(1e-6, 1e-3);
@@ -185,7 +185,7 @@ void thin(TouchCase& c, Draw& draw) {
     c.goals_m = hand_path(way, draw.between(1.0, 6.0));
 }
 
-// T13, T14: a corner met by a hand that stalls, trembles and is measured in steps.
+// T13, T14: a corner, touched by a hand that stalls, trembles and is measured in coarse steps.
 void rough_hand(TouchCase& c, Draw& draw) {
     corner(c, draw);
     const std::vector<Vec3> all = c.goals_m;

@@ -16,7 +16,7 @@ namespace {
 
 using SteadyTime = std::chrono::steady_clock;
 
-// What there is to read now; false at the end.
+// Reads what is available now; returns false at the end.
 bool drain(int fd, std::string& into) {
     char block[4096];
     const ssize_t got = ::read(fd, block, sizeof block);
@@ -24,8 +24,8 @@ bool drain(int fd, std::string& into) {
     return got > 0 || (got < 0 && errno == EINTR);
 }
 
-// A person who has been here before is not led through the first minutes. Settings that a test wrote stay as they are
-// but for that.
+// Marks the first minutes as done, because only a new person is led through them. Existing settings that a test wrote
+// are left alone.
 void write_not_first(const std::filesystem::path& config, bool voice) {
     std::error_code ec;
     std::filesystem::create_directories(config / "handrail", ec);

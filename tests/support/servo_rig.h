@@ -11,7 +11,7 @@ namespace handrail::test {
 
 inline constexpr double kTick = 1e-3;
 
-// Everything north of wall_y is solid: one box, 20 m wide, 10 m deep, with the given name.
+// Everything north of wall_y is solid: one box with this feature, 20 m wide and 10 m deep.
 inline std::shared_ptr<const HapticScene> wall_scene(double wall_y_m, FeatureId name = FeatureId{7}) {
     HapticSceneBuilder builder;
     builder.add_box({Vec3(-10.0, wall_y_m, -10.0), Vec3(10.0, wall_y_m + 10.0, 10.0)},
@@ -20,7 +20,7 @@ inline std::shared_ptr<const HapticScene> wall_scene(double wall_y_m, FeatureId 
 }
 
 struct ServoRig {
-    static constexpr double kWallY = 0.03;  // the ball of 5 mm touches it at y = 0.025
+    static constexpr double kWallY = 0.03;  // the 5 mm proxy touches it at y = 0.025
     static constexpr FeatureId kWall{7};
 
     ServoState state;
@@ -61,19 +61,19 @@ struct ServoRig {
         sample.fresh = sample.connected = false;
         return tick_raw(sample.position_m, kTick);
     }
-    // Straight to a place at half a metre per second.
+    // Moves the hand straight to a position at half a metre per second.
     void go(const Vec3& device_m) {
         const Vec3 from = state.tool().hand_m;
         const int steps = static_cast<int>(glm::length(device_m - from) / 0.5e-3) + 1;
         for (int i = 1; i <= steps; ++i) tick(from + (device_m - from) * (static_cast<double>(i) / steps));
     }
-    // The first movement that lets force in.
+    // Makes the first movement, after which the servo allows force.
     void arm() {
         tick(Vec3(0.0));
         go(Vec3(0.0, 0.0, 0.004));
         go(Vec3(0.0));
     }
-    // In place, armed and ramped in.
+    // Moves the hand to this position, after arming and the ramp.
     void press(const Vec3& device_m) {
         arm();
         go(device_m);

@@ -23,7 +23,7 @@ TriangleMesh sphere_mesh(int frequency, double radius_m) {
     mesh.points_m = {{-1, t, 0},  {1, t, 0},  {-1, -t, 0}, {1, -t, 0}, {0, -1, t},  {0, 1, t},
                      {0, -1, -t}, {0, 1, -t}, {t, 0, -1},  {t, 0, 1},  {-t, 0, -1}, {-t, 0, 1}};
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>
-        edges;  // of two corners, the lower first: their first point between
+        edges;  // maps two corners, the lower index first, to the first point between them
     const auto n = static_cast<std::uint32_t>(frequency);
     const auto add = [&](const Vec3& p) { mesh.points_m.push_back(p); };
     // The point k steps from corner a on the way to corner b.
@@ -39,7 +39,7 @@ TriangleMesh sphere_mesh(int frequency, double radius_m) {
         return found->second + (a == low ? k : n - k) - 1;
     };
     for (const auto& [a, b, c] : kIcosahedron) {
-        // Rows from a to the edge bc; row i has i + 1 points.
+        // Rows of points from a to the edge bc; row i has i + 1 points.
         std::vector<std::vector<std::uint32_t>> rows;
         for (std::uint32_t i = 0; i <= n; ++i) {
             std::vector<std::uint32_t>& row = rows.emplace_back();
@@ -122,7 +122,7 @@ std::vector<Vec3> sphere_slide(double sphere_radius_m, double ball_radius_m, dou
             height -= kDown_m_per_tick;
         } else {
             height = wanted;
-            // A great circle that turns by a third of a radian per metre, so that its laps do not fall on each other.
+            // Follows a great circle that turns by a third of a radian per metre, so that its laps do not coincide.
             const double angle = speed_m_per_s * 1e-3 / sphere_radius_m;
             out = glm::normalize(out + along * angle);
             along += glm::cross(out, along) * (speed_m_per_s * 1e-3 / 3.0);

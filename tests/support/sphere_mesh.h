@@ -1,4 +1,4 @@
-// Tessellated spheres and a hand that slides over them: where a renderer shows what the density of triangles costs it.
+// Tessellated spheres and a hand that slides over them, which show what the density of triangles costs a renderer.
 #pragma once
 
 #include <vector>
@@ -7,22 +7,23 @@
 
 namespace handrail::test {
 
-// An icosahedron with each face cut into frequency^2 triangles and every point pushed out to the radius: 20 frequency^2
-// triangles of nearly one size, 10 frequency^2 + 2 points. Centre at zero. 7, 22, 71, 224 give 980, 9,680, 100,820 and
-// 1,003,520 triangles.
+// An icosahedron with each face cut into frequency^2 triangles and every point moved out to the radius. It has 20
+// frequency^2 triangles of nearly equal size and 10 frequency^2 + 2 points; its centre is at zero. The frequencies 7,
+// 22, 71 and 224 give 980, 9,680, 100,820 and 1,003,520 triangles.
 TriangleMesh sphere_mesh(int frequency, double radius_m);
 
-// The cap round the upper pole of a sphere of meridians and parallels: `sectors` triangles meet in the pole, and
-// between it and the last of `rings` parallels, each so far from the one before, lie two triangles for each sector.
-// Centre of the sphere at zero.
+// The cap around the upper pole of a sphere of meridians and parallels, with the sphere's centre at zero. `sectors`
+// triangles meet in the pole. There are `rings` parallels, `ring_m` apart, with two triangles per sector between
+// neighbours.
 TriangleMesh pole_mesh(int sectors, int rings, double ring_m, double sphere_radius_m);
 
-// Goals at 1 kHz: down beside the pole, then to and fro over it, 3 mm deep, up to 20 mm to either side, missing it by
-// up to 1 mm and turning round it, at this speed where it passes.
+// Goals at 1 kHz. The hand goes down near the pole and then slides to and fro over it, 3 mm deep and up to 20 mm to
+// either side. It misses the pole by up to 1 mm, turns around it, and passes it at this speed.
 std::vector<Vec3> pole_slide(double sphere_radius_m, double ball_radius_m, double speed_m_per_s, int ticks);
 
-// Goals at 1 kHz: once down on the sphere from 20 mm above, then along an oblique, slowly turning way at this speed,
-// pressed 2 to 5 mm deep (one wave of depth per 0.7 s). Never repeats a triangle row by row.
+// Goals at 1 kHz. The hand goes down to the sphere once, from 20 mm above it. Then it follows an oblique, slowly
+// turning path at this speed, pressed 2 to 5 mm deep (one wave of depth per 0.7 s). It never repeats a row of
+// triangles.
 std::vector<Vec3> sphere_slide(double sphere_radius_m, double ball_radius_m, double speed_m_per_s, int ticks);
 
 }  // namespace handrail::test

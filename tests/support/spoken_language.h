@@ -1,4 +1,4 @@
-// A test in another language, which leaves the process as it was.
+// Sets another language for a test, and restores the language of the process afterwards.
 #pragma once
 
 #include <gtest/gtest.h>

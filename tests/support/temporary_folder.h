@@ -1,4 +1,4 @@
-// A folder of a test's own, removed with everything in it when the test ends.
+// A folder for one test, removed with everything in it when the test ends.
 #pragma once
 
 #include <stdlib.h>
@@ -35,7 +35,7 @@ private:
     std::filesystem::path path_;
 };
 
-// The whole file as bytes; empty when it is not there.
+// The whole file as bytes; empty if it does not exist.
 inline std::string content_of(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};

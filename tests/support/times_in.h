@@ -1,4 +1,4 @@
-// How often words stand in a text, overlapping ones too.
+// Counts how often some words occur in a text, including overlapping occurrences.
 #pragma once
 
 #include <string_view>

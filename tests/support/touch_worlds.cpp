@@ -189,7 +189,7 @@ std::shared_ptr<const HapticScene> TouchWorld::scene(const Motion& motion) const
                 builder.add_cone(make_cone(from, axis, length, s.radius), label);
                 break;
             case ObstacleKind::Custom:
-                break;  // worlds of their own build them
+                break;  // the worlds that use these build them themselves
             case ObstacleKind::Box:
             case ObstacleKind::Brush: {
                 Aabb bounds;
@@ -436,7 +436,7 @@ std::vector<TouchCase> hard_cases(double radius_m) {
         std::mt19937 random(1);
         constexpr double kQuantum = 6e-5;
         for (Vec3& g : c.goals_m) {
-            // Four uniform numbers: near enough to a normal one of 20 um.
+            // The sum of four uniform numbers is close enough to a normal one of 20 um.
             Vec3 noise(0.0);
             for (int i = 0; i < 4; ++i) noise += in_cube(random, 1.7e-5);
             g = glm::round((g + noise) / kQuantum) * kQuantum;

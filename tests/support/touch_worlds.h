@@ -1,5 +1,5 @@
-// Small worlds that are hard to touch, with a hand path through each: the cases every part of the touch renderer is
-// judged by. The same world goes to the renderer and to the brute-force judge, turned and moved at will.
+// Small worlds that are hard to touch, with a hand path through each: the cases by which every part of the touch
+// renderer is judged. The renderer and the brute-force judge get the same world, rotated and moved at will.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@
 
 namespace handrail::test {
 
-// A turn about the origin, then a shift.
+// A rotation about the origin, then a translation.
 struct Motion {
     glm::dmat3 turn{1.0};
     Vec3 shift_m{0.0};
@@ -31,21 +31,21 @@ public:
     void quad(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
     void box_of_triangles(const Vec3& low, const Vec3& high);
     void box(const Vec3& low, const Vec3& high, FeatureId feature = kNoFeature);
-    // The same shape as box(), with a seventh plane that touches one corner, so that it stays a brush.
+    // The same shape as box(), but with a seventh plane that touches one corner, so that it stays a brush.
     void brush_box(const Vec3& low, const Vec3& high);
-    // Planes of a bounded solid and points whose hull holds it.
+    // Adds the planes of a bounded solid, and points whose convex hull contains it.
     void solid(const std::vector<Plane>& planes, const std::vector<Vec3>& corners, FeatureId feature = kNoFeature);
-    // A cube of half this size with `cuts` random planes through it.
+    // Adds a cube of half this size with `cuts` random planes through it.
     void random_brush(std::mt19937& random, const Vec3& centre, double half_size, int cuts);
-    // Sheets touched from this side, and solids of their own kind. A cylinder, cone or capsule runs from the middle of
-    // one end to the middle of the other.
+    // Adds sheets that can be touched from this side, and round solids. A cylinder, cone or capsule is given by the
+    // middles of both ends.
     void polygon(const std::vector<Vec3>& corners, TouchSide side = TouchSide::Both, FeatureId feature = kNoFeature);
     void sided_triangle(const Vec3& a, const Vec3& b, const Vec3& c, TouchSide side);
     void sphere(const Vec3& centre, double radius, FeatureId feature = kNoFeature);
     void capsule(const Vec3& start, const Vec3& end, double radius, FeatureId feature = kNoFeature);
     void cylinder(const Vec3& bottom, const Vec3& top, double radius, FeatureId feature = kNoFeature);
     void cone(const Vec3& base, const Vec3& apex, double radius, FeatureId feature = kNoFeature);
-    // One of every kind in turn, of random place, direction and size up to `size`.
+    // Adds one of every kind in turn, with random position, direction and size up to `size`.
     void random_things(std::mt19937& random, int count, double spread, double size);
     void random_triangles(std::mt19937& random, int count, double spread, double edge);
 
@@ -56,8 +56,8 @@ public:
 
 private:
     struct Shape {
-        ObstacleKind kind = ObstacleKind::Brush;  // a box is a brush here until the builder finds out
-        std::vector<Vec3> points;                 // corners; centre of a sphere; middles of both ends
+        ObstacleKind kind = ObstacleKind::Brush;  // a box counts as a brush here until the builder recognises it
+        std::vector<Vec3> points;                 // corners; centre of a sphere; or middles of both ends
         std::vector<Plane> planes;
         FeatureId feature;
         double radius = 0.0;
@@ -67,7 +67,7 @@ private:
     std::vector<Shape> shapes_;
 };
 
-// Goals at 1 kHz along way-points.
+// Goals at 1 kHz along the way-points.
 std::vector<Vec3> hand_path(const std::vector<Vec3>& way_points_m, double speed_m_per_s);
 
 struct TouchCase {
@@ -75,8 +75,8 @@ struct TouchCase {
     TouchWorld world;
     std::vector<Vec3> goals_m;
     double radius_m = 0.005;
-    bool concave = false;  // free space is locally convex along the path: gain 1
-    bool tidy = true;      // one continuous answer: no soup, no raw slivers, no spike
+    bool concave = false;  // free space is locally convex along the path, so the gain is 1
+    bool tidy = true;      // the answer is unique and continuous: no soup, no raw slivers, no spike
 };
 std::vector<TouchCase> hard_cases(double radius_m = 0.005);
 

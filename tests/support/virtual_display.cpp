@@ -13,8 +13,8 @@ namespace handrail::test {
 
 namespace {
 
-// The process of a server for that display, once it takes connections; -1 where it cannot start, as when another one
-// has that number.
+// Starts a server for that display and waits until it accepts connections. Returns its process, or -1 if it cannot
+// start, for instance because another server has that number.
 pid_t serve(const std::string& display) {
     int ready[2];
     if (::pipe(ready) != 0) return -1;
@@ -25,15 +25,15 @@ pid_t serve(const std::string& display) {
         if (::getppid() != parent) ::_exit(1);
         ::close(ready[0]);
         const std::string number_to = std::to_string(ready[1]);
-        // Else it starts anew whenever its last client goes, as xdotool does again and again, and meanwhile lets in
-        // nobody.
+        // Without -noreset, the server restarts whenever its last client leaves, as xdotool does again and again, and
+        // meanwhile accepts nobody.
         ::execlp("Xvfb", "Xvfb", display.c_str(), "-displayfd", number_to.c_str(), "-screen", "0", "1024x768x24",
                  "-nolisten", "tcp", "-noreset", static_cast<char*>(nullptr));
         ::_exit(127);
     }
     ::close(ready[1]);
-    // The server writes its display's number and a line end once it takes connections, and closes the pipe when it
-    // cannot start.
+    // The server writes its display number and a line end once it accepts connections. It closes the pipe if it cannot
+    // start.
     std::string number;
     for (char c = 0; ::read(ready[0], &c, 1) == 1 && c != '\n';) number += c;
     ::close(ready[0]);
@@ -45,8 +45,8 @@ pid_t serve(const std::string& display) {
 
 std::unique_ptr<VirtualDisplay> VirtualDisplay::start() {
     if (!installed("Xvfb") || !installed("xdotool")) return nullptr;
-    // A number of this process's own: two servers that look for a free one at the same time can both take the one that
-    // a killed server has left.
+    // The number depends on this process. Two servers that look for a free number at the same time could both take the
+    // one that a killed server has left.
     for (int attempt = 0; attempt < 10; ++attempt) {
         const std::string number = std::to_string(100 + (::getpid() * 10 + attempt) % 50'000);
         const pid_t server = serve(":" + number);

@@ -1,4 +1,4 @@
-// An X server of the test's own (Xvfb) with software OpenGL, and hands that press its keys (xdotool).
+// A separate X server for the test (Xvfb) with software OpenGL. xdotool presses its keys.
 #pragma once
 
 #include <sys/types.h>
@@ -10,7 +10,7 @@ namespace handrail::test {
 
 class VirtualDisplay {
 public:
-    // Starts the server on a display number of its own and points DISPLAY at it. Null where Xvfb or xdotool is not
+    // Starts the server on a display number of this process and points DISPLAY at it. Null if Xvfb or xdotool is not
     // installed; the test then skips.
     static std::unique_ptr<VirtualDisplay> start();
     ~VirtualDisplay();
@@ -19,9 +19,9 @@ public:
 
     // Runs "xdotool WORDS"; false if it fails or takes longer than 5 min.
     bool xdotool(const std::string& words) const { return run("xdotool " + words); }
-    // The same for a line of the shell.
+    // Runs a shell line in the same way.
     bool run(const std::string& line) const;
-    // Ends the server as a log-out does.
+    // Ends the server, as a log-out does.
     void kill();
 
 private:

@@ -1,4 +1,4 @@
-// Doors of real buildings that tests send bodies, balls and sessions through.
+// Doors of real buildings through which tests send bodies, proxies and sessions.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace handrail::test {
 
-// The way through a shut leaf: level, square to its largest upright face.
+// The direction through a shut door leaf: level and perpendicular to its largest upright face.
 inline std::optional<Vec3> way_through(const Scene& scene, FeatureId leaf) {
     std::optional<Vec3> way;
     double largest_m2 = 0.0;
@@ -28,11 +28,12 @@ inline std::optional<Vec3> way_through(const Scene& scene, FeatureId leaf) {
 }
 
 struct DoorToPass {
-    const StatedPortal* portal = nullptr;  // of the scene
-    Vec3 way{0.0};                         // through it, level
+    const StatedPortal* portal = nullptr;  // points into the scene
+    Vec3 way{0.0};                         // direction through the door, level
 };
 
-// Those that the file says are doors one passes, with a leaf in a wall; a door to no room only where the file has none.
+// The doors that the file states as passable and that have a leaf in a wall. Doors that lead to no room count only if
+// the file states no others.
 inline std::vector<DoorToPass> doors_to_pass(const Scene& scene) {
     std::vector<DoorToPass> doors;
     if (!scene.stated) return doors;

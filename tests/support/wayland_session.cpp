@@ -33,7 +33,7 @@ std::unique_ptr<WaylandSession> WaylandSession::start() {
 
 WaylandSession::~WaylandSession() { ::unsetenv("WAYLAND_DISPLAY"); }
 
-// weston's window has no name. It is the only child of the root window, which comes first.
+// weston's window has no name. It is the only child of the root window, which is listed first.
 bool WaylandSession::give_keyboard() const {
     return eventually([&] {
         return display_->run(
@@ -42,7 +42,8 @@ bool WaylandSession::give_keyboard() const {
     });
 }
 
-// The root window takes it; nothing listens there. The pointer leaves too: weston would still get the keys under it.
+// Gives the keyboard to the root window, where nothing listens. The pointer must leave as well, because weston would
+// otherwise still get the keys.
 bool WaylandSession::take_keyboard_away() const {
     return display_->run("xdotool mousemove 1020 765 windowfocus $(xdotool search --maxdepth 0 --class '.*')");
 }

@@ -1,5 +1,5 @@
-// A Wayland session of the test's own: the compositor weston in a window of a virtual X display, whose hands press the
-// keys. Without an X server weston would have no keyboard.
+// A separate Wayland session for the test: the compositor weston in a window of a virtual X display, on which xdotool
+// presses the keys. Without an X server weston would have no keyboard.
 #pragma once
 
 #include <memory>
@@ -11,26 +11,26 @@
 
 namespace handrail::test {
 
-// Why no window can be tried on Wayland: what GLFW or this machine lacks. Empty if it can.
+// Why a window cannot be tested on Wayland: what GLFW or this machine lacks. Empty if it can.
 std::string why_no_wayland(const std::string& glfw_version);
 
 class WaylandSession {
 public:
-    // From now on this process and its children see the Wayland display alone, not the X display. Null if weston or the
+    // From now on this process and its children see only the Wayland display, not the X display. Null if weston or the
     // virtual display did not start.
     static std::unique_ptr<WaylandSession> start();
     ~WaylandSession();
     WaylandSession(const WaylandSession&) = delete;
     WaylandSession& operator=(const WaylandSession&) = delete;
 
-    // As VirtualDisplay::xdotool; keys go to what has the keyboard in the session.
+    // As VirtualDisplay::xdotool; the keys go to the window that has the keyboard in the session.
     bool xdotool(const std::string& words) const { return display_->xdotool(words); }
-    // Gives the session the keyboard, or takes it away, as a person does who turns to another program.
+    // Gives the session the keyboard or takes it away, as when a person switches to another program.
     bool give_keyboard() const;
     bool take_keyboard_away() const;
-    // Ends the compositor as a log-out does.
+    // Ends the compositor, as a log-out does.
     void kill() { weston_.reset(); }
-    // A picture of the whole session as a PNG file, by ImageMagick.
+    // Saves a picture of the whole session as a PNG file, with ImageMagick.
     bool save_picture(const std::string& file) const;
 
 private:

@@ -1,7 +1,7 @@
-// A walker who hears only words. It asks for the way to a room by its name, obeys each leg, opens what it is told to
-// open, side-steps when a shoulder is named, uses stairs and lifts by the key that is named, and asks again when
-// nothing comes. It never looks into the scene or at where its feet are: who judges it does that afterwards. In virtual
-// time, on the session as it is.
+// A simulated walker who only hears words. It requests the route to a room by its name and obeys each leg. It opens
+// doors when directed to, side-steps when a shoulder is named, uses stairs and lifts by the named key, and repeats its
+// request when nothing comes. It never looks into the scene or at the position of its feet; the test that judges it
+// does that afterwards. Runs an unchanged session in virtual time.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +21,8 @@ namespace handrail::test {
 
 class WordWalker {
 public:
-    // How a walk ended: it was told that it is there; that there is no way; it walked for ever; nothing that it was
-    // told moved it any more; or it did not understand.
+    // How a walk ended: the session announced the arrival; it announced that there is no route; the walk never ended;
+    // the directions no longer moved the walker; or it did not understand them.
     enum class End { Arrived, NoWay, Loop, Stuck, NotUnderstood };
 
     explicit WordWalker(std::shared_ptr<const Scene> world) : form_(english_legs()), app_({}, {}, {}) {
@@ -46,7 +46,7 @@ public:
             if (arrived()) return End::Arrived;
             const int before = moves();
             if (!obey(leg)) {
-                // Nothing came that can be obeyed: once more, after a moment.
+                // The leg could not be obeyed: requests it once more, after a moment.
                 run(1.0);
                 if (!arrived() && !obey(ask(Command::RepeatLeg)))
                     return give_up(heard("No walking route", 0) ? End::NoWay : End::NotUnderstood);
@@ -59,16 +59,16 @@ public:
         return arrived() ? End::Arrived : give_up(End::Loop);
     }
 
-    // ---- for who judges ----
+    // ---- for the test ----
     std::string last_lines(std::size_t most) const {
         std::string all;
         for (std::size_t i = said_.size() > most ? said_.size() - most : 0; i < said_.size(); ++i)
             all += "    " + said_[i] + "\n";
         return all;
     }
-    // Where the body stood when it was told that it is there; else where it stands.
+    // Where the walker stood when the arrival was announced, or else where it stands now.
     Vec3 feet_m() const { return told_there_m_.value_or(app_.feet_m()); }
-    // Stairs in one go and lifts that it took on its last walk.
+    // The flights of stairs and the lifts that it took on its last walk.
     int climbs() const { return climbs_; }
     void put(const Vec3& feet_m) {
         app_.apply(Placed{feet_m, 0.0}, now_s_);
@@ -97,7 +97,7 @@ private:
         return false;
     }
     bool arrived() const { return told_there_m_.has_value(); }
-    // Steps that were heard underfoot, and stairs, lifts and doors that were used.
+    // The number of footsteps heard, and of stairs, lifts and doors used.
     int moves() const { return footsteps_ + climbs_ + used_; }
 
     // ---- what it does ----
@@ -108,7 +108,7 @@ private:
     void run(double seconds) {
         for (; seconds > 0.0; seconds -= kTick_s) tick();
     }
-    // Until it stands, or is told that it is there.
+    // Waits until the walker stands, or until the arrival is announced.
     void wait() {
         for (int i = 0; i < 6000 && !app_.idle() && !arrived(); ++i) tick();
         run(0.15);
@@ -146,11 +146,11 @@ private:
         ++climbs_;
     }
     End give_up(End end) {
-        ask(Command::TakeMe);  // follows no way any more
+        ask(Command::TakeMe);  // stops following the route
         return end;
     }
 
-    // False: it has no form that can be obeyed.
+    // Returns false if the text has no form that can be obeyed.
     bool obey(const std::string& text) {
         if (text.find("You are standing at them. ") != std::string::npos) {
             ++climbs_;
@@ -174,7 +174,7 @@ private:
         else walk(leg.until == HeardLeg::Until::Counted ? leg.steps : 2 * leg.steps + 6);
         if (leg.use && !arrived()) use();
     }
-    // What stops it there and is said to be shut it opens.
+    // If something that is said to be shut stops it there, it opens that.
     void walk_direction(const Direction& direction, bool shut) {
         const int fives = static_cast<int>(std::lround(direction.right_deg / 5.0));
         for (int i = 0; i < std::abs(fives); ++i) press(fives > 0 ? Command::FreeRight : Command::FreeLeft);
@@ -182,21 +182,21 @@ private:
         walk(std::clamp(direction.steps, 1, kMostAtOnce));
         if (!arrived() && (shut || heard(", shut", said))) use();
     }
-    // So many steps, or until something stops it; to the side of what only a shoulder meets.
+    // Walks this many steps, or until something stops it. If only a shoulder hits something, it side-steps.
     void walk(int steps) {
         for (int tries = 0; tries < kTries && steps > 0 && !arrived(); ++tries) {
             const std::size_t said = said_.size();
             const int before = footsteps_;
             press(Command::Forward, steps);
             steps -= footsteps_ - before;
-            // What was told before the last word it has come past.
+            // Only the last sentence counts: it has already passed what was announced before.
             const std::string last = said_.size() > said ? said_.back() : std::string();
             const bool left = last.find("left shoulder") != std::string::npos;
             if (!left && last.find("right shoulder") == std::string::npos) return;
             hold(left ? Command::SideRight : Command::SideLeft, kSideStep_s);
         }
     }
-    // Lets go of the key when it is told.
+    // Walks up or down the flight, and releases the key when the session announces its end.
     void walk_until_over(int steps) {
         const std::size_t began = said_.size();
         std::size_t said = began;

@@ -1,5 +1,5 @@
-// Through to the world (S126): where a hand that a driver saw lies at heading 0, and what is told to the driver when
-// the world pushes that hand.
+// Tests the whole chain to the world (S126): where in the world the hand is that a driver reports, at heading 0, and
+// which force the driver gets when the world pushes that hand.
 #pragma once
 
 #include "tests/support/servo_rig.h"
@@ -7,8 +7,8 @@
 namespace handrail::test {
 
 struct ThroughWorld {
-    Vec3 world_m{0.0};     // of the hand, from the middle of the workspace
-    ForceCommand command;  // while something pushes it along +axis of the world with 2 mm of press
+    Vec3 world_m{0.0};     // position of the hand, from the middle of the workspace
+    ForceCommand command;  // while something pushes the hand along the positive axis of the world, pressed 2 mm deep
 };
 
 inline ThroughWorld through_world(const DeviceSpec& spec, const Vec3& seen_m, int axis) {
@@ -18,8 +18,8 @@ inline ThroughWorld through_world(const DeviceSpec& spec, const Vec3& seen_m, in
     rig.tuning.touch.world_m_per_hand_m = kScale;
     rig.tuning.touch.radius_m = kBall;
     rig.pose.origin_m = Vec3(7.0, -3.0, 1.0);
-    // Something fills all of the world up to where the ball is pressed by 2 mm of hand; the hand comes from the free
-    // side.
+    // A solid fills all of the world, up to where 2 mm of hand movement presses the proxy into it. The hand comes from
+    // the free side.
     Aabb solid{Vec3(-500.0), Vec3(500.0)};
     solid.max_m[axis] = rig.pose.origin_m[axis] + kScale * (seen_m[axis] + kPress) - kBall;
     HapticSceneBuilder builder;
@@ -36,8 +36,8 @@ inline ThroughWorld through_world(const DeviceSpec& spec, const Vec3& seen_m, in
     return out;
 }
 
-// That a place of step_m along the axis of the hand - right, forward, up - is 60 times as far east, north or up, and
-// the push goes the same way.
+// Checks that a hand movement of step_m along an axis (right, forward, up) goes 60 times as far east, north or up, and
+// that the push has the same direction.
 inline void expect_east_north_up(const ThroughWorld& through, int axis, double step_m, double within_m) {
     Vec3 expected{0.0};
     expected[axis] = 60.0 * step_m;

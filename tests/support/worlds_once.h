@@ -1,5 +1,6 @@
-// Worlds that no test writes, read once in a process, and their rooms found once for all sessions of it (RoomsKept):
-// most of what a test of the session would else wait for. What a session knows of rooms beyond that is its own copy.
+// Worlds that no test changes. They are read once per process, and their rooms are found once for all of its sessions
+// (RoomsKept), because these two take most of the time of a session test. Everything else that a session knows of rooms
+// is its own copy.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ namespace handrail::test {
 inline RoomsKept rooms_of_this_process{3};
 
 inline std::shared_ptr<const Scene> world_once(const std::filesystem::path& file) {
-    // Some of a world's names are made in the language spoken.
+    // Some names of a world depend on the spoken language.
     static std::map<std::pair<std::filesystem::path, std::string>, std::shared_ptr<const Scene>> known;
     std::shared_ptr<const Scene>& world = known[{file, spoken_language()}];
     if (world) return world;

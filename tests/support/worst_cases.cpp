@@ -15,8 +15,8 @@ Vec3 in_box(std::mt19937& random, double half_m) {
     return (Vec3(x, y, z) * 2.0 - 1.0) * half_m;
 }
 
-// Triangles of some 20 mm, a hundred thousand in a cube of 0.7 m; the hand starts in the midst and turns twenty times a
-// second, so that it drags the ball about.
+// A hundred thousand triangles of about 20 mm in a cube of 0.7 m. The hand starts in the middle and turns twenty times
+// a second, so that it drags the proxy around.
 WorstCase soup(double ball_m, int ticks) {
     WorstCase out;
     std::mt19937 random(1);
@@ -36,8 +36,8 @@ WorstCase soup(double ball_m, int ticks) {
     return out;
 }
 
-// Sheets that all but coincide, each tilted a little otherwise, and a hand that pokes through and slides on them at up
-// to 1 m/s.
+// Sheets that nearly coincide, each with a slightly different tilt. The hand pokes through them and slides on them at
+// up to 1 m/s.
 WorstCase sheets(int ticks) {
     WorstCase out;
     std::mt19937 random(3);
@@ -54,8 +54,7 @@ WorstCase sheets(int ticks) {
     return out;
 }
 
-// Spheres of 100,820 triangles whose surfaces all pass near the ball, on which they close in and from which they go
-// again.
+// Spheres of 100,820 triangles whose surfaces all pass near the proxy. They close in on it and move away again.
 WorstCase meshes(int bodies, int ticks) {
     WorstCase out;
     std::mt19937 random(2);
@@ -68,7 +67,7 @@ WorstCase meshes(int bodies, int ticks) {
         Vec3 out_of(0.0);
         do out_of = in_box(random, 1.0);
         while (glm::length(out_of) > 1.0 || glm::length(out_of) < 0.1 ||
-               out_of.z > -0.2);  // from below, so that there is a place to be pushed to
+               out_of.z > -0.2);  // from below, so that there is somewhere to be pushed to
         away.push_back(glm::normalize(out_of));
         builder.add_body(FeatureId{static_cast<std::uint32_t>(b)}, sphere,
                          {away.back() * 0.33, normalized({unit(random), unit(random), unit(random), 1.0}), 1.0});
@@ -86,7 +85,7 @@ WorstCase meshes(int bodies, int ticks) {
     return out;
 }
 
-// Boxes of 0.1 m in a ball of 0.5 m, each on a circle of its own; the hand goes to and fro through the midst.
+// Boxes of 0.1 m within a sphere of 0.5 m, each on its own circle. The hand goes to and fro through their middle.
 WorstCase boxes(int bodies, int ticks) {
     WorstCase out;
     std::mt19937 random(5);

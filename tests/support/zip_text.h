@@ -6,7 +6,7 @@
 
 namespace handrail::test {
 
-// With all files stored as they are; or deflated.
+// All files are stored uncompressed, or deflated.
 std::string zipped(const std::map<std::string, std::string>& files, bool deflated = false);
 
 }  // namespace handrail::test
