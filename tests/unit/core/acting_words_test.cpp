@@ -1,5 +1,5 @@
-// What is said of how to act: words to who types, keys to who presses; nothing of force where there is no device; and
-// what gives way is named like what does not.
+// How a person is told to act: with words if they type, with keys if they press keys. Nothing is said about force if
+// there is no device, and soft things are named like hard ones.
 #include "tests/support/map_text.h"
 #include "tests/unit/core/app_session.h"
 #include "tests/unit/core/explorer.h"
@@ -29,7 +29,7 @@ TEST(ActingWords, are_the_words_of_commands_for_who_types) {
               "You have not kept a route here yet. keep-way keeps the route that you planned or walked last.");
     EXPECT_EQ(s.ask(Command::WhatIsThis), "There is no touch device. Type where to hear what is around you.");
     EXPECT_EQ(s.ask(Command::StopEverything), "Stopped. forces turns sounds on again.");
-    // All that was said names no key.
+    // Nothing that was said names a key.
     for (const std::string& line : s.said)
         for (const char* word : {"Press", "F1", "F2", "F12", "Shift+", "Enter", "Escape", "Grave"})
             EXPECT_EQ(line.find(word), std::string::npos) << line;
@@ -76,7 +76,7 @@ TEST(WhatGivesWay, is_named_while_it_is_pressed) {
         test::Explorer person(std::make_shared<const Scene>(std::move(*scene)), "sim-t");
         person.tap(Command::ScaleDetail, 1.5);
         const double ground_m = 20.0 / 32.0;
-        // Down onto it, a millimetre at a time, until it pushes back and nothing hard does.
+        // Moves down onto it, a millimetre at a time, until it pushes back although nothing hard does.
         bool pressed = false;
         person.hold({0.0, 0.04, 0.0});
         person.tap(Command::ScaleRoom, 1.5);

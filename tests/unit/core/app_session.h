@@ -1,4 +1,4 @@
-// A person before the app alone, without servo and voices: what they press and type, and what is to be said. For tests
+// A person and a session alone, without servo and voices: what they press and type, and what would be said. For tests
 // of what the session does and says.
 #pragma once
 
@@ -48,7 +48,7 @@ struct AppSession {
             if (cue.kind == CueRequestKind::Bump) bumped.push_back(cue.feature);
         }
     }
-    // What was said last when the command has been given; a route that is still being planned is waited for.
+    // Gives the command and returns the last sentence said; waits if a route is still being planned.
     std::string ask(Command command) {
         app.apply(CommandDown{command}, now);
         app.apply(CommandUp{command}, now);
@@ -61,23 +61,23 @@ struct AppSession {
         run(seconds);
         app.apply(CommandUp{command}, now);
     }
-    // As a finger does, and what comes of it then.
+    // Taps the command as a finger does, and then waits for the effect.
     void tap(Command command, double then_s = 0.1) {
         hold(command, 0.05);
         run(then_s);
     }
-    // Straight on, until one stands.
+    // Walks straight on, then waits until the walker stands.
     void walk(double seconds) {
         hold(Command::Forward, seconds);
         run(0.2);
     }
-    // To the open list or question, as a terminal gives it.
+    // Answers the open list or question with a line, as a terminal does.
     std::string line(const std::string& text) {
         EXPECT_TRUE(app.apply(LineTyped{text}, now)) << text;
         listen();
         return said.empty() ? std::string() : said.back();
     }
-    // All that was said since this was last asked, on one line.
+    // Returns everything said since the last call, on one line.
     std::string news() {
         listen();
         return fmt::format("{}", fmt::join(std::exchange(said, {}), " | "));
@@ -92,8 +92,8 @@ struct AppSession {
     double now = 0.0;
     std::vector<std::string> said;
     std::vector<SoundKind> sounds;
-    std::vector<CueRequest> world_sounds;  // as the planner was told of them, the newest last
-    std::vector<FeatureId> bumped;         // into
+    std::vector<CueRequest> world_sounds;  // as the cue planner received them, the newest last
+    std::vector<FeatureId> bumped;         // what the walker bumped into
 };
 
 }  // namespace handrail::test

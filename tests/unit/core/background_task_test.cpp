@@ -1,4 +1,4 @@
-// Background tasks: the last one begun counts, what is given up ends soon, nothing outlives the owner.
+// Background tasks: only the last one begun counts, a cancelled one ends soon, and none outlives its owner.
 #include "worlds/base/background_task.h"
 #include "tests/support/child_process.h"
 

@@ -1,4 +1,4 @@
-// What a typed line does while a list is open, in the session on a virtual clock.
+// What a typed line does while a list is open, in a session on a virtual clock.
 #include "app/core/session/carried_lines.h"
 
 #include "app/core/session/headless_session.h"
@@ -21,7 +21,7 @@ protected:
         type({});
     }
     void TearDown() override { speak_to(ActsBy::WindowKeys); }
-    // What is said of a line until it is over; empty: waits only.
+    // Returns what is said until the line has been carried out; an empty line only waits.
     std::string type(const std::string& line) {
         const std::size_t before = speech_.lines().size();
         if (!line.empty()) session_.type(line);
@@ -49,7 +49,7 @@ TEST_F(CarriedLinesInTheHouse, are_commands_where_the_open_list_has_no_use_for_t
         EXPECT_NE(said.find("orth"), std::string::npos) << list << ": " << said;
         EXPECT_FALSE(list_is_open()) << list;
         type("right 1");
-        // A sentence is a command, too.
+        // A sentence is also a command.
         type(list);
         EXPECT_NE(type("turn left three times").find("West"), std::string::npos) << list;
         EXPECT_FALSE(list_is_open()) << list;

@@ -1,4 +1,4 @@
-// Stairs that nobody walks on: told of at their ends, and taken by the key that uses things.
+// Stairs that cannot be walked step by step: they are announced at their ends and taken with the key for using things.
 #include <gmock/gmock.h>
 
 #include "tests/unit/core/app_session.h"
@@ -13,9 +13,9 @@ using testing::Not;
 struct Visit : test::AppSession {
     Visit() {
         app.apply(WorldEntered{make_ready(test::hall_with_narrow_stairs())}, 0.0);
-        ask(Command::Exits);  // from now on rooms are known
+        ask(Command::Exits);  // from here on the rooms are known
     }
-    // Through the door, into the stairwell.
+    // Goes through the door into the stairwell.
     void go_in() {
         walk(4.0);
         tap(Command::Use);
@@ -58,7 +58,7 @@ TEST(Climbs, away_from_its_ends_the_key_uses_other_things_or_says_that_there_are
     EXPECT_NEAR(visit.app.feet_m().z, 0.0, 0.02);
 }
 
-// On the middle storey one flight begins where the other ends, and there is a door as near.
+// On the middle storey one flight begins where the other ends, and a door is equally near.
 TEST(Climbs, on_a_way_the_key_takes_the_flight_that_the_way_leads_over_in_its_direction) {
     test::AppSession person;
     person.app.apply(WorldEntered{make_ready(test::hall_with(PlanSpaceKind::Stairs, "Spiral stairs", 1.6, 1.6, 3))},

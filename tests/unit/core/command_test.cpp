@@ -18,7 +18,7 @@ TEST(CommandTable, lists_every_command_once_in_order) {
     }
 }
 
-// The original's demo keys keep their meaning for ever.
+// The demonstration keys of the original program keep their meanings for ever.
 TEST(KeyMap, keeps_the_keys_of_the_original) {
     const KeyMap keys({});
     const std::map<std::string, Command> original{{"Left", Command::TurnLeft},  {"Right", Command::TurnRight},
@@ -28,7 +28,7 @@ TEST(KeyMap, keeps_the_keys_of_the_original) {
     for (const auto& [key, command] : original) EXPECT_EQ(keys.find(key), command) << key;
 }
 
-// Orca and NVDA keep Insert and the keypad to themselves, in every set of keys.
+// Orca and NVDA reserve Insert and the keypad, so no set of keys uses them.
 TEST(KeyMap, needs_no_key_that_screen_readers_keep) {
     for (const KeyboardHand hand : {KeyboardHand::Both, KeyboardHand::Left, KeyboardHand::Right}) {
         const KeyMap keys({}, hand);

@@ -1,4 +1,4 @@
-// Every command and every key has its words in every language; what is typed stays.
+// Every command and every key has its words in every language, but the words that are typed stay the same.
 #include <gmock/gmock.h>
 
 #include <map>

@@ -1,4 +1,4 @@
-// The corridors of a labyrinth against a search of all rectangles, and those of our labyrinths.
+// Compares the corridors of a labyrinth with a search of all rectangles, and checks those of the bundled labyrinths.
 #include <gmock/gmock.h>
 
 #include <random>
@@ -9,7 +9,7 @@
 namespace handrail {
 namespace corridors_test {
 
-// Every rectangle is looked at; the first of the largest by row and column.
+// Looks at every rectangle; of the largest ones takes the first by row and column.
 std::vector<CellStrip> all_looked_at(std::vector<bool> free, int width, int depth) {
     std::vector<CellStrip> strips;
     const auto all_free = [&](const CellStrip& s) {
@@ -89,14 +89,14 @@ TEST(Corridors, of_our_labyrinths_join_each_other_both_ways_and_the_ball_lies_in
                     << i << " to " << branch.to;
             }
         }
-        // The goal is in one of them that can be come to from the first.
+        // One of the corridors contains the goal and can be reached from the first.
         const Vec3 goal = scene.labyrinth.goals.front().box_m.centre_m();
         EXPECT_TRUE(std::any_of(corridors->begin(), corridors->end(), [&](const Corridor& one) {
             const Vec3 near = glm::clamp(goal, one.box_m.min_m, one.box_m.max_m);
             return std::hypot(near.x - goal.x, near.y - goal.y) < 0.1;
         }));
     }
-    // Nothing to roll on.
+    // There is nothing to roll on.
     EXPECT_FALSE(corridors_of(Scene{}, Vec3(0.0), 0.05));
 }
 

@@ -1,4 +1,4 @@
-// A report of a crash: what gets in, what never does, and where it lies.
+// The report of a crash: what it contains, what it never contains, and where it is.
 #include "app/core/kept/crash_notes.h"
 
 #include <gmock/gmock.h>
@@ -58,7 +58,7 @@ std::vector<fs::path> reports_beside(const fs::path& sessions) {
     return found;
 }
 
-// As a session that is killed after it has noted this.
+// A session that writes this note and is then killed.
 void die_with(const fs::path& sessions, const std::string& text, const std::string& signal) {
     const pid_t child = ::fork();
     ASSERT_GE(child, 0);
@@ -172,7 +172,8 @@ TEST(MenuOfReports, lists_every_fault_of_the_settings) {
     EXPECT_TRUE(session.heard("line 9: another")) << session.news();
 }
 
-// By its word, from the desk by hand or key, and with the hand there is before what is plugged in.
+// Opens the list of devices by its word, and from the desk by hand or key. The hand in use comes before the connected
+// devices.
 TEST(MenuOfReports, opens_the_devices_by_their_word_and_from_the_desk) {
     const HandFacts falcon{true, false, *find_device_spec("falcon")};
     test::AppSession session({}, falcon);

@@ -1,4 +1,4 @@
-// The desk: what lies where, and that hand and keys change everything on it alike.
+// The desk: where its controls are, and that hand and keys change everything on it in the same way.
 #include "app/core/desk/desk.h"
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ std::shared_ptr<const Scene> open_ground() {
     return b.share();
 }
 
-// A session in virtual time, with the hand of a device or without any.
+// A session in virtual time, with or without a device's hand.
 class DeskSession : public test::Explorer {
 public:
     explicit DeskSession(const char* device, const Settings& settings = {})
@@ -52,7 +52,7 @@ public:
         run(0.2);
         go({0.0, -0.3 * reach, 0.0});
     }
-    // Before the control, then so far off its face; below zero it is pressed.
+    // Moves the hand in front of the control and then to this distance from its face; a negative distance presses it.
     bool reach(const std::string& name, double across_m, double up_m, double off_m) {
         const auto place = app().desk_visit().place_m(name);
         if (!place) return false;
@@ -63,7 +63,7 @@ public:
         run(0.1);
         return true;
     }
-    // Turns pages until the control lies there.
+    // Turns pages until the control is shown.
     void find(const std::string& name) {
         for (int i = 0; i < 12 && !app().desk_visit().place_m(name); ++i) press("Next page");
         ASSERT_TRUE(app().desk_visit().place_m(name)) << name;
@@ -72,9 +72,9 @@ public:
     void touch(const std::string& name) {
         const DeskKind kind = app().desk_visit().desk().controls()[*app().desk_visit().desk().find(name)].kind;
         const bool knob = kind == DeskKind::Knob,
-                   list = kind == DeskKind::List;  // beside the post of the one and the notch of the other
-        // And beside the ridge in the middle of a slider with an even number of positions, which would be pressed
-        // deeper.
+                   list = kind == DeskKind::List;  // touched next to the knob's post or the list's notch
+        // A slider with an even number of positions has a ridge in its middle, which would be pressed deeper; touches
+        // next to it.
         double across = 0.0;
         if (kind == DeskKind::Slider) {
             const DeskGrid grid = desk_grid(spec());
@@ -113,7 +113,7 @@ TEST(DeskPanel, controls_are_large_enough_far_enough_apart_within_reach_and_all_
                 EXPECT_GE(a.height_m, 0.013 - 1e-12);
                 const Vec3 corner(std::abs(a.x_m) + 0.5 * a.width_m, a.face_y_m, std::abs(a.z_m) + 0.5 * a.height_m);
                 EXPECT_LE(glm::length(corner), spec.workspace_radius_m);
-                // What can be felt of it lies within what is said of its size, so the gap is free.
+                // The part that can be felt is within the stated size, so the gap is really free.
                 const Aabb felt = panel.scene->find(a.feature)->bounds_m;
                 if (a.kind != DeskKind::Indicator) {
                     EXPECT_GE(felt.min_m.x, a.x_m - 0.5 * a.width_m - 3e-4);
@@ -141,7 +141,7 @@ TEST(DeskPanel, the_hand_feels_a_detent_for_each_position_of_sliders_and_knobs) 
     const DeskPanel panel = lay_out_desk(s.app().desk_visit().desk().controls(), *find_device_spec("sim-t"), 0);
     const PlacedControl* slider = panel.of(*control);
     ASSERT_NE(slider, nullptr);
-    // Slid along under a light press, the ball rises over a ridge between each two positions.
+    // Sliding along under a light press, the proxy rises over a ridge between each two positions.
     s.reach("Speech rate", slider->x_of(0) - slider->x_m, 0.0, -0.002);
     std::vector<double> heights;
     for (double x = slider->x_of(0); x <= slider->x_of(slider->positions - 1); x += 1e-4) {
@@ -158,7 +158,8 @@ TEST(DeskPanel, the_hand_feels_a_detent_for_each_position_of_sliders_and_knobs) 
 }
 
 TEST(DeskPanel, a_control_has_one_number_whichever_page_lies_there) {
-    // What is still pressed while the page turns would else be taken for another control of the new page.
+    // Otherwise a control that is still pressed while the page turns would count as a different control of the new
+    // page.
     Session app(Settings{}, HandFacts{});
     const auto controls = app.desk_visit().desk().controls();
     const DeviceSpec& spec = *find_device_spec("sim-f");
@@ -179,7 +180,7 @@ TEST(DeskPanel, a_control_has_one_number_whichever_page_lies_there) {
     EXPECT_EQ(std::count(seen.begin(), seen.end(), turn), 0);
 }
 
-// Every control, worked by the hand at the desk and by keys in its list, comes to the same.
+// Every control gives the same result, whether the hand works it at the desk or keys work it in the list.
 TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
     for (const char* device : kDevices) {
         if (device != kDevices[0] && test::kSanitizerScale < 1.0) continue;
@@ -192,10 +193,10 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
         for (std::size_t i = 0; i < desk.controls().size(); ++i) {
             const DeskControl control = desk.controls()[i];
             SCOPED_TRACE(fmt::format("{}, {}", device, control.name));
-            // Tells the one that there is; pressed, that what is plugged in is looked for.
+            // This control tells which device is used. Pressing it starts a search for connected devices.
             const bool of_hand = control.name == "Touch device";
             EXPECT_EQ(by_keys.app().desk_visit().desk().controls()[i].name, control.name);
-            // Read.
+            // Reads the control.
             by_hand.find(control.name);
             std::size_t from = by_hand.lines();
             by_hand.touch(control.name);
@@ -209,7 +210,7 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
             if (!of_hand) {
                 EXPECT_EQ(by_keys.app().desk_visit().desk().value(i), desk.value(i));
             }
-            // Change.
+            // Changes the control.
             from = by_hand.lines();
             const int before = control.count() > 0 ? control.position() : 0;
             const int step = before > 0 ? -1 : 1;
@@ -232,11 +233,11 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
                     by_hand.press(control.name);
                     EXPECT_TRUE(by_hand.heard("set by the knob", from)) << by_hand.all_heard(from);
                     by_hand.find("Volume knob");
-                    // Round the knob until one position is heard to be passed; anticlockwise: down.
+                    // Turns the knob until a position has audibly been passed; anticlockwise means down.
                     ASSERT_TRUE(by_hand.reach("Volume knob", 0.0, 0.0045, -by_hand.deep_m()));
                     const Vec3 top = by_hand.at_m();
                     for (int deg = 3; deg <= 120 && control.position() == before;
-                         deg += 3) {  // the soft hand drags behind
+                         deg += 3) {  // the soft hand lags behind
                         const double turn = radians_from_degrees(deg);
                         by_hand.slide_to(top +
                                          Vec3(0.0045 * step * std::sin(turn), 0.0, 0.0045 * (std::cos(turn) - 1.0)));
@@ -248,7 +249,7 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
                 }
                 case DeskKind::Knob: {
                     ASSERT_TRUE(by_hand.reach(control.name, 0.0045, 0.0,
-                                              -by_hand.deep_m()));  // at three o'clock, clockwise: up
+                                              -by_hand.deep_m()));  // starts at three o'clock; clockwise means up
                     const Vec3 right = by_hand.at_m();
                     const std::string knob_before = desk.value(i);
                     for (int deg = 3; deg <= 120 && desk.value(i) == knob_before; deg += 3) {
@@ -288,7 +289,7 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
             }
             by_keys.key("Down");
         }
-        // What is larger or smaller waits until the hand is back in the world, where it is the same again.
+        // A change of the scale waits until the hand is back in the world; then both have the same scale.
         EXPECT_EQ(by_hand.app().settings().workspace.scale, Settings{}.workspace.scale);
         by_hand.pull_through();
         EXPECT_FALSE(by_hand.app().at_desk());
@@ -335,7 +336,7 @@ TEST(Desk, a_beacon_is_put_on_the_mark_of_its_list_and_taken_off_again) {
     EXPECT_EQ(app.guide().beacon().name(), "Bench") << "another mark is taken at once";
     EXPECT_EQ(app.desk_visit().press(beacon), "Beacon off");
     EXPECT_FALSE(app.guide().beacon().on());
-    app.apply(WorldEntered{make_ready(open_ground())}, 1.0);  // without marks
+    app.apply(WorldEntered{make_ready(open_ground())}, 1.0);  // has no marks
     EXPECT_EQ(app.desk_visit().desk().value(mark), "none yet");
     EXPECT_EQ(app.desk_visit().press(beacon), "There are no marks yet. Insert or Shift+M sets one.");
 }
@@ -362,7 +363,7 @@ TEST(Desk, steps_or_metres_where_one_is_and_what_is_explored_are_told_there) {
 }
 
 TEST(Desk, lists_and_lessons_speak_german_where_that_is_spoken) {
-    const test::InLanguage german("en");  // and English again in the end
+    const test::InLanguage german("en");  // restores English at the end
     Session app(Settings{}, HandFacts{});
     ASSERT_TRUE(app.desk_visit().desk().find("Speech volume"));
     Settings settings;
@@ -383,7 +384,8 @@ TEST(Desk, lists_and_lessons_speak_german_where_that_is_spoken) {
               "Willkommen. Handrail spricht mit Orca. Enter beginnt, Leertaste sagt es noch einmal, Escape verlässt.");
 }
 
-// As a screen reader sets it: to the nearest position, so that hand, keys and tree come to the same values.
+// A screen reader sets a number, which goes to the nearest position, so that hand, keys and accessible tree reach the
+// same values.
 TEST(Desk, quantities_are_numbers_and_go_to_the_nearest_position) {
     Session app(Settings{}, HandFacts{});
     const Desk& desk = app.desk_visit().desk();
@@ -409,7 +411,7 @@ TEST(Desk, quantities_are_numbers_and_go_to_the_nearest_position) {
     EXPECT_EQ(desk.number(force)->most, 2.0);
     for (const double none : {std::nan(""), HUGE_VAL, -HUGE_VAL})
         EXPECT_EQ(app.desk_visit().put_number(rate, none), "250 words per minute");
-    // Every slider, volume and knob is one; what is on or off, chosen or pressed is none.
+    // Every slider, volume and knob is a quantity; switches, choices and buttons are not.
     for (std::size_t i = 0; i < desk.controls().size(); ++i) {
         const DeskControl& control = desk.controls()[i];
         const bool number = desk.number(i).has_value();
@@ -420,7 +422,7 @@ TEST(Desk, quantities_are_numbers_and_go_to_the_nearest_position) {
                      (control.kind == DeskKind::Button || control.kind == DeskKind::Indicator || control.many))
             << control.name;
         if (!number || control.kind == DeskKind::Knob) continue;
-        // Its ends, and each position by its number, are what steps lead to.
+        // Setting the ends, or each position by its number, gives the same values as single steps.
         app.desk_visit().put_number(i, desk.number(i)->least);
         for (int position = 0; position < control.count(); ++position) {
             EXPECT_EQ(control.position(), position) << control.name;

@@ -67,7 +67,7 @@ TEST(Dialogue, finds_names_by_their_first_letters) {
     EXPECT_EQ(f.dialogue.key("Space", 40.0).words, "Blueberry, 3 of 4");
 }
 
-// A keyboard sends a blank as a key and then as a character.
+// A keyboard sends a blank first as a key and then as a character.
 TEST(Dialogue, finds_names_of_several_words_as_they_are_typed) {
     Dialogue dialogue;
     ListSpec doors;
@@ -143,7 +143,7 @@ TEST(Dialogue, comes_back_to_the_list_below_and_ends_all_of_them_with_a_choice_t
     EXPECT_EQ(f.chosen, (std::vector<std::size_t>{1, 0}));
 }
 
-// Choosing may open and close lists at will, also the one that is being chosen from.
+// A choice may open and close any lists, including the one from which it is made.
 TEST(Dialogue, may_be_changed_by_what_was_chosen) {
     Dialogue dialogue;
     ListSpec list;
@@ -212,7 +212,7 @@ TEST(Dialogue, works_by_lines) {
     EXPECT_FALSE(f.dialogue.is_open());
 }
 
-// The platforms of a station: "1" is the first platform, wherever it stands in the list.
+// The platforms of a station: "1" means platform 1, wherever it is in the list.
 TEST(Dialogue, takes_what_is_called_by_a_number_before_the_item_of_that_number) {
     Fruit f;
     ListSpec platforms = f.list(true);
@@ -262,12 +262,12 @@ TEST(SessionLists, hold_everything_that_can_be_done_and_do_it) {
     Open s;
     s.app.apply(CommandDown{Command::Menu}, 0.0);
     s.app.apply(CommandUp{Command::Menu}, 0.0);
-    EXPECT_TRUE(s.app.apply(KeyTapped{"Enter"}, 0.0));  // what I can do
-    EXPECT_TRUE(s.app.apply(KeyTapped{"Enter"}, 0.0));  // all of it
+    EXPECT_TRUE(s.app.apply(KeyTapped{"Enter"}, 0.0));  // opens "what I can do"
+    EXPECT_TRUE(s.app.apply(KeyTapped{"Enter"}, 0.0));  // shows all of it
     ASSERT_EQ(s.app.dialogue().view().items.size(), command_table().size());
     s.said();
     double now_s = 0.0;
-    for (const char letter : std::string("say which")) {  // which way you face
+    for (const char letter : std::string("say which")) {  // the command "which way you face"
         EXPECT_TRUE(s.app.apply(TextTyped{std::string(1, letter)}, now_s));
         now_s += 0.1;
     }

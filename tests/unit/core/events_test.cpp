@@ -1,4 +1,4 @@
-// What a session tells of as facts while somebody walks through our house.
+// The facts that a session reports as events while a person walks through our house.
 #include <gtest/gtest.h>
 
 #include "tests/unit/core/way_walker.h"
@@ -55,7 +55,8 @@ TEST(SessionEvents, of_a_stay_at_a_thing_are_told_once_and_of_a_typed_answer_wit
                 all.emplace_back(s.app.scene()->features[visit->feature.value].name, visit->by);
         return all;
     };
-    // At the base one faces the stairs from afar: nothing is visited by standing there, and the question is a visit.
+    // At the base the walker faces the stairs from afar. Standing there visits nothing, but the question counts as a
+    // visit.
     s.run(3.0);
     EXPECT_TRUE(visits().empty());
     s.ask(Command::AheadOfMe);
@@ -66,7 +67,7 @@ TEST(SessionEvents, of_a_stay_at_a_thing_are_told_once_and_of_a_typed_answer_wit
     s.ask(Command::AheadOfMe);
     s.run(3.0);
     EXPECT_TRUE(visits().empty()) << "one stay is told once";
-    // Up to what is ahead, until it is in the way.
+    // Walks towards what is ahead until it is in the way.
     s.hold(Command::Forward, 6.0);
     s.run(3.0);
     const auto faced = visits();

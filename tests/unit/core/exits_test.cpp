@@ -1,4 +1,4 @@
-// Exits of a hall with many of them: the nearest eight, and then how many more there are of each kind.
+// The exits of a hall that has many: names the nearest eight, then how many more there are of each kind.
 #include <gmock/gmock.h>
 
 #include "tests/support/box_scene.h"

@@ -1,4 +1,5 @@
-// What should be mended in a world: from fault to fault by keys and by words, and mended in place.
+// The list of what should be mended in a world: a person goes from fault to fault with keys and words and mends them in
+// place.
 #include "app/core/kept/landmarks.h"
 #include "tests/support/map_text.h"
 #include "tests/support/temporary_folder.h"
@@ -11,7 +12,7 @@ namespace fault_list_test {
 using test::Explorer;
 using testing::HasSubstr;
 
-// A room of 8 by 6 metres without name and landmark, with two things of which one could be a landmark.
+// A room of 8 by 6 metres without name and landmark. It has two things, one of which could be a landmark.
 std::shared_ptr<const Scene> bare_room() {
     const std::string map = test::entity("worldspawn", test::key("message", "Bare room") + test::key("building", "1"),
                                          test::room_brushes(0, 0, 0, 256, 192, 96)) +
@@ -64,7 +65,7 @@ TEST(FaultList, mends_a_missing_name_and_a_missing_landmark_in_place) {
     EXPECT_TRUE(p.heard("No problems found here.")) << p.all_heard(0);
 }
 
-// Of two rooms the second has no door.
+// Two rooms, of which the second has no door.
 std::shared_ptr<const Scene> shut_kitchen() {
     Result<Scene> scene = read_words(
         "Building: Two rooms.\n\nRoom: Hall, 4 by 6 metres. Door outside in the south wall.\n\n"
@@ -127,7 +128,7 @@ TEST(Landmarks, are_kept_in_the_side_file_and_laid_upon_the_world_again) {
     const auto marked = with_landmarks(scene, kept);
     EXPECT_TRUE(marked->features[static_cast<std::size_t>(stove - scene->features.begin())].landmark);
     EXPECT_FALSE(stove->landmark) << "the world itself stays as it is";
-    kept[0].at_m.x += 1.0;  // the thing is not there any more
+    kept[0].at_m.x += 1.0;  // the thing is no longer there
     EXPECT_EQ(with_landmarks(scene, kept), scene);
     EXPECT_EQ(with_landmarks(marked, read_landmarks(file, faults)), marked) << "nothing is left to mark";
 }

@@ -1,4 +1,4 @@
-// Everything that has a name in our house is found within 20 seconds by each of the tools that are there for it.
+// Everything with a name in our house is found within 20 seconds by each tool that is meant for it.
 #include <fmt/format.h>
 
 #include <glm/mat3x3.hpp>
@@ -22,12 +22,12 @@ namespace found_in_the_house_test {
 using test::Explorer;
 
 constexpr double kWithin_s = 20.0;
-constexpr double kBefore_m = 2.0;  // on foot, from where a thing comes into the hand's reach
+constexpr double kBefore_m = 2.0;  // walking distance at which a thing comes within the hand's reach
 constexpr double kHandHeight_m = 1.0, kBody_m = 0.3;
 
 std::string told(const NamedThing& thing) { return sentence_case(speakable(thing.name)); }
 
-// All of them, or under instruments some from all over the house.
+// All named things; under instruments some from all parts of the house.
 std::vector<NamedThing> sought_things(const Scene& scene) {
     const std::vector<NamedThing> all = named_things(scene);
     EXPECT_GT(all.size(), 50U);
@@ -37,7 +37,7 @@ std::vector<NamedThing> sought_things(const Scene& scene) {
     return some;
 }
 
-// The hand rests, opens the doors it is told of and goes where it is pulled.
+// The hand rests, opens the doors that are announced to it, and moves where it is pulled.
 TEST(FoundInTheHouse, by_a_hand_that_is_taken_there_from_the_front_door) {
     const auto house = test::our_world("house.map");
     Explorer p(house, "sim-t");
@@ -67,8 +67,8 @@ TEST(FoundInTheHouse, by_a_hand_that_is_taken_there_from_the_front_door) {
     fmt::print("{} things: taken to each in {:.1f} s at most\n", things.size(), longest_s);
 }
 
-// Where somebody stands on the way to a thing, at most so far before it, as far off as nothing stands between: who is
-// farther off is taken there, or walks.
+// Where a person stands on the route to a thing: at most this far before it, and as far away as nothing is in between.
+// From farther away, a person is led there or walks.
 class Approach {
 public:
     explicit Approach(const std::shared_ptr<const Scene>& scene)
@@ -84,14 +84,14 @@ public:
             const Vec3 feet = place_along(route.points_m, std::max(0.0, length_m - off_m));
             const Vec3 hand = feet + Vec3(0.0, 0.0, kHandHeight_m);
             if (in_sight(hand, place_on(thing.bounds_m, hand), thing.feature)) return feet;
-            // A door's frame hides the door from the side, but not the place before it.
+            // A door's frame hides the door from the side, but it does not hide the place in front.
             if (in_sight(hand, route.points_m.back() + Vec3(0.0, 0.0, kHandHeight_m), thing.feature)) return feet;
         }
         return route.points_m.back();
     }
 
 private:
-    // From a body's width farther off, too: nobody stands in the leaf of a shut door.
+    // Also checks the line from a body's width farther away, because nobody stands in the leaf of a shut door.
     bool in_sight(const Vec3& hand, const Vec3& place, FeatureId thing) const {
         const Vec3 way = place - hand;
         const double length_m = glm::length(way);
@@ -103,14 +103,15 @@ private:
     std::shared_ptr<Navigation> navigation_;
 };
 
-// A hand that is nowhere held back: the whole reach is for seeking. Straight lines are wished for.
+// Settings with which nothing holds the hand back, so that the whole workspace serves for searching. Guidance is in
+// straight lines.
 Settings free_reach() {
     Settings settings;
     settings.workspace.rim = settings.desk.use = settings.guidance.along_way = false;
     return settings;
 }
 
-// The body is set down there, facing north, and the hand lies in the middle of its reach.
+// Places the walker there, facing north, with the hand in the middle of its workspace.
 void stand(Explorer& p, const Vec3& feet_m) {
     p.leave_lists();
     p.hold(Vec3(0.0));
@@ -118,7 +119,7 @@ void stand(Explorer& p, const Vec3& feet_m) {
     p.run(1.2);
 }
 
-// From the front door, the hand in the middle of its reach.
+// Starts from the front door, with the hand in the middle of its workspace.
 void stand_at_the_front_door(Explorer& p) {
     p.leave_lists();
     p.hold(Vec3(0.0));
@@ -126,12 +127,12 @@ void stand_at_the_front_door(Explorer& p) {
     p.run(1.2);
 }
 
-// A hand that goes where its person wants, takes the world along where its reach ends, as one lifts a mouse, does not
-// press on against what holds it back, and opens the doors it is told of.
+// A hand that goes where its person wants. At the end of its workspace it takes the world along, as a mouse is lifted.
+// It does not press on against obstacles, and it opens the doors that are announced to it.
 class SeekingHand {
 public:
     SeekingHand(Explorer& p, std::size_t heard_from) : p_(p), door_(heard_from) {}
-    // So that it can go so far from where it is, every way. True: the world was taken along for it.
+    // Makes room to move this far in every direction. Returns true if the world was taken along for that.
     bool have_room(double by_m) {
         if (glm::length(p_.hand_m()) + by_m <= kReach_m) return false;
         p_.tap(Command::Grab, 0.1);
@@ -139,7 +140,8 @@ public:
         p_.tap(Command::Grab, 0.05);
         return true;
     }
-    // So far, hand metres; along what is in the way where that leads on. False: something held it back.
+    // Moves by this much, in hand metres, or along an obstacle if that leads on. Returns false if something held it
+    // back.
     bool go(const Vec3& by_m, double speed_m_per_s) {
         have_room(glm::length(by_m));
         const auto pressed_m = press_on(by_m, speed_m_per_s);
@@ -149,12 +151,12 @@ public:
     }
 
     void let_go_of_it() { p_.hold(p_.hand_m() - pressed()); }
-    // So far, and where it presses more than that against something, back to so little. How far it presses then, hand
-    // metres.
+    // Moves by this much; if it then presses harder than `most_m` against something, it goes back until it does not.
+    // Returns how far it presses in the end, in hand metres.
     Vec3 press(const Vec3& by_m, double speed_m_per_s, double most_m) {
         p_.hold(p_.hand_m() + by_m, speed_m_per_s);
         const Vec3 pressed_m = pressed();
-        open_doors();  // what the hand touches is what the key opens
+        open_doors();  // the key opens what the hand touches
         const double much_m = glm::length(pressed_m);
         if (much_m <= most_m) return pressed_m;
         p_.hold(p_.hand_m() - pressed_m * (1.0 - most_m / much_m));
@@ -165,11 +167,11 @@ private:
     Vec3 pressed() const {
         return (p_.tool().hip_m - p_.tool().proxy_m) / p_.app().hand().tuning.touch.world_m_per_hand_m;
     }
-    // How far it pressed against something before it gave way; none: it went.
+    // Returns how far it pressed against something before it gave way; none if nothing was in the way.
     std::optional<Vec3> press_on(const Vec3& by_m, double speed_m_per_s) {
         p_.hold(p_.hand_m() + by_m, speed_m_per_s);
         const Vec3 pressed_m = pressed();
-        open_doors();  // what the hand touches is what the key opens
+        open_doors();  // the key opens what the hand touches
         if (glm::length(pressed_m) < 0.001) return std::nullopt;
         p_.hold(p_.hand_m() - pressed_m);
         return pressed_m;
@@ -186,7 +188,7 @@ private:
     std::size_t door_;
 };
 
-// A thing that somebody looks for from the front door, by a tool of the list, and what was heard since.
+// A search for a thing from the front door, with a tool of the list, and what was heard since.
 struct Search {
     Search(Explorer& explorer, const NamedThing& sought, const char* tool) : p(explorer), thing(sought) {
         stand_at_the_front_door(p);
@@ -196,7 +198,7 @@ struct Search {
     }
     bool here() const { return p.heard("Here: " + told(thing), from); }
     bool over() const { return here() || p.now_s() - begins_s > kWithin_s; }
-    // Once it is over. How long it took.
+    // Returns how long the search took. Call it when the search is over.
     double found() const {
         EXPECT_TRUE(here()) << told(thing) << ":\n" << p.all_heard(from);
         return p.now_s() - begins_s;
@@ -207,13 +209,13 @@ struct Search {
     double begins_s = 0.0;
 };
 
-// Level and upright, and those between them.
+// Level and vertical directions, and the level diagonals.
 const std::vector<Vec3> kSides{{0, 1, 0},  {1, 0, 0},  {-1, 0, 0},  {0, -1, 0}, {1, 1, 0},
                                {-1, 1, 0}, {1, -1, 0}, {-1, -1, 0}, {0, 0, 1},  {0, 0, -1}};
 const std::vector<Vec3> kSlanting{{0, 1, 1},  {1, 0, 1},  {-1, 0, 1},  {0, -1, 1},
                                   {0, 1, -1}, {1, 0, -1}, {-1, 0, -1}, {0, -1, -1}};
 
-// The hand goes on and gives way to what it feels; where it is held back it feels round for where nothing does.
+// The hand moves on and gives way to the forces. Where it is held back, it feels around for a free direction.
 TEST(FoundInTheHouse, by_a_hand_that_follows_the_lines_from_the_front_door) {
     constexpr double kSpeed_m_per_s = 0.06, kStep_s = 0.02, kFelt_n = 0.03;
     const auto house = test::our_world("house.map");
@@ -223,21 +225,21 @@ TEST(FoundInTheHouse, by_a_hand_that_follows_the_lines_from_the_front_door) {
     for (const NamedThing& thing : things) {
         const Search search(p, thing, "Lines leading there");
         SeekingHand hand(p, search.from);
-        p.run(1.6);  // told, and come in
+        p.run(1.6);  // until it is announced and the force has faded in
         const auto felt = [&] {
             const Vec3 force = p.tool().guidance.force_n;
             return glm::length(force) < kFelt_n ? Vec3(0.0) : force;
         };
-        Vec3 way(0.0), came(0.0);  // which way it goes, and came over its last centimetre
+        Vec3 way(0.0), came(0.0);  // present direction, and that of its last centimetre
         std::vector<Vec3> places;
         const auto feel_round = [&] {
             Vec3 best(0.0);
             double least_n = 1e9;
             hand.have_room(0.008);
             for (int i = 0; i < 20 && felt() != Vec3(0.0) && hand.go(0.0005 * glm::normalize(felt()), 0.1);
-                 ++i) {  // back to where it rests
+                 ++i) {  // goes back to where it rests
             }
-            // Every way but back; the slanting ones only where none of the others is free.
+            // Tries every direction except back, and the slanting ones only if none of the others is free.
             static constexpr double kFree_n = 0.02;
             for (const auto& sides : {kSides, kSlanting}) {
                 if (least_n < kFree_n) break;
@@ -278,8 +280,8 @@ TEST(FoundInTheHouse, by_a_hand_that_follows_the_lines_from_the_front_door) {
     fmt::print("{} things: the lines followed to each in {:.1f} s at most\n", things.size(), longest_s);
 }
 
-// Whoever seeks along one axis after the other for where the push of a line turns round has the place. The hand is a
-// strong one: it goes on through walls, which the lines go through too.
+// A search along one axis after the other, for the point where the push of a line reverses, finds the place. The hand
+// is a strong one: it passes through walls, as the lines do.
 TEST(FoundInTheHouse, by_a_hand_along_the_lines_that_cross_there) {
     constexpr double kReach_m = 0.07;
     const auto house = test::our_world("house.map");
@@ -293,10 +295,10 @@ TEST(FoundInTheHouse, by_a_hand_along_the_lines_that_cross_there) {
         stand(p, *feet);
         ASSERT_TRUE(p.ask(told(thing), thing.feature, "Lines leading there")) << told(thing);
         const double begins_s = p.now_s();
-        p.run(1.6);  // told, and come in
+        p.run(1.6);  // until it is announced and the force has faded in
         Vec3 at(0.0);
         for (int axis = 0; axis < 3; ++axis) {
-            // To one end of the reach, then slowly through it, until the push, which was onwards, holds back.
+            // Moves to one end of the workspace, then slowly through it, until the push reverses from onward to back.
             Vec3 from = at;
             from[axis] = -kReach_m;
             p.hold(from, 0.2);
@@ -323,8 +325,8 @@ TEST(FoundInTheHouse, by_a_hand_along_the_lines_that_cross_there) {
                things.size(), longest_s, 1000.0 * farthest_m);
 }
 
-// What somebody makes of how directly each little movement came nearer: which way leads on, and how sure that is along
-// each axis. A Kalman filter over the ticks: the older they are, the less they count.
+// What a person concludes from how directly each small movement came nearer: which direction leads on, and how sure
+// that is along each axis. A Kalman filter over the ticks, in which older ticks count less.
 class SenseOfWay {
 public:
     void hear(const Vec3& went, double nearer) {
@@ -334,7 +336,7 @@ public:
         sure_ -= glm::outerProduct(gain, sure_ * went);
     }
     const Vec3& way() const { return way_; }
-    // The direction of which least is known, as long as the doubt of it.
+    // The direction about which least is known; its length is the uncertainty.
     Vec3 doubt() const {
         Vec3 axis(0.6, 0.5, 0.62);
         for (int i = 0; i < 30; ++i) axis = glm::normalize(sure_ * axis);
@@ -347,8 +349,8 @@ private:
     glm::mat<3, 3, double> sure_{1.0};  // covariance
 };
 
-// A hand that weaves its way: on where it believes to come nearer, and to the side of which it knows least, so that
-// every tick tells something. What holds it back it feels round.
+// A hand that weaves: it moves on where it expects to come nearer, and to the side about which it knows least, so that
+// every tick is informative. It feels its way around obstacles.
 class WarmerHand {
 public:
     explicit WarmerHand(const Search& search)
@@ -377,14 +379,14 @@ public:
 
 private:
     static constexpr double kFeel_m = 0.002, kPress_m = 0.0006;
-    static constexpr double kFast = 0.85;  // hand metres a second for each second between ticks
+    static constexpr double kFast = 0.85;  // hand metres a second, per second between ticks
     struct HeardNearer {
-        Vec3 went_m{0.0};  // hand metres
+        Vec3 went_m{0.0};  // movement in hand metres
         double nearer = 0.0;
     };
 
     Vec3 proxy() const { return p_.tool().proxy_m / p_.app().hand().tuning.touch.world_m_per_hand_m; }
-    // The faster it ticks, the slower: it is near.
+    // Faster ticks mean that the target is near, so it moves more slowly.
     double speed() const { return std::clamp(kFast * (interval_s_ - 0.05), 0.02, 0.10); }
     Vec3 next_way() {
         const Vec3 doubt = (weave_ = -weave_) * sense_.doubt();
@@ -394,11 +396,11 @@ private:
     void step(const Vec3& by_m, double speed_m_per_s) {
         if (hand_.have_room(glm::length(by_m))) {
             nearer_heard();
-            deaf_ = true;  // to the next tick, which tells of that too
+            deaf_ = true;  // until the next tick, which includes that movement
         }
         hand_.press(by_m, speed_m_per_s, kPress_m);
     }
-    // Held back: the free way nearest to the wished one.
+    // When held back, takes the free direction nearest to the wished one.
     Vec3 free_way(const Vec3& wished) {
         std::vector<Vec3> ways;
         for (const auto& sides : {kSides, kSlanting})
@@ -414,7 +416,7 @@ private:
         }
         return -wished;
     }
-    // Of a tick since the last that was listened to.
+    // The result of a tick since the last one that was used.
     std::optional<HeardNearer> nearer_heard() {
         std::optional<double> pitch;
         for (; heard_ < p_.sounds().size(); ++heard_)
@@ -424,7 +426,7 @@ private:
         if (!pitch) return std::nullopt;
         interval_s_ = p_.now_s() - std::exchange(ticked_s_, p_.now_s());
         const Vec3 went = proxy() - std::exchange(before_m_, proxy());
-        if (std::exchange(deaf_, false) || glm::length(went) < 0.0005) return std::nullopt;  // or it rested
+        if (std::exchange(deaf_, false) || glm::length(went) < 0.0005) return std::nullopt;  // or the hand rested
         return HeardNearer{went, 2.0 * (*pitch - 1.0)};
     }
 
@@ -438,7 +440,7 @@ private:
     double interval_s_ = 0.0, ticked_s_ = 0.0, weave_ = 1.0;
 };
 
-// Walls and things hold this hand back.
+// Walls and things stop this hand.
 TEST(FoundInTheHouse, by_a_hand_that_listens_to_warmer_and_colder_from_the_front_door) {
     const auto house = test::our_world("house.map");
     Explorer p(house, "sim-t");
@@ -451,15 +453,15 @@ TEST(FoundInTheHouse, by_a_hand_that_listens_to_warmer_and_colder_from_the_front
         if (search.here()) continue;
         p.leave_lists();
         p.choose(told(thing), thing.feature);
-        p.line("Warmer and colder");  // off
+        p.line("Warmer and colder");  // switches it off
     }
     fmt::print("{} things: each found by warmer and colder from the front door in {:.1f} s at most\n", things.size(),
                longest_s);
 }
 
-// Keys only, in a hurry: 2 m/s by the setting of the walking speed. Nothing but which of its sounds the beacon makes
-// and from which side it comes, and the doors that are told: turns while walking, stands still to turn farther. What is
-// bumped into is stepped round.
+// Keys only, in a hurry: 2 m/s by the setting of the walking speed. This person knows only which of its sounds the
+// beacon makes, from which side it comes, and the announced doors. They turn while walking, and stand still for larger
+// turns. They step around obstacles.
 TEST(FoundInTheHouse, by_somebody_who_walks_by_keys_to_where_the_beacon_rings_from_the_front_door) {
     constexpr double kHurried_m_per_s = 2.0;
     Settings settings;
@@ -477,8 +479,8 @@ TEST(FoundInTheHouse, by_somebody_who_walks_by_keys_to_where_the_beacon_rings_fr
                 on ? p.app().apply(CommandDown{Command::Forward}, p.now_s())
                    : p.app().apply(CommandUp{Command::Forward}, p.now_s());
         };
-        // To where it was heard, to five degrees: by notches, and the rest by the keys for free turning, 5 degrees a
-        // tap.
+        // Turns towards where it was heard, to within five degrees: by notches, and the rest by the keys for free
+        // turning, 5 degrees a tap.
         const auto turn = [&](double right_deg) {
             const int notches = static_cast<int>(right_deg / 22.5),
                       rest = static_cast<int>(std::lround((right_deg - 22.5 * notches) / 5.0));
@@ -502,7 +504,7 @@ TEST(FoundInTheHouse, by_somebody_who_walks_by_keys_to_where_the_beacon_rings_fr
                 bumped = bumped || cue.kind == SoundKind::Bump;
             }
             if (bumped && walking) {
-                // Round it, now to one side, now to the other, the farther the more often.
+                // Goes around it, on alternate sides, and farther each time.
                 walk(false);
                 turn(++bumps % 2 == 1 ? 90.0 : -90.0);
                 p.run(0.6);
@@ -530,7 +532,7 @@ TEST(FoundInTheHouse, by_somebody_who_walks_by_keys_to_where_the_beacon_rings_fr
                longest_s);
 }
 
-// From the front door to the music room upstairs, and half a second on the way.
+// Leads from the front door towards the music room upstairs, for half a second.
 void lead_to_piano(Explorer& p) {
     const auto& features = p.app().scene()->features;
     const auto piano =
@@ -573,7 +575,7 @@ TEST(TakenAlongAWay, a_hand_whose_body_walks_off_or_is_put_elsewhere_gets_a_new_
     }
 }
 
-// A door that opens changes the world for both.
+// A door that opens changes the world for both tools.
 TEST(TakenAlongAWay, beacon_and_warmer_are_each_planned_anew_when_something_stands_elsewhere) {
     Explorer p(test::our_world("house.map"), nullptr);
     const auto& features = p.app().scene()->features;
@@ -593,7 +595,7 @@ TEST(TakenAlongAWay, beacon_and_warmer_are_each_planned_anew_when_something_stan
     EXPECT_EQ(seek.warmer_along().planned_in, p.app().scene());
 }
 
-// It has come off the door while one hears which it is; nearer to the body stands another.
+// The hand has already left the door while the person hears which door it is, and another door is nearer to the walker.
 TEST(TakenAlongAWay, a_hand_opens_the_door_that_it_was_told_of_a_moment_ago) {
     Explorer p(test::our_world("house.map"), "sim-t");
     const auto& features = p.app().scene()->features;

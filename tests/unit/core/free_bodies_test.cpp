@@ -1,5 +1,5 @@
-// Things that are free to move, in a session: who walks pushes them, keys take, move, lift, turn and drop them, and
-// they end where the hand, the body and the ways of the world meet them.
+// Bodies that are free to move, in a session. A walker pushes them; keys take, move, lift, turn and drop them; and they
+// stop where they meet the hand, the walker or the walls of the world.
 #include <random>
 
 #include "tests/support/map_text.h"
@@ -14,7 +14,7 @@ using test::box_brush;
 using test::entity;
 using test::key;
 
-// A hall of 10 by 20 m; one starts in the south, a metre from the wall, and looks north.
+// A hall of 10 by 20 m. The walker starts in the south, a metre from the wall, and looks north.
 std::shared_ptr<const Scene> hall(const std::string& entities) {
     const std::string room = test::room_brushes(0, 0, 0, 320, 640, 128);
     const std::string base = entity("info_player_start", key("origin", "160 32 24") + key("angle", "90"));
@@ -25,7 +25,7 @@ std::shared_ptr<const Scene> hall(const std::string& entities) {
     return std::make_shared<const Scene>(std::move(*scene));
 }
 
-// A box of half a metre whose middle is that far east and north.
+// A box of half a metre with its middle this far east and north.
 std::string box(const char* name, double kg, double east_m, double north_m, const std::string& more = {}) {
     const double x = 32.0 * east_m, y = 32.0 * north_m;
     return entity("thing", key("cs_name", "dynamic_box") + key("name", name) + key("mass", std::to_string(kg)) + more,
@@ -40,7 +40,7 @@ std::string ball(double radius_m, double east_m, double north_m) {
 struct Walk : test::AppSession {
     explicit Walk(std::shared_ptr<const Scene> scene) { app.apply(WorldEntered{make_ready(std::move(scene))}, 0.0); }
     Vec3 at(const char* name) const { return app.thing_at(name).value_or(Placement{}).position_m; }
-    // The body's cylinder overlaps nothing.
+    // True if the walker's cylinder overlaps nothing.
     bool stands_free() const {
         return !app.world().solids->blocked(app.feet_m(), {body_size(*app.scene(), 0.25).radius_m - 1e-3, 1.5});
     }
@@ -201,7 +201,7 @@ TEST(FreeBodies, ways_leave_out_what_gives_way_and_go_round_what_does_not) {
     }
 }
 
-// Walking at random among twenty bodies, taking hold and dropping at random.
+// Walks at random among twenty bodies, and takes and drops them at random.
 TEST(FreeBodies, random_walks_grips_and_drops_leave_all_in_the_hall_and_nobody_inside_anything) {
     const std::uint32_t seed = test::seed_of_run();
     SCOPED_TRACE(seed);
@@ -232,7 +232,7 @@ TEST(FreeBodies, random_walks_grips_and_drops_leave_all_in_the_hall_and_nobody_i
         }
         const Vec3 feet = walk.app.feet_m();
         ASSERT_TRUE(feet.x > 0.2 && feet.x < 9.8 && feet.y > 0.2 && feet.y < 19.8 && feet.z > -0.01);
-        // What is driven against a body overlaps it by a little for a moment, and is pushed off.
+        // A walker driven against a body overlaps it slightly for a moment and is then pushed off.
         ASSERT_FALSE(walk.app.world().solids->blocked(feet + Vec3(0.0, 0.0, 0.02), {0.25 - 0.03, 1.5}))
             << "act " << act;
     }

@@ -1,5 +1,5 @@
-// A short session in German: what is said is whole German sentences, with the names that the map has in German, and
-// follows a change of the language with the next sentence.
+// A short session in German. Everything said is whole German sentences, with the map's German names, and a change of
+// the language takes effect with the next sentence.
 #include "tests/support/box_scene.h"
 #include "tests/support/project_root.h"
 #include "tests/support/spoken_language.h"
@@ -77,7 +77,7 @@ TEST(GermanSession, begins_asks_touches_walks_and_leaves_in_whole_german_sentenc
     EXPECT_EQ(s.ask(Command::Leave), "Auf Wiedersehen.");
 }
 
-// A platform that ends four metres to the north, 1.2 metres above what lies beyond.
+// A platform that ends four metres to the north, 1.2 metres above the ground beyond.
 std::shared_ptr<const Scene> platform() {
     test::SceneBuilder b;
     b.box({-5, -5, -4}, {5, 4, 0}, "floor", SolidRole::Solid, "concrete", FeatureKind::Floor);

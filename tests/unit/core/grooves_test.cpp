@@ -1,4 +1,4 @@
-// Grooves on the floor: where they run, and what a hand feels of them in a session.
+// Grooves on the floor: where they are, and what a hand feels of them in a session.
 #include "app/core/wayfinding/grooves.h"
 
 #include <limits>
@@ -46,7 +46,8 @@ TEST(Grooves, are_off_unless_wished_for_and_then_hold_a_hand_in_a_doorway) {
         settings.guidance.grooves = wished;
         settings.workspace.rim = false;
         Explorer p(test::our_world("house.map"), "sim-t", settings);
-        // Before the living room's door, in the hall, a ball on the floor 15 cm aside of the middle of the doorway.
+        // In the hall, in front of the living room's door: puts the proxy on the floor, 15 cm beside the middle of the
+        // doorway.
         const auto portal = [&] {
             const auto& features = p.app().scene()->features;
             const auto door = std::find_if(features.begin(), features.end(),
@@ -68,7 +69,8 @@ TEST(Grooves, are_off_unless_wished_for_and_then_hold_a_hand_in_a_doorway) {
         else EXPECT_EQ(force, Vec3(0.0));
         EXPECT_LE(glm::length(force), 0.8);
         if (!wished) continue;
-        // Asked to be led, the hand feels the pull alone; let go, the grooves are back, now along the way as well.
+        // While the hand is led on request, it feels only the pull. After it is released, the grooves are back, now
+        // also along the route.
         const std::uint32_t doorways = p.app().guide().path().count;
         p.hold(Vec3(0.0));
         p.tap(Command::Find);

@@ -1,4 +1,4 @@
-// Marks, landmarks, the beacon, "warmer and colder", laps, and what the session makes of them.
+// Marks, landmarks, the beacon, "warmer and colder" and laps, and how the session uses them.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 using test::SceneBuilder;
 using testing::HasSubstr;
 
-// 6 by 4 metres, a table in the north-west, a radiator in the east; base (3, 0.5) facing north.
+// A room of 6 by 4 metres with a table in the north-west and a radiator in the east; the base is at (3, 0.5) and faces
+// north.
 std::shared_ptr<const Scene> room(double table_x = 1.0, bool landmarks = false) {
     SceneBuilder b;
     b.box({0, 0, -0.2}, {6, 4, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
@@ -215,11 +216,11 @@ TEST(Marks, are_set_where_the_hand_is_by_the_devices_button_too_and_told_once_wh
     p.hand_at({4.0, 1.0, 1.0});
     p.run(0.2);
     EXPECT_EQ(p.count(SoundKind::Mark), 0);
-    p.hand_at({1.6, 2.8, 0.5});  // 3 mm of hand
+    p.hand_at({1.6, 2.8, 0.5});  // 3 mm of hand movement
     p.run(1.0);
     EXPECT_EQ(p.count(SoundKind::Mark), 1);
     EXPECT_TRUE(p.heard("Mark 1"));
-    // The first button grabs; where it is asked for it sets marks only if it does not.
+    // The first button grabs. If the settings make it set marks, it does that instead.
     p.tool.buttons = 1;
     p.run(0.2);
     EXPECT_EQ(p.app.world().marks.size(), 1U);
@@ -299,7 +300,7 @@ TEST(BeaconTest, is_set_on_what_is_ahead_muted_and_brought_back) {
     EXPECT_EQ(p.count(SoundKind::BeaconAhead), stopped);
 }
 
-// In the list of what can be found, the thing and then the way to find it.
+// Chooses the thing in the list of what can be found, and then the way to find it.
 void seek(Person& p, const std::string& thing, const std::string& way) {
     p.tap(Command::Find);
     const std::vector<ListItem> items = p.app.dialogue().view().items;
@@ -313,7 +314,7 @@ void seek(Person& p, const std::string& thing, const std::string& way) {
     p.run(0.05);
 }
 
-// A ray at the waist passes over the table, so the wall behind it is ahead; but nobody walks through a table.
+// A ray at waist height passes over the table, so the wall behind is "ahead", but nobody can walk through a table.
 TEST(BeaconTest, calls_from_the_way_round_what_one_sees_over_and_cannot_walk_through) {
     Person p;
     p.enter();
@@ -366,7 +367,7 @@ TEST(WarmerTest, is_told_ticks_for_hand_or_body_and_is_off_when_asked_again) {
     for (const bool device : {true, false}) {
         Person p(device);
         p.enter();
-        // So far from the radiator's front, level with it.
+        // A place this far in front of the radiator, level with it.
         const auto away = [&](double metres) {
             const Vec3 place(5.8 - metres, 1.5, device ? 0.5 : 0.0);
             if (device) p.hand_at(place);
@@ -428,8 +429,8 @@ TEST(WarmerTest, tells_by_its_pitch_how_directly_one_came_nearer_or_went_away) {
     EXPECT_NEAR(goes_to({0.085, 0.0, 0}), 0.73, 0.05) << "half round to it";
 }
 
-// An L of two legs; whoever goes round its corner hears the distance of the walk, and where the way is planned anew
-// nothing jumps.
+// An L of two legs. A walker who goes around its corner hears the walking distance, and nothing jumps if the route is
+// planned anew.
 TEST(SoughtWayTest, measures_the_walk_calls_from_the_turning_and_stays_continuous_where_it_is_planned_anew) {
     SoughtWay way;
     const auto follow = [&](const Vec3& at_m) { way.follow(at_m, kHeightCountsForWalkers, {}); };
@@ -450,13 +451,14 @@ TEST(SoughtWayTest, measures_the_walk_calls_from_the_turning_and_stays_continuou
     EXPECT_EQ(way.next_turning_m(), Vec3(0, 10, 0));
     follow({0, 9.7, 0});
     EXPECT_EQ(way.next_turning_m(), Vec3(10, 10, 0)) << "at the turning the next is called from";
-    // Beside it: little at first, then as far as one is off, and then it is to be planned anew.
+    // Away from the route: the distance grows little at first, then by as much as the walker is off; then the route
+    // must be planned anew.
     follow({3, 10.3, 0});
     EXPECT_NEAR(way.left_m(), 7.5 + SoughtWay::kSlope * 0.3 * 0.3 / 1.2, 1e-9);
     way.follow({3, 11.5, 0}, kHeightCountsForWalkers, [](const Vec3&) { return false; });
     EXPECT_TRUE(way.wants_plan(false, 5.0));
-    // The new way is 4 m longer. Told is what was told, and comes nearer to it only by going, so that nearer is never
-    // told as farther.
+    // The new route is 4 m longer. The announced distance stays and approaches the new one only while the walker moves,
+    // so that coming nearer is never announced as going farther.
     before_m = way.told_m();
     way.plan({{3, 11.5, 0}, {3, 16, 0}, {10, 16, 0}}, {}, 1.0, {3, 11.5, 0}, 6.0);
     EXPECT_NEAR(way.told_m(), before_m, 1e-9);
@@ -470,7 +472,7 @@ TEST(SoughtWayTest, measures_the_walk_calls_from_the_turning_and_stays_continuou
     }
     follow(at);
     EXPECT_NEAR(way.told_m(), before_m, 1e-9) << "who rests hears no change";
-    // Seen from afar it is where one goes back to; hidden it is to be planned anew.
+    // If the route is visible from afar, the walker can return to it; if it is hidden, it must be planned anew.
     for (const bool seen : {true, false}) {
         way.follow(Vec3(5, 14, 0), kHeightCountsForWalkers, [&](const Vec3&) { return seen; });
         EXPECT_EQ(way.wants_plan(false, 8.0), !seen);
@@ -529,7 +531,7 @@ TEST(TakeMe, is_told_a_second_before_the_servo_knows_of_it_and_only_one_is_known
     EXPECT_EQ(p.app.guide().path().number, 0U);
 }
 
-// Whatever took the force away is said, and not only that it is gone.
+// The session says why the force was removed, and not only that it is gone.
 TEST(TakeMe, says_why_the_hand_is_led_no_longer) {
     struct Case {
         void (*happens)(Person&);
@@ -563,7 +565,7 @@ TEST(TakeMe, says_why_the_hand_is_led_no_longer) {
     }
 }
 
-// With the servo that holds its force back until somebody has the grip.
+// Runs with a servo that withholds its force until somebody holds the grip.
 TEST(TakeMe, waits_for_a_hand_on_the_grip_and_says_so) {
     Person p(true);
     p.enter();
@@ -612,7 +614,7 @@ TEST(TakeMe, leads_round_what_stands_between_along_the_planned_way_and_by_ear_wh
 }
 
 TEST(TakeMe, says_where_no_way_leads_and_goes_to_the_nearest_place_that_can_be_reached) {
-    // Behind a wall without a door.
+    // A place behind a wall without a door.
     SceneBuilder b;
     b.box({0, 0, -0.2}, {10, 4, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
     for (const double x : {-0.2, 5.0, 10.0})
@@ -656,7 +658,7 @@ TEST(TakeMe, says_where_no_way_leads_and_goes_to_the_nearest_place_that_can_be_r
 TEST(TakeMe, without_a_device_tells_the_way_follows_it_and_stops_when_asked_again) {
     Person p;
     p.enter();
-    p.stand_at({0.5, 3.6, 0.0});  // the table stands between
+    p.stand_at({0.5, 3.6, 0.0});  // the table is in between
     p.tap(Command::Find);
     p.type("radiator");
     p.key("Enter");

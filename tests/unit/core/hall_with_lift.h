@@ -1,5 +1,5 @@
-// A building of one hall on each storey and, north of it, what joins the storeys: for what rides a lift, or takes
-// stairs in one go.
+// A building with one hall on each storey and, to the north, a lift or stairs that join the storeys. For tests of
+// riding a lift or taking stairs in one go.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 
 namespace handrail::test {
 
-// Joined by a space of that kind, so wide and deep, behind a door on each storey.
+// The storeys are joined by a space of this kind, this wide and deep, behind a door on each storey.
 inline std::shared_ptr<const Scene> hall_with(PlanSpaceKind kind, const std::string& name, double wide_m, double deep_m,
                                               std::size_t storeys) {
     const double west = 3.0 - 0.5 * wide_m, east = 3.0 + 0.5 * wide_m, north = 6.0 + deep_m;
@@ -41,7 +41,7 @@ inline std::shared_ptr<const Scene> hall_with(PlanSpaceKind kind, const std::str
 }
 
 inline std::shared_ptr<const Scene> hall_with_lift() { return hall_with(PlanSpaceKind::Lift, "Lift", 2.0, 2.0, 3); }
-// Too narrow to be drawn step by step.
+// These stairs are too narrow for separate steps.
 inline std::shared_ptr<const Scene> hall_with_narrow_stairs() {
     return hall_with(PlanSpaceKind::Stairs, "Spiral stairs", 1.6, 1.6, 2);
 }

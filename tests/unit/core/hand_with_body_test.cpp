@@ -1,4 +1,4 @@
-// The hand goes through doors with the body: what the body sees of it, and what answers until it is there.
+// The hand goes through doors with the walker: what the walker sees of it, and what answers until it is there.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,14 +20,14 @@ namespace hand_with_body_test {
 
 using test::Explorer;
 
-// As the program does it where no device is found.
+// As the program does if it finds no device.
 std::unique_ptr<Explorer> with_keys_alone(const std::shared_ptr<const Scene>& scene) {
     return std::make_unique<Explorer>(scene, "sim-t", Settings{}, [](Session& app, WorldEntered&) {
         app.apply(HandChanged{Explorer::facts("sim-t"), app.settings(), true}, 0.0);
     });
 }
 
-// The walls alone, since the doors of the session move.
+// Only the walls, because the session's doors move.
 BodyWorld walls_of(const Scene& scene) {
     auto still = std::make_shared<Scene>(scene);
     still->placed.clear();
@@ -47,8 +47,8 @@ bool body_sees_hand(const BodyWorld& walls, const Explorer& p, const Vec3& feet_
     return false;
 }
 
-// From the front door of the house into the Study: the way of the report that led to this. How many frames the hand
-// touched something in.
+// From the front door of the house into the Study: the path in the report that led to this test. Returns the number of
+// frames in which the hand touched something.
 int walk_into_the_study(Explorer& p) {
     int touches = 0;
     const auto tap = [&](Command command, int frames) {
@@ -115,7 +115,7 @@ TEST(AHandOnADevice, comes_along_through_a_door_from_no_force_and_with_a_word) {
         else if (!unseen_s) unseen_s = p.now_s();
         ASSERT_LE(unseen_s ? p.now_s() - *unseen_s : 0.0, 1.0);
         if (!unseen_s || asked || p.now_s() - *unseen_s < 0.1) continue;
-        // The hand is still in the hall: what is asked is answered from the feet.
+        // The hand is still in the hall, so questions are answered from the feet.
         asked = true;
         const std::size_t from = p.lines();
         p.tap(Command::WhatIsThis, 0.02);
@@ -134,7 +134,7 @@ TEST(AHandOnADevice, comes_along_through_a_door_from_no_force_and_with_a_word) {
     EXPECT_TRUE(p.heard("Study", from)) << p.all_heard(from);
 }
 
-// Through every door and opening, each way, with hands that are held in different places.
+// Goes through every door and opening, in both directions, with the hand in different places.
 TEST(TheHand, is_seen_by_the_body_within_a_second_of_every_way_through_a_door) {
     namespace fs = std::filesystem;
     const fs::path maps = test::project_root() / "worlds/maps";

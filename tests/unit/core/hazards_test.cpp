@@ -26,7 +26,7 @@ struct Ground {
     GroundRules rules;
 };
 
-// Stairs of `risers` north of y0 on a floor of 40 by 40 metres around `at`.
+// Stairs with `risers` steps north of y0, on a floor of 40 by 40 metres around `at`.
 void stairs(SceneBuilder& b, const Vec3& at, double y0, int risers, double rise, double tread) {
     b.box(at + Vec3(-20, -20, -3), at + Vec3(20, 20, 0), "floor");
     for (int i = 0; i < risers; ++i)
@@ -50,7 +50,7 @@ TEST(Hazards, stairs_are_counted_and_measured_wherever_they_stand_and_however_st
         EXPECT_NEAR(up.stairs->distance_m, y0, 0.051);
         EXPECT_NEAR(up.stairs->height_m, risers * rise, 1e-2);
         EXPECT_FALSE(up.drop);
-        // And from above: the last riser comes first.
+        // From above, the last riser comes first.
         const double top_m = y0 + risers * tread;
         const GroundAhead down = ground.ahead(at + Vec3(0, top_m, risers * rise), kPi);
         ASSERT_TRUE(down.stairs) << run;
@@ -85,7 +85,7 @@ TEST(Hazards, a_drop_is_where_the_body_would_fall_and_a_gap_it_spans_is_none) {
         b.box({-5, edge + gap, -4}, {5, 12, 0}, "floor behind");
         const Ground ground(b);
         const GroundAhead seen = ground.ahead(Vec3(0.0), 0.0);
-        // The twin: a walker that goes there falls, or does not.
+        // The comparison: whether a walker that goes there falls.
         Walker walker(*ground.world, ground.rules.body);
         walker.place(Vec3(0.0));
         double lowest = 0.0;
@@ -93,7 +93,7 @@ TEST(Hazards, a_drop_is_where_the_body_would_fall_and_a_gap_it_spans_is_none) {
             walker.tick({0.0, 0.5, 0.0}, 1.0 / 60.0);
             lowest = std::min(lowest, walker.state().feet_m.z);
         }
-        // Where the gap is as wide as the body, a hair decides between spanning and falling.
+        // If the gap is about as wide as the body, tiny differences decide whether the walker spans it or falls.
         if (std::abs(gap - 0.5) < 0.12 || std::abs(depth - ground.rules.drop_m) < 0.02) continue;
         const bool falls = lowest < -ground.rules.drop_m;
         EXPECT_EQ(seen.drop.has_value(), falls) << "gap " << gap << ", deep " << depth << ", edge at " << edge;

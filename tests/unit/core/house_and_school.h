@@ -1,4 +1,4 @@
-// The maps that ship as places to learn. Under a sanitizer the house is enough: the school runs the same code.
+// The bundled maps for learning a building. Under a sanitizer the house is enough: the school runs the same code.
 #pragma once
 
 #include <vector>

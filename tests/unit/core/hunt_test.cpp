@@ -16,7 +16,7 @@ namespace hunt_test {
 
 using test::SceneBuilder;
 
-// Two rooms with a doorway; the second has a raised floor that is climbed by steps.
+// Two rooms with a doorway; the second has a raised floor with steps up to it.
 std::shared_ptr<const Scene> rooms() {
     SceneBuilder b;
     b.box({0, 0, -0.2}, {12, 5, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
@@ -44,7 +44,7 @@ TEST(Hunt, hides_where_one_can_walk_far_enough_away_and_leads_there) {
         places.emplace(static_cast<int>(clock.x * 4), static_cast<int>(clock.y * 4));
         EXPECT_FALSE(world.blocked(clock, BodyShape{0.2, 1.5}));
         hunt.aim(clock);
-        // Whoever goes where it says, arrives.
+        // A walker who goes where the hint says arrives.
         Vec3 at(1, 1, 0);
         ASSERT_TRUE(hunt.way_m(at));
         EXPECT_GE(*hunt.way_m(at), 6.0 - 1e-9);
@@ -61,7 +61,8 @@ TEST(Hunt, hides_where_one_can_walk_far_enough_away_and_leads_there) {
     EXPECT_FALSE(finds(world, {5.8, 1, 0}, {6.5, 1, 0})) << "through a wall nothing is found";
 }
 
-// Where the clock is heard through open air, ears lead; where walls or doors muffle it, a hint is asked for and obeyed.
+// Where the clock is heard through open air, the player follows the sound. Where walls or doors muffle it, the player
+// requests a hint and obeys it.
 TEST(Hunt, is_won_in_the_house_by_a_newcomer_with_keys_and_ears_and_the_best_time_is_kept) {
     auto scene = read_world(test::project_root() / "worlds" / "maps" / "house.map");
     ASSERT_TRUE(scene);
@@ -75,7 +76,7 @@ TEST(Hunt, is_won_in_the_house_by_a_newcomer_with_keys_and_ears_and_the_best_tim
         EXPECT_FALSE(newcomer.listen_to(SoundKind::Clock).empty())
             << "the grandfather clock of the house ticks too, and sounds otherwise";
         EXPECT_TRUE(newcomer.listen_to(SoundKind::HiddenClock).empty());
-        int followed = 0;  // the ticking, in vain so far
+        int followed = 0;  // attempts to follow the ticking
         newcomer.tap("0", 0.5);
         ASSERT_TRUE(newcomer.heard("A clock is hidden here"));
         int by_ear = 0, by_hint = 0;

@@ -1,4 +1,4 @@
-// What a person has said of a world's unit is there again, and nothing else in the side file is touched.
+// The unit that a person has stated for a world is kept, and nothing else in the side file changes.
 #include "app/core/kept/kept_unit.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// The labyrinths that come with the program, played by keys and ears: each is finished by who does what the words say,
-// holes swallow the ball, a plank covers one, the best time is kept, and one can start anew.
+// The bundled labyrinths, played by keys and ears. A player who does what the words say finishes each one. Holes
+// swallow the ball, a plank covers one, the best time is kept, and the player can start again.
 #include <filesystem>
 #include <regex>
 
@@ -29,7 +29,7 @@ struct Player : test::AppSession {
 TEST(Labyrinth, first_level_is_finished_by_a_newcomer_who_knows_only_what_is_said_in_under_two_minutes) {
     Player player("labyrinth1.map");
     EXPECT_TRUE(player.heard("Labyrinth 1.")) << player.news();
-    // The keys that it presses are told to it.
+    // The words name the keys that it presses.
     const KeyMap keys_of({});
     for (const Command told : {Command::Use, Command::Labyrinth, Command::PutBack})
         EXPECT_TRUE(player.heard(keys_of.keys_of(told))) << keys_of.keys_of(told) << ": " << player.news();
@@ -48,7 +48,7 @@ TEST(Labyrinth, first_level_is_finished_by_a_newcomer_who_knows_only_what_is_sai
             found[(*i)[2]] = std::stod((*i)[1]);
         return found;
     };
-    // Rolls wherever the goal lies and the ball can.
+    // Rolls the ball towards the goal as far as it can go.
     while (!player.heard("Finished") && player.now - began_s < 120.0) {
         const std::string text = player.stands();
         std::smatch goal, free;
@@ -191,7 +191,7 @@ TEST(Labyrinth, second_level_is_finished_over_the_plank_and_again_after_starting
     EXPECT_TRUE(again.heard("The best time here is ") || again.heard("That is a new best time")) << again.news();
 }
 
-// Where all things are at every frame of a second of each tap.
+// The positions of all things at every frame of the second after each tap.
 std::vector<Placement> course_of(Player& player) {
     std::vector<Placement> course;
     const auto step = [&](Command command, int times, double each_s) {
@@ -220,7 +220,7 @@ TEST(Labyrinth, begun_anew_goes_with_the_same_bits_as_in_another_run) {
     Player first("labyrinth2.map"), second("labyrinth2.map");
     const std::vector<Placement> once = course_of(first);
     EXPECT_EQ(once, course_of(second));
-    // The ball has gone somewhere, and the plank too.
+    // Both the ball and the plank have moved.
     EXPECT_GT(glm::length(once.back().position_m - once[1].position_m), 0.3);
     EXPECT_GT(glm::length(once[once.size() - 2].position_m - once[0].position_m), 0.3);
     for (Player* player : {&first, &second})
@@ -257,7 +257,7 @@ TEST(Labyrinth, third_level_is_finished_by_filling_the_pit_and_lifting_the_crate
 
 TEST(Labyrinth, safe_of_the_third_level_bars_the_shorter_way) {
     Player player("labyrinth3.map");
-    // From the table's north side it is the nearest thing.
+    // Placed at the table's north side, the safe is the nearest thing.
     player.app.apply(Placed{{2.0, 3.15, 0.0}, kPi}, player.now);
     player.run(0.5);
     const Vec3 before = player.app.thing_at("Safe").value_or(Placement{}).position_m;
@@ -266,7 +266,7 @@ TEST(Labyrinth, safe_of_the_third_level_bars_the_shorter_way) {
     EXPECT_TRUE(player.heard("Safe. Heavy, 400 kilograms.")) << player.news();
     const Vec3 after = player.app.thing_at("Safe").value_or(Placement{}).position_m;
     EXPECT_LT(glm::length(after - before), 1e-3);
-    // It stands between the two walls, wider than what is left beside it for a ball of 10 cm.
+    // The safe is between the two walls, and the gap beside it is too narrow for a ball of 10 cm.
     EXPECT_GT(after.y, 1.75);
     EXPECT_LT(after.y, 2.45);
 }
@@ -298,7 +298,7 @@ TEST(Labyrinth, is_played_in_german) {
     EXPECT_NE(text.find("Ein Loch: 1,5 Ballschritte nach Osten."), std::string::npos) << text;
 }
 
-// What is wrong with the game of a map is told with its line.
+// Faults of a map's game are reported with their lines.
 std::string warnings_of(const std::string& world_keys, const std::string& entities) {
     const std::string room = test::room_brushes(0, 0, 0, 256, 256, 128);
     const auto scene = read_quake_map(

@@ -1,4 +1,4 @@
-// The language, chosen in a session and by settings.
+// The language, chosen in a session or by the settings.
 #include <fstream>
 
 #include "app/core/kept/spoken_language.h"

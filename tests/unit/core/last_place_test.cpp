@@ -1,5 +1,5 @@
-// After a crash of any kind the next start says so and goes on at the last place; sessions beside each other are no
-// crashes.
+// After any crash the next start says so and offers to continue at the last place. Sessions that run at the same time
+// do not count as crashes.
 #include "app/core/kept/last_place.h"
 
 #include <gmock/gmock.h>
@@ -89,7 +89,7 @@ TEST(SessionTrace, that_was_killed_is_told_once_with_its_last_place) {
         EXPECT_EQ(next.left_at()->feet_m, kKitchen.feet_m);
     }
     {
-        // That one has just crashed too, before it came to a place of its own.
+        // That session has just crashed too, before it noted a place.
         SessionTrace after(folder.path());
         EXPECT_TRUE(after.crashed());
         ASSERT_TRUE(after.left_at());
@@ -128,7 +128,7 @@ TEST(SessionTrace, writes_at_most_every_3_s_and_only_where_one_has_moved) {
     ASSERT_TRUE(test::eventually([&] { return kept() == 1.0; }));
     trace.note(place(2.0), 12.9);
     EXPECT_EQ(kept(), 1.0);
-    // Whose turn it is while the disk is still busy with the last one waits for the next call.
+    // If the disk is still writing the previous note when the next is due, that waits for the next call.
     ASSERT_TRUE(test::eventually([&] {
         trace.note(place(3.0), 13.1);
         return kept() == 3.0;
@@ -192,7 +192,7 @@ TEST(GoOnAtLastPlace, moves_nobody_out_of_the_world_or_into_a_wall) {
     EXPECT_THAT(session.news(), HasSubstr("no longer part of this world"));
     EXPECT_LT(glm::length(session.app.feet_m() - home), 1e-9);
     const std::string inside_nothing = session.ask(Command::BringOut);
-    // Anywhere in its bounds one can move afterwards, or is at home.
+    // From anywhere within the bounds, the walker can either move afterwards or is at home.
     const Aabb bounds = session.app.scene()->bounds_m;
     for (int i = 0; i < 40; ++i) {
         const Vec3 share(0.5 + 0.5 * std::sin(1.7 * i), 0.5 + 0.5 * std::sin(2.9 * i + 1.0), 0.05);

@@ -18,7 +18,7 @@ namespace learning_test {
 
 using test::SceneBuilder;
 
-// A world and its rooms, and the place that the room around a point is.
+// A world and its rooms, and the room around a point as a place to learn.
 struct Ground {
     Ground(const SceneBuilder& b, const Vec3& feet_m) : scene(b.share()), world(scene) {
         const BodySize size = body_size(*scene, 0.25);
@@ -44,7 +44,7 @@ struct Ground {
     Place place;
 };
 
-// A room with its south-west corner at `at`, a door of a metre in the south wall and a block that stands free.
+// A room with its south-west corner at `at`, a door of a metre in the south wall and a free-standing block.
 struct DoorRoom : Ground {
     static SceneBuilder built(const Vec3& at, double wide, double deep, bool block) {
         SceneBuilder b;
@@ -132,7 +132,7 @@ TEST(Learning, the_share_of_the_floor_that_was_walked_is_the_truth_within_two_pe
             }
             at = to;
         }
-        // The truth: points three centimetres apart.
+        // The expected result, from points three centimetres apart.
         int all = 0, walked = 0;
         for (double x = 0.015; x < room.wide_m; x += 0.03)
             for (double y = 0.015; y < room.deep_m; y += 0.03) {
@@ -145,7 +145,7 @@ TEST(Learning, the_share_of_the_floor_that_was_walked_is_the_truth_within_two_pe
     }
 }
 
-// The nearest stretch of wall that is unknown, by looking at each with each.
+// The nearest unknown stretch of wall, found by comparing every pair.
 std::optional<Vec3> nearest_unknown_wall(const Learnt& learnt, const Vec3& feet_m) {
     constexpr double kUnknown_m = 0.45;
     const std::vector<WallSample>& walls = learnt.place().walls;
@@ -224,17 +224,18 @@ TEST(Learning, lanes_lie_a_metre_apart_both_ways) {
     for (std::size_t i = 0; i < after.size(); ++i) EXPECT_EQ(after[i].done(), i == 2) << i;
 }
 
-// The outline of a room with the room on its left hand, all corners square, and what stands free in it.
+// The outline of a room, followed with the room on the left; all corners are square. May contain a free-standing
+// pillar.
 struct Outline {
     const char* name = "";
     std::vector<Vec3> corners;
     std::optional<Aabb> pillar;
     Vec3 start{1.5, 0.5, 0.0};
-    double lap_s = 0.0;  // more than enough for one
+    double lap_s = 0.0;  // more than enough time for one lap
 
     Vec3 corner(std::size_t i) const { return corners[i % corners.size()]; }
     bool inside(const Vec3& p) const {
-        bool in = false;  // odd number of sides to the east
+        bool in = false;  // toggled for each side to the east
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const Vec3 a = corner(i), b = corner(i + 1);
             if ((a.y > p.y) != (b.y > p.y) && p.x < a.x) in = !in;
@@ -247,7 +248,7 @@ struct Outline {
         for (std::size_t i = 0; i < corners.size(); ++i) sum_m += glm::length(corner(i + 1) - corner(i));
         return sum_m;
     }
-    // Points of the walls a centimetre apart, with the way into the room.
+    // Calls `look` with points of the walls a centimetre apart, and the direction into the room.
     template <class Look>
     void along_walls(Look look) const {
         for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -255,7 +256,7 @@ struct Outline {
             for (double s = 0.005; s < glm::length(side); s += 0.01) look(a + along * s, Vec3(-along.y, along.x, 0.0));
         }
     }
-    // Points of the floor three centimetres apart.
+    // Calls `look` with points of the floor three centimetres apart.
     template <class Look>
     void over_floor(Look look) const {
         for (double x = 0.015; x < 12.0; x += 0.03)
@@ -268,7 +269,7 @@ struct Outline {
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const Vec3 from = corner(i), to = corner(i + 1), along = (to - from) / glm::length(to - from),
                        out(along.y, -along.x, 0.0);
-            // A wall goes on round an outer corner; at an inner one it ends, and the next begins a little behind its
+            // A wall continues around an outer corner. At an inner one it ends, and the next begins a little behind its
             // face.
             const Vec3 a = from - along * 0.2, c = to + along * 0.2;
             const auto turn = [](const Vec3& one, const Vec3& other) { return one.x * other.y - one.y * other.x; };
@@ -292,7 +293,7 @@ const Outline kPillared{"pillared",
                         Aabb{{2.6, 2.1, 0}, {3.4, 2.9, 2.6}},
                         {1.5, 0.5, 0},
                         28.0};
-// The pillar stands against the east wall and is part of what bounds the room.
+// The pillar touches the east wall, so it is part of the room's boundary.
 const Outline kRecessed{
     "recessed",
     {{0, 0, 0}, {6, 0, 0}, {6, 1.8, 0}, {5.2, 1.8, 0}, {5.2, 2.9, 0}, {6, 2.9, 0}, {6, 5, 0}, {0, 5, 0}},
@@ -322,7 +323,7 @@ TEST_P(Outlines, are_as_long_and_as_large_as_they_are_within_two_percent) {
     }
 }
 
-// A person who presses keys, and where the feet were.
+// A person who presses keys, and the positions of the feet.
 struct Lap : test::AppSession {
     explicit Lap(std::shared_ptr<const Scene> scene) {
         app.apply(WorldEntered{make_ready(std::move(scene))}, 0.0);
@@ -346,7 +347,7 @@ struct Lap : test::AppSession {
     std::vector<Vec3> feet;
 };
 
-// A lap by the keys: what the session says equals what its way on the floor makes true.
+// A lap by the keys: what the session reports must match the actual path on the floor.
 TEST_P(Outlines, a_lap_by_keys_is_told_as_it_was_within_two_percent_at_every_part_of_it) {
     const Outline& outline = GetParam();
     const std::shared_ptr<const Scene> scene = outline.build().share();
@@ -383,8 +384,8 @@ TEST_P(Outlines, a_lap_by_keys_is_told_as_it_was_within_two_percent_at_every_par
     }
 }
 
-// A pocket that no body fits into has a wall of its own. Without it 95 percent of the walls are touched, which was told
-// as all of them.
+// A pocket too small for any walker has its own wall. Without that wall, 95 percent of the walls are touched, and the
+// session used to report that as all of them.
 TEST(Learning, walls_that_nobody_touched_are_not_told_as_done) {
     SceneBuilder b;
     const auto wall = [&](const Vec3& from, const Vec3& to, const char* name) {
@@ -418,7 +419,7 @@ TEST(Learning, a_lap_past_a_door_finds_it) {
     EXPECT_TRUE(lap.told("North wall done"));
 }
 
-// Two rooms and the gap of a metre between them, which nothing closes.
+// Two rooms with an open gap of a metre between them.
 SceneBuilder two_rooms() {
     SceneBuilder b;
     b.box({-1, -1, -0.2}, {12, 6, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
@@ -440,15 +441,15 @@ TEST(Learning, the_place_is_the_room_of_the_graph_and_its_portals_are_the_exits)
     EXPECT_EQ(study.graph.rooms[study.room].name, "Study");
     for (const Ground* one : {&study, &kitchen}) {
         const Progress none = one->progress();
-        // Three walls and the fourth with a gap of a metre; how much of the jambs belongs to either room is for the
-        // graph to say.
+        // Three walls, and a fourth with a gap of a metre. The graph decides how much of the jambs belongs to either
+        // room.
         EXPECT_NEAR(none.perimeter_m, 2.0 * (one == &study ? 5.0 : 4.8) + 8.0 - 1.0 + 0.2, 0.4);
         EXPECT_NEAR(none.floor_m2, (one == &study ? 5.0 : 4.8) * 4.0, 0.5);
         EXPECT_EQ(none.exits, 1);
         EXPECT_FALSE(none.doors_only);
         EXPECT_EQ(none.exits_found, 0);
     }
-    // No floor belongs to both, and all of it to one.
+    // Every part of the floor belongs to exactly one of the rooms.
     EXPECT_NEAR(study.place.area_m2() + kitchen.place.area_m2(), 9.8 * 4.0 + 0.2, 0.02 * 39.4);
     LearningNotes notes;
     for (double x = 2.0; x < 8.0; x += 0.05) notes.walked({x, 2.0, 0.0});
@@ -462,7 +463,7 @@ TEST(Learning, what_is_known_of_a_room_is_kept_while_one_is_elsewhere_and_all_ro
     lap.walk(Command::TrailLeft, 4.0);
     const std::string before = lap.ask(Command::ProgressReport);
     const auto percents = [](const std::string& report) { return report.substr(0, report.find(" percent, floor")); };
-    // To the other room, by a leap, so that nothing more is touched on the way.
+    // Leaps to the other room, so that nothing more is touched on the way.
     lap.app.apply(Placed{{8, 2, 0}, 0.0}, lap.now);
     lap.run(1.5);
     EXPECT_TRUE(lap.told("Next room to learn Kitchen The base is here")) << lap.said.back();

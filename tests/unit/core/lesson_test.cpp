@@ -91,7 +91,7 @@ TEST(Lessons, of_the_beacon_are_over_when_it_was_set_and_reached_and_not_when_it
     EXPECT_TRUE(lesson.tick(reached, *w.scene).finished);
 }
 
-// The same through the session: the thing is chosen from the list, the body walks there, the beacon ends.
+// The same in a session: the thing is chosen from the list, the walker goes there, and the beacon ends.
 TEST(Lessons, of_the_beacon_lead_a_body_to_the_thing_it_chose) {
     const World w;
     Session app(Settings{}, HandFacts{});
@@ -143,7 +143,7 @@ TEST(Lessons, say_little_enough_for_two_minutes) {
     }
 }
 
-// Through the session, where it goes on after it was left.
+// In a session, the lesson continues where it was left.
 TEST(FirstMinutes, go_on_where_they_were_left_and_are_not_begun_again_once_done) {
     const World w;
     Session app(Settings{}, HandFacts{});
@@ -190,7 +190,7 @@ TEST(FirstMinutes, go_on_where_they_were_left_and_are_not_begun_again_once_done)
     EXPECT_THAT(text, HasSubstr("Welcome back."));
     EXPECT_THAT(text, HasSubstr("You are in a small room"));
 
-    // Escape explains, and leaves at the second press; nothing asks again.
+    // Escape explains the lesson and, pressed again, leaves it; nothing asks again.
     app.apply(CommandDown{Command::Leave}, now += 10.0);
     EXPECT_THAT(said(), HasSubstr("Press Escape again to leave the lesson"));
     app.apply(CommandUp{Command::Leave}, now);

@@ -1,4 +1,4 @@
-// Lifts that stop at more than two storeys: called to each, and ridden to a storey that one chooses.
+// Lifts with more than two stops: they come to each storey when called, and go to the storey that the person chooses.
 #include <gmock/gmock.h>
 
 #include "app/core/world/mover_play.h"
@@ -67,7 +67,8 @@ TEST(LiftHalts, one_rides_to_the_storey_that_is_told_and_chosen_by_the_key_again
     EXPECT_NEAR(ride.app.feet_m().z, 0.0, 0.02);
 }
 
-// Under the lintel the head would be met: the lift takes one farther in instead of going back for ever.
+// Under the lintel the lift would hit the walker's head. It moves the walker farther in instead of turning back for
+// ever.
 TEST(LiftHalts, one_rides_from_the_threshold) {
     for (const double in_m : {0.3, 0.35, 0.4, 0.5}) {
         SCOPED_TRACE(in_m);

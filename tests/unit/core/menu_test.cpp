@@ -1,4 +1,4 @@
-// The menu and what hangs on it: rebinding, one-handed sets, input help, settings, worlds, sounds.
+// The menu and all that it contains: key changes, one-handed key sets, input help, settings, worlds, sounds.
 #include <fstream>
 #include <set>
 
@@ -28,7 +28,7 @@ struct Person : test::AppSession {
         app.apply(WorldEntered{make_ready(room())}, now);
         run(0.1);
     }
-    // As a window does it; what is said to it.
+    // Sends a key as a window does, and returns the answer.
     std::string key(const std::string& name) {
         run(0.5);
         said.clear();
@@ -117,7 +117,7 @@ TEST(Rebinding, tells_conflicts_and_lets_the_person_decide_and_gives_the_built_i
     EXPECT_EQ(saved.at("keys.what"), "none");
     EXPECT_EQ(saved.at("keys.heading"), "C E");
     leave();
-    // What was saved, read at the next start, means the same and is no problem.
+    // The saved settings mean the same at the next start and cause no problem.
     Settings again;
     again.keys = {{"what", "none"}, {"heading", "C E"}};
     EXPECT_TRUE(KeyMap(again.keys).problems().empty());
@@ -215,7 +215,7 @@ TEST(OneHandedKeys, are_chosen_in_the_menu_and_act_at_once) {
     EXPECT_EQ(p.app.keys().find("W"), Command::Forward);
     EXPECT_EQ(p.app.keys().find("Up"), Command::Forward);
     EXPECT_EQ(p.saved()["keyboard.hand"], "left");
-    // A person's own key is stronger than the set.
+    // A person's own key takes precedence over the set.
     Settings own;
     own.keyboard.hand = KeyboardHand::Left;
     own.keys["heading"] = "W";

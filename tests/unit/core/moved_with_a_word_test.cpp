@@ -1,5 +1,5 @@
-// Nothing that moves the body by itself turns it or takes it up or down without a word: trailing says where it goes and
-// waits before stairs, a leap says where one is then.
+// Nothing that moves the walker automatically turns it or changes its height without an announcement. Trailing says
+// where it goes and waits before stairs, and a leap says where the walker is afterwards.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -26,14 +26,14 @@ struct Body : AppSession {
         news();
     }
     explicit Body(const char* world) : Body(test::our_world(world)) {}
-    // Until nothing is on its way, a minute at most.
+    // Waits until nothing is under way, for a minute at most.
     void rest() {
         for (int i = 0; i < 60 && !(app.idle() && i > 0); ++i) run(1.0);
     }
     double off_rad(double from_rad) const { return std::abs(std::remainder(app.heading_rad() - from_rad, 2.0 * kPi)); }
 };
 
-// A hall of 10 by 6 metres with its floor at 0; in the east, along the south wall, twelve steps lead up to a landing.
+// A hall of 10 by 6 metres with its floor at 0. In the east, twelve steps along the south wall lead up to a landing.
 std::shared_ptr<const Scene> hall_with_stairs() {
     test::SceneBuilder b;
     b.box({0, 0, -0.2}, {20, 6, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
@@ -51,7 +51,7 @@ std::shared_ptr<const Scene> hall_with_stairs() {
 TEST(Trailing, says_so_when_it_turns_the_body_to_begin_with) {
     for (const char* language : kLanguages) {
         const test::InLanguage spoken(language);
-        // Facing west at the south wall, which lies to the left: on the right it is only for one who faces east.
+        // Facing west at the south wall, which is on the left. It is on the right only for a walker who faces east.
         Body s(hall_with_stairs());
         s.app.apply(Placed{{4, 0.4, 0}, -0.5 * kPi}, s.now);
         s.news();
@@ -60,7 +60,7 @@ TEST(Trailing, says_so_when_it_turns_the_body_to_begin_with) {
             << s.news();
         s.rest();
         EXPECT_LT(s.off_rad(0.5 * kPi), 0.1);
-        // Where it lies at that side already nothing is said of it.
+        // If the wall is already on that side, no turn is announced.
         Body beside(hall_with_stairs());
         beside.app.apply(Placed{{4, 0.4, 0}, -0.5 * kPi}, beside.now);
         beside.news();
@@ -95,7 +95,7 @@ TEST(Trailing, waits_before_stairs_until_it_is_asked_again) {
         EXPECT_NEAR(s.app.feet_m().z, 0.0, 0.05) << "still on the floor";
         EXPECT_GT(s.app.feet_m().x, 7.0) << "just before them";
         s.news();
-        for (int i = 0; i < 30 && s.app.feet_m().z < 1.5; ++i) {  // each step is a thing of its own here
+        for (int i = 0; i < 30 && s.app.feet_m().z < 1.5; ++i) {  // here each step is a separate thing
             s.ask(Command::TrailOn);
             s.rest();
         }
@@ -103,8 +103,8 @@ TEST(Trailing, waits_before_stairs_until_it_is_asked_again) {
     }
 }
 
-// Along the walls of rooms of the house, from their middles: what turns the body by more than a notch or takes it to
-// another height has been told since it last did.
+// Trails along the walls of the house's rooms, from their middles. Every turn by more than a notch and every change of
+// height must have been announced before it.
 TEST(Trailing, never_turns_or_climbs_without_a_word_in_the_house) {
     Body s("house.map");
     s.ask(Command::Exits);
@@ -123,7 +123,7 @@ TEST(Trailing, never_turns_or_climbs_without_a_word_in_the_house) {
             s.run(1.0 / 60.0);
             if (s.said.size() > said) {
                 said = s.said.size();
-                // A turn that has begun goes on after its word.
+                // A turn that has begun continues after its announcement.
                 heading_rad = s.app.heading_rad();
                 z_m = s.app.feet_m().z;
                 for (int more = 0; more < 90; ++more) {
@@ -142,7 +142,7 @@ TEST(Trailing, never_turns_or_climbs_without_a_word_in_the_house) {
     EXPECT_GT(rooms->size(), 5U);
 }
 
-// Three landmarks at 2, 4 and 7 metres, named against their order in the file.
+// Three landmarks at 2, 4 and 7 metres, with names in the opposite order to that in the file.
 std::shared_ptr<const Scene> three_things() {
     test::SceneBuilder b;
     b.box({-10, -10, -0.2}, {10, 10, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
@@ -178,7 +178,7 @@ TEST(Leaping, goes_to_the_nearest_first_and_tells_where_one_is_then) {
         s.run(0.1);
         s.ask(Command::LeapLast);
         EXPECT_EQ(s.said.back(), phrase("leap.no_last", {{"key", s.app.keys().keys_of(Command::UndoLeap)}}));
-        // Whoever turns begins anew with what is nearest.
+        // After a turn, leaping begins again with the nearest thing.
         s.tap(Command::TurnLeft, 0.3);
         s.ask(Command::LeapNext);
         EXPECT_THAT(s.said.back(), Not(HasSubstr("Well")));
@@ -196,7 +196,7 @@ TEST(Leaping, reaches_every_door_of_the_room_also_those_out_of_sight) {
         leapt.insert(s.said.back());
         s.run(0.1);
     }
-    // All doors that the exits of the hall told.
+    // All doors that the announced exits of the hall named.
     for (const char* door : {"Front door", "Living room door", "Study door"}) {
         if (exits.find(door) == std::string::npos) continue;
         EXPECT_TRUE(std::any_of(leapt.begin(), leapt.end(),

@@ -1,4 +1,4 @@
-// Doors, lifts, buttons and teleporters: what a map makes of them, how they move, and what the session does with them.
+// Doors, lifts, buttons and teleporters: how a map defines them, how they move, and what the session does with them.
 #include "tests/support/map_text.h"
 #include "tests/support/project_root.h"
 #include "tests/unit/core/app_session.h"
@@ -22,7 +22,7 @@ std::shared_ptr<const Scene> world(const std::string& entities, bool game = fals
     return std::make_shared<const Scene>(std::move(*scene));
 }
 
-// A wall across the hall 10 m away from the south with a door 1 m wide in it, 2 m ahead of the base's line.
+// A wall across the 10 m wide hall, 2 m ahead of the base, with a door 1 m wide in it.
 const std::string kWall = entity(
     "func_wall", key("name", "cross wall"),
     box_brush(0, 96, 0, 144, 104, 128) + box_brush(176, 96, 0, 320, 104, 128) + box_brush(144, 96, 72, 176, 104, 128));
@@ -48,7 +48,7 @@ TEST(Movers, a_hinged_door_of_a_building_swings_out_of_its_opening) {
         ASSERT_EQ(thing, std::vector<int>{0});
         EXPECT_TRUE(std::none_of(apart.solids.begin(), apart.solids.end(),
                                  [&](const Solid& s) { return s.feature == mover.feature; }));
-        // Closed it stands where the file has it; open it clears the opening but for its own thickness.
+        // Closed, it is where the file puts it. Open, it leaves the opening free except for its own thickness.
         const PlacedFrame closed(mover.at(0.0)), open(mover.at(1.0));
         Aabb shut, wide;
         for (const Polygon& face : apart.placed[0].model->solids[0].shape.faces)
@@ -97,7 +97,7 @@ TEST(Movers, a_door_that_would_shut_on_somebody_opens_again) {
     EXPECT_GT(walk.app.feet_m().y, 4.0) << "nobody is held by it";
 }
 
-// Who has opened a door steps round its leaf to shut it again.
+// A walker who has opened a door steps around its leaf to shut it again.
 TEST(Movers, a_door_shuts_past_somebody_who_stands_in_its_swing_but_not_in_its_opening) {
     Walk walk(world(kWall + door(key("name", "Oak door") + key("hinge", "west") + key("opens", "north"))));
     walk.app.apply(Placed{{5.0, 2.4, 0.0}, 0.0}, walk.now);
@@ -152,7 +152,7 @@ TEST(Movers, a_locked_door_tells_of_its_button_once_it_is_walked_into_and_that_i
     const std::string button =
         entity("func_button", key("target", "gate") + key("angle", "90") + key("name", "Red button"),
                box_brush(150, 600, 0, 170, 604, 48));
-    // Bit 32 and no `wait`: it stays open.
+    // Flag 32 without `wait`: it stays open.
     const std::string gate =
         door(key("angle", "-1") + key("targetname", "gate") + key("spawnflags", "32") + key("name", "Gate"));
     Walk walk(world(kWall + gate + button, true));
@@ -209,8 +209,8 @@ TEST(Movers, a_teleporter_without_a_target_is_told_with_its_line) {
     EXPECT_GT(scene->report.warnings[0].line, 1);
 }
 
-// A leaf on its way pushes a hand that is held against it, evenly and never with a knock; checked through the session's
-// own body frames.
+// A moving leaf pushes a hand that is held against it evenly and without knocks. Checked with the body frames of the
+// session.
 TEST(Movers, the_frames_of_a_swinging_leaf_follow_one_another_closely) {
     Walk walk(world(kWall + door(key("hinge", "west"))));
     walk.app.apply(Placed{{5.0, 2.4, 0.0}, 0.0}, walk.now);
@@ -229,8 +229,7 @@ TEST(Movers, the_frames_of_a_swinging_leaf_follow_one_another_closely) {
     EXPECT_LT(farthest, 0.05) << "1.3 m/s at the far edge";
 }
 
-// In the house that ships with the program each door is opened and gone through, from both sides, and shut again behind
-// one.
+// In the bundled house every door can be opened, passed in both directions, and shut behind the walker.
 TEST(Movers, every_door_of_our_house_can_be_gone_through_from_both_sides) {
     auto scene = read_world(test::project_root() / "worlds" / "maps" / "house.map");
     ASSERT_TRUE(scene);

@@ -1,5 +1,5 @@
-// Who rides on what moves, and what moving things do where they meet a body or one another; trains, turning parts,
-// lifts with doors and buttons.
+// Who rides on moving things, and what those do when they meet a walker or one another: trains, turning parts, lifts
+// with doors and buttons.
 #include <random>
 
 #include "app/core/world/mover_meeting.h"
@@ -16,7 +16,7 @@ using test::box_brush;
 using test::entity;
 using test::key;
 
-// A hall 10 by 20 m and 6 m high, one unit being 1/32 m; the base is 1 m from its south wall at x 5 m and looks north.
+// A hall 10 by 20 m and 6 m high; one unit is 1/32 m. The base is 1 m from its south wall at x 5 m and looks north.
 std::shared_ptr<const Scene> hall(const std::string& entities, bool game = false,
                                   const std::string& more_building = {}) {
     const std::string room = test::room_brushes(0, 0, 0, 320, 640, 192) + more_building;
@@ -48,7 +48,7 @@ struct Rider : test::AppSession {
         for (std::size_t i = 0; i < app.scene()->placed.size(); ++i) all.push_back(thing(i));
         return all;
     }
-    // The highest that the soles come, and whether the body was ever inside something on the way.
+    // Returns the greatest height of the soles, and checks that the walker is never inside something on the way.
     double highest_m(double seconds) {
         double highest = app.feet_m().z;
         for (const double until = now + seconds; now < until;) {
@@ -60,8 +60,8 @@ struct Rider : test::AppSession {
     }
 };
 
-// 2 m up, its top level with the floor of the hall below. Another brush of the floor lies level with it and farther
-// east, which was taken for what one stands on.
+// A lift that rises 2 m, with its top level with the floor of the hall below. Another brush of the floor is level with
+// it and farther east; it was once mistaken for what the walker stands on.
 const std::string kLevelLift =
     entity("func_plat", key("name", "Lift") + key("height", "64"), box_brush(96, 96, 0, 224, 224, 64));
 const std::string kFloorPlate = box_brush(100, 70, -8, 250, 250, 0);
@@ -71,7 +71,7 @@ TEST(Riding, a_lift_whose_top_is_level_with_the_floor_takes_along_who_stands_on_
     rider.walk(2.5);
     EXPECT_NEAR(rider.highest_m(3.0), 2.0, 0.02);
     EXPECT_TRUE(rider.heard("Lift stops at the top"));
-    // Nobody gets off, so it waits above and goes down again with its passenger.
+    // The passenger stays on, so the lift waits at the top and goes down again with them.
     rider.app.apply(Placed{{5.0, 1.0, 0.0}, 0.0}, rider.now);
     rider.run(12.0);
     EXPECT_TRUE(rider.heard("Lift is back"));
@@ -100,7 +100,8 @@ TEST(Riding, one_steps_off_above_and_the_lift_goes_down_alone) {
 }
 
 TEST(Riding, who_has_a_foot_beside_a_lift_that_goes_down_is_taken_wholly_onto_it) {
-    // Drawn level with a floor 2 m up round its shaft; it is called, and waits above as its maker says.
+    // Its top is level with a floor 2 m up around its shaft. It moves when called, and waits at the top as the map's
+    // author set it.
     const std::string shaft = box_brush(0, 0, 0, 96, 640, 64) + box_brush(224, 0, 0, 320, 640, 64) +
                               box_brush(96, 0, 0, 224, 96, 64) + box_brush(96, 224, 0, 224, 640, 64);
     const std::string lift =
@@ -120,7 +121,7 @@ TEST(Riding, who_has_a_foot_beside_a_lift_that_goes_down_is_taken_wholly_onto_it
 }
 
 TEST(Meeting, a_lift_under_a_low_ceiling_goes_back_and_does_not_try_again_while_one_stands_on_it) {
-    // From 3.1 m up.
+    // A beam from 3.1 m up.
     const std::string low = entity("func_wall", key("name", "beam"), box_brush(90, 90, 100, 230, 230, 128));
     Rider rider(hall(kLevelLift + low, true));
     rider.app.apply(Placed{{5.0, 5.0, 0.0}, 0.0}, rider.now);
@@ -159,7 +160,7 @@ std::string corner(const std::string& name, const std::string& next, const std::
                    const std::string& more = {}) {
     return entity("path_corner", key("targetname", name) + key("target", next) + key("origin", origin) + more);
 }
-// A platform 2 by 2 m, 0.25 m thick, round a square of 4 m, 1 m a second.
+// A platform of 2 by 2 m and 0.25 m thickness, which goes around a square of 4 m at 1 m a second.
 const std::string kTrack = corner("a", "b", "32 32 16") + corner("b", "c", "160 32 16", key("wait", "2")) +
                            corner("c", "d", "160 160 16") + corner("d", "a", "32 160 16");
 std::string train(const std::string& more = {}) {
@@ -172,7 +173,7 @@ TEST(Trains, go_from_stop_to_stop_wait_where_the_map_says_and_begin_anew) {
     const Mover& mover = rider.app.scene()->movers.at(0);
     ASSERT_EQ(mover.stops.size(), 4U);
     EXPECT_EQ(mover.after_last, 0);
-    // Its least corner goes to the corners of the path; 4 m a side, 2 s at the second.
+    // The platform's least corner follows the corners of the path: 4 m per side, and a stop of 2 s at the second.
     struct At {
         double s;
         Vec3 there_m;
@@ -235,7 +236,7 @@ TEST(Trains, go_through_a_doorway_with_their_passenger_and_wait_for_who_stands_i
     rider.run(12.3);
     EXPECT_GT(rider.app.feet_m().y, 17.0) << "through the doorway";
     EXPECT_TRUE(rider.bumped.empty());
-    // Now somebody stands in the doorway. It comes back, and waits before them.
+    // Now a person stands in the doorway. The train comes back and waits in front of them.
     rider.app.apply(Placed{{5.0, 9.75, 0.0}, 0.0}, rider.now);
     for (int i = 0; i < 900; ++i) {
         rider.run(1.0 / 60.0);
@@ -250,7 +251,7 @@ TEST(Trains, go_through_a_doorway_with_their_passenger_and_wait_for_who_stands_i
 }
 
 TEST(Meeting, a_train_waits_before_a_shut_door_until_it_is_opened) {
-    // The door comes first in the file. It slides up by its height less 8 units: 2.75 m of free height, and the car is
+    // The door comes first in the file. It slides up by its height less 8 units, which leaves 2.75 m free; the car is
     // 0.75 m high.
     const std::string door =
         entity("func_door", key("name", "Gate") + key("angle", "-1") + key("wait", "20") + key("targetname", "gate"),
@@ -266,7 +267,7 @@ TEST(Meeting, a_train_waits_before_a_shut_door_until_it_is_opened) {
 }
 
 TEST(Meeting, of_two_that_want_one_place_the_earlier_goes_and_the_later_waits_and_goes_back) {
-    // Two sliding leaves whose ways cross at a right angle; a button for each, and both are pressed at once.
+    // Two sliding leaves whose paths cross at a right angle. Each has a button, and both buttons are pressed at once.
     const auto leaf = [](const char* name, const char* angle, const std::string& box) {
         return entity("func_door",
                       key("name", name) + key("angle", angle) + key("speed", "32") + key("lip", "0") +
@@ -341,7 +342,7 @@ TEST(TurningParts, take_along_who_stands_on_them_and_turn_them_too) {
 }
 
 TEST(TurningParts, wait_for_who_stands_in_their_way) {
-    // An arm 4 m long at the height of the hips; somebody stands where it comes by after a quarter of a turn.
+    // An arm 4 m long at hip height; the person stands where it passes after a quarter of a turn.
     Rider rider(hall(turner(key("speed", "45"), box_brush(96, 316, 28, 224, 324, 36)), true), {5.0, 11.5, 0.0});
     for (int i = 0; i < 300; ++i) {
         rider.run(1.0 / 60.0);
@@ -357,7 +358,7 @@ TEST(TurningParts, wait_for_who_stands_in_their_way) {
 }
 
 TEST(TurningParts, are_felt_as_they_come_by_and_push_the_hand) {
-    // A flat arm sweeps over where the hand is: four ends a turn, so it comes by within a second.
+    // A flat arm sweeps over the hand. Four ends pass per turn, so one comes within a second.
     test::Explorer person(
         hall(turner(key("speed", "60"), box_brush(128, 60, 30, 192, 68, 50) + box_brush(156, 32, 30, 164, 96, 50)),
              true),
@@ -379,7 +380,7 @@ TEST(TurningParts, are_felt_as_they_come_by_and_push_the_hand) {
 
 // ---- a lift of a building ----
 
-// Two storeys 3 m apart, each with a door that opens only while the lift is there, and a button beside it.
+// Two storeys 3 m apart. Each has a button, and a door that opens only while the lift is there.
 std::shared_ptr<const Scene> two_storeys(const std::string& more = {}) {
     const std::string upper = box_brush(0, 0, 88, 320, 128, 96) + box_brush(0, 176, 88, 320, 640, 96) +
                               box_brush(0, 128, 88, 136, 176, 96) + box_brush(184, 128, 88, 320, 176, 96);
@@ -415,7 +416,7 @@ TEST(LiftsOfBuildings, are_called_by_their_door_and_by_their_buttons_and_open_it
     EXPECT_TRUE(rider.heard("Lower lift door opens"));
     rider.run(5.0);
     EXPECT_FALSE(open(1)) << "it shuts by itself";
-    // From above by the button.
+    // Called from above by the button.
     rider.app.apply(Placed{{182.0 / 32.0, 3.2, 3.0}, 0.0}, rider.now);
     rider.tap(Command::Use, 0.0);
     EXPECT_TRUE(rider.heard("Upper button pressed"));
@@ -454,7 +455,7 @@ TEST(LiftsOfBuildings, wait_with_their_door_open_for_who_stands_in_it) {
     rider.tap(Command::Use, 1.5);
     rider.app.apply(Placed{{5.0, 123.0 / 32.0, 0.0}, 0.0}, rider.now);
     const double below = rider.thing(0).position_m.z;
-    // Somebody else calls it from above.
+    // Another person calls it from above.
     rider.run(0.5);
     rider.run(20.0);
     EXPECT_EQ(rider.thing(0).position_m.z, below);
@@ -489,7 +490,7 @@ TEST(LiftsOfBuildings, our_school_has_one_by_which_one_gets_up_and_down_by_keys_
     }
 }
 
-// ---- what they rest on ----
+// ---- contacts between things ----
 
 TEST(ThingsMeet, agrees_with_boxes_and_never_says_apart_of_what_shares_a_point) {
     std::mt19937 random(20260);

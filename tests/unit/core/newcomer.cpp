@@ -10,13 +10,13 @@
 namespace handrail::test {
 namespace {
 
-// With whole words: "Stairs" does not begin with "Stair".
+// Compares whole words: "Stairs" does not begin with "Stair".
 bool begins(const std::string& text, const std::string& with) {
     return text.rfind(with, 0) == 0 &&
            (text.size() == with.size() || std::isalnum(static_cast<unsigned char>(text[with.size()])) == 0);
 }
 
-// "Kitchen" of "Route to which room. Kitchen, 12 steps, 1 of 5" and of "Kitchen, 12 steps, 1 of 5".
+// Returns "Kitchen" for "Route to which room. Kitchen, 12 steps, 1 of 5" and for "Kitchen, 12 steps, 1 of 5".
 std::string entry_of(std::string spoken) {
     static const std::regex count(", \\d+ of \\d+\\s*$");
     return std::regex_replace(spoken, count, "");
@@ -69,7 +69,7 @@ std::string Newcomer::last_lines(std::size_t count) const {
     return all;
 }
 
-// "Facing north, 12 degrees".
+// Parses "Facing north, 12 degrees".
 double Newcomer::heading_deg() {
     static const std::regex degrees("(\\d+) degrees");
     const std::string text = ask("C", 0.2);
@@ -105,7 +105,7 @@ bool Newcomer::walk(int steps) {
         }
         if (!bumped_since(sounds)) continue;
         if (told_of_lock(said)) return true;
-        // The leaf of an open one stands in the way: using it would shut it.
+        // The leaf of an open door is in the way; using the door would shut it.
         if (!heard("open", said) && (heard("shut", said) || heard("door", said) || door_ahead())) {
             const std::string answer = ask("Enter", 3.0);
             if (told_of_lock(said)) return true;
@@ -124,7 +124,7 @@ bool Newcomer::door_ahead() {
     return ahead.find("oor") != std::string::npos || ahead.find("ntrance") != std::string::npos;
 }
 
-// "Door is locked. Button, metal opens it, 70 steps, behind, above."
+// Parses "Door is locked. Button, metal opens it, 70 steps, behind, above."
 bool Newcomer::told_of_lock(std::size_t since) {
     static const std::regex told("(\\S.*) is locked\\. (.+) opens it, (.+)\\.");
     std::smatch found;
@@ -137,14 +137,14 @@ bool Newcomer::told_of_lock(std::size_t since) {
     return false;
 }
 
-// Something is in the way: along it for a few steps, now on one side, now on the other, the longer the more often.
+// If something is in the way, goes along it for a few steps, on alternate sides, and farther each time.
 void Newcomer::get_round() {
     ++met_;
     const std::string along = met_ % 4 < 2 ? "Shift+Left" : "Shift+Right";
     hold(along, 0.7 + 0.4 * static_cast<double>(met_ % 7));
 }
 
-// By the key that was told, until it has come to a stop and its door had time to open.
+// Uses the announced key, then waits until the lift has stopped and its door had time to open.
 void Newcomer::ride() {
     const std::size_t since = lines();
     ask("Enter");
@@ -164,7 +164,7 @@ bool Newcomer::obey(const std::string& text) {
     const auto direction = direction_in(text);
     if (!direction) return false;
     turn(direction->right_deg);
-    over_edges_ = text.find("edge") != std::string::npos;  // the way leads down there
+    over_edges_ = text.find("edge") != std::string::npos;  // the route leads down there
     if (walk(std::clamp(direction->steps, 1, 8)) && !locked_) get_round();
     return true;
 }
@@ -174,7 +174,7 @@ std::vector<std::string> Newcomer::entries(const std::string& key) {
     std::string spoken = ask(key);
     static const std::regex title("^[^.]*\\. ");
     spoken = std::regex_replace(spoken, title, "", std::regex_constants::format_first_only);
-    // To the end, where Down says the last again or begins anew. Footways of one name follow each other.
+    // Reads to the end, where Down repeats the last entry or starts again. Consecutive footways may have the same name.
     std::string before;
     for (int i = 0; i < 200 && !spoken.empty() && spoken != before; ++i) {
         const std::string entry = entry_of(spoken);
@@ -194,7 +194,7 @@ std::string Newcomer::choose(const std::string& key, const std::string& begin) {
     for (int i = 0; i < 200; ++i) {
         if (begins(spoken, begin)) {
             const std::string answer = ask("Enter", 0.8);
-            // Several of that name: the nearest.
+            // If several have that name, takes the nearest.
             return answer.find(": which one?") == std::string::npos ? answer : ask("Enter", 0.8);
         }
         if (spoken == before || spoken.empty()) break;
@@ -235,7 +235,7 @@ bool Newcomer::follow_words_to(const std::string& goal, std::size_t since) {
 bool Newcomer::go_to_thing(const std::string& thing) {
     const std::size_t since = lines();
     if (choose("Shift+H", thing).empty()) return false;
-    tap("Enter", 0.6);  // the first of the ways to find it: the beacon
+    tap("Enter", 0.6);  // chooses the beacon, the first of the ways to find it
     for (int beats = 0; beats < 120; ++beats) {
         if (heard("Here " + thing, since)) return true;
         const std::size_t sounds = audio_.sounds().size();

@@ -1,6 +1,6 @@
-// Somebody who has never been there and sees nothing: presses keys by their names and knows what was spoken and what
-// was heard, in the order in which it came. Never looks into the scene or at where the body is. The sounds tell what
-// ears tell: which sound, from which side, how muffled.
+// A simulated person who has never been there and sees nothing. It presses keys by their names, and knows only what it
+// was told and heard, in that order. It never looks into the scene or at the walker's position. From sounds it learns
+// what ears would: which sound, from which side, how muffled.
 #pragma once
 
 #include <filesystem>
@@ -17,14 +17,14 @@ namespace handrail::test {
 
 class Newcomer {
 public:
-    // hand: none, or the simulated hand of a device; it rests where it is.
+    // `hand`: none, or the simulated hand of a device, which stays where it is.
     explicit Newcomer(std::shared_ptr<const Scene> world, const std::filesystem::path& records = {},
                       const HandFacts& hand = {});
 
     void wait(double seconds);
     void tap(const std::string& key, double then_s = 0.4);
     void hold(const std::string& key, double seconds);
-    // What is spoken after a key, all of it in one text.
+    // Returns everything spoken after a key, in one text.
     std::string ask(const std::string& key, double listen_s = 0.4);
     bool heard(const std::string& words, std::size_t since = 0) const;
     std::size_t lines() const { return speech_.lines().size(); }
@@ -32,44 +32,48 @@ public:
     std::string last_lines(std::size_t count) const;
     double now_s() const { return session_->now_s(); }
 
-    // Turns by so many degrees to the right, by asking for the heading.
+    // Turns to the right by this many degrees, using the announced heading.
     void turn(double right_deg);
-    // So many steps ahead; less where something is met, and then true. Doors that are met are opened and gone through.
-    bool walk(int steps);  // an edge counts as met, unless the way that was told leads over it
-    // Obeys one direction, "5 steps, 30 degrees right": turns and walks most of it; makes the lift go that one is told
-    // to stand in, and takes the stairs that one is told to stand at. False: it says neither distance nor direction.
+    // Walks this many steps ahead, or fewer if something is in the way, and then returns true. Opens doors that it
+    // meets and goes through them.
+    bool walk(int steps);  // an edge counts as an obstacle, unless the directions lead over it
+    // Obeys one direction, such as "5 steps, 30 degrees right": turns and walks most of it. If the directions say so,
+    // it starts the lift in which it stands, or takes the stairs at which it stands. Returns false if the text has
+    // neither distance nor direction.
     bool obey(const std::string& direction);
 
-    // All entries of a list that a key opens, read one after the other; the list is left again.
+    // Reads all entries of the list that a key opens, one after the other, and leaves the list.
     std::vector<std::string> entries(const std::string& key);
-    // Opens the list and chooses the first entry that begins so. What is said then; empty: there is none.
+    // Opens the list and chooses the first entry with this beginning. Returns what is said then; empty if there is no
+    // such entry.
     std::string choose(const std::string& key, const std::string& begin);
 
-    // To a room by its name: chosen from the list of ways, then asked again and again where the way goes on. True when
-    // it is told that one is there; false before a locked door too, which `locked` then tells of.
+    // Goes to a room by its name: chooses it from the list of routes, then requests the next directions again and
+    // again. Returns true when the arrival is announced, and false also in front of a locked door, which `locked` then
+    // describes.
     bool go_to_room(const std::string& room);
-    // To a thing by its name, in words as to a room: the second of the ways to find it.
+    // Goes to a thing by its name, guided by words as to a room: the second of the ways to find it.
     bool go_by_words_to_thing(const std::string& thing);
-    // To a thing by its name: the beacon is set on it and followed by ear until it is told that one is there.
+    // Goes to a thing by its name: sets the beacon on it and follows that by ear until the arrival is announced.
     bool go_to_thing(const std::string& thing);
 
-    // What was told of the locked door that ended the last way, and of its button; none: no such door did.
+    // What was said about the locked door that ended the last walk, and about its button; none if no such door did.
     struct Locked {
         std::string door, button, where;
     };
     const std::optional<Locked>& locked() const { return locked_; }
 
-    // How the world's own sounds of a kind come to the ears: which of them, degrees to the right, and decibels lost on
-    // the way through walls.
+    // How the world's own sounds of one kind reach the ears: which source, degrees to the right, and decibels lost on
+    // the path through walls.
     struct Heard {
         std::uint32_t which = 0;
         double right_deg = 0.0, muffled_db = 0.0;
     };
     std::vector<Heard> listen_to(SoundKind kind) const;
-    // Turns to where something is heard and goes two steps.
+    // Turns towards a sound and walks two steps.
     void obey_ears(double right_deg);
 
-    // For whoever judges the newcomer, who does not know it.
+    // For the test that judges the newcomer, who does not know this.
     Vec3 feet_m() const { return session_->app().feet_m(); }
 
 private:

@@ -1,4 +1,4 @@
-// A newcomer with keys and ears alone, in worlds that nobody made for this test.
+// A newcomer with only keys and ears, in worlds that were not made for this test.
 #include "tests/unit/core/newcomer.h"
 
 #include <cstdlib>
@@ -27,12 +27,12 @@ std::shared_ptr<const Scene> real(const std::string& name) {
     return test::world_once(*path);
 }
 
-// "Corridor, 6 by 26 metres, south" of "Corridor, 6 by 26 metres, south, 35 steps".
+// Returns "Corridor, 6 by 26 metres, south" for "Corridor, 6 by 26 metres, south, 35 steps".
 std::string name_of(const std::string& entry) { return entry.substr(0, entry.rfind(", ")); }
 
-// Where the way to a room is told to lead: chosen by a word in its name.
+// The room to which a route leads, chosen by a word in its name.
 std::string room_with(Newcomer& n, const std::string& word) {
-    (void)n.entries("Shift+4");  // once rooms are known something is told of them between the entries
+    (void)n.entries("Shift+4");  // once the rooms are known, this is announced between the entries
     for (const std::string& room : n.entries("Shift+4"))
         if (room.find(word) != std::string::npos) return name_of(room);
     return {};
@@ -54,7 +54,7 @@ TEST(ANewcomer, walks_the_first_tutorial_map_from_its_start_to_its_exit_through_
     std::cout << "the exit after " << n.now_s() << " s\n";
 }
 
-// The door before the exit waits for its button, which is two rooms away and higher up.
+// The door before the exit opens only with its button, which is two rooms away and higher up.
 TEST(ANewcomer, meets_the_locked_door_of_the_fifth_tutorial_map_finds_its_button_presses_it_and_goes_through_the_door) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the house is enough";
     const auto world = real("agtut05.map");
@@ -77,7 +77,7 @@ TEST(ANewcomer, meets_the_locked_door_of_the_fifth_tutorial_map_finds_its_button
               << n.now_s() << " s\n";
     const std::string exits = n.ask("X", 1.0);
     EXPECT_TRUE(words_in_order("Locked door to " + exit_room, exits)) << exits;
-    // By the name that was told, as the list of things has it.
+    // Finds the button by the announced name, which the list of things uses too.
     const std::string button = n.locked()->button.substr(0, n.locked()->button.find(", "));
     ASSERT_TRUE(n.go_by_words_to_thing(button)) << n.last_lines(20);
     const std::size_t before = n.lines();
@@ -95,8 +95,8 @@ TEST(ANewcomer, meets_the_locked_door_of_the_fifth_tutorial_map_finds_its_button
     std::cout << "the exit after " << n.now_s() << " s\n";
 }
 
-// Three things, each in another room than the one before: the way to the room is asked for, then what is there, then it
-// is walked to by ear.
+// Goes to three things, each in a different room from the one before. It requests the route to the room, then what is
+// there, and then walks to it by ear.
 void reaches_three_things(const std::shared_ptr<const Scene>& world) {
     Newcomer n(world);
     std::set<std::string> found;
@@ -137,8 +137,8 @@ TEST(ANewcomer, reaches_three_things_in_other_rooms_of_the_office_that_it_found_
     reaches_three_things(world);
 }
 
-// Named on two storeys: "E008" is at the ground, "1022" one flight up. From the main entrance to each and out again, by
-// the stairs: the lifts are out of order.
+// Rooms on two storeys have names: "E008" is on the ground floor, "1022" one flight up. It walks from the main entrance
+// to each and out again, by the stairs, since the lifts are out of order.
 TEST(ANewcomer, walks_in_the_university_to_three_rooms_on_two_storeys_and_out_again) {
     if (test::kThreadSanitizer) GTEST_SKIP() << "unit_osm starts the threads that read OpenStreetMap";
     const auto read = real("apb-tu-dresden.osm");
@@ -166,10 +166,10 @@ TEST(ANewcomer, walks_in_the_university_to_three_rooms_on_two_storeys_and_out_ag
         }
         std::cout << room << " after " << n.now_s() << " s\n";
     }
-    // Back to the porch of the main entrance, and through the door that leads out.
+    // Goes back to the porch of the main entrance, and through the door that leads out.
     EXPECT_TRUE(n.go_to_room("Windfang")) << n.last_lines(60);
     const auto is_out = [&] { return n.ask("1").find("Pedestrian area") != std::string::npos; };
-    bool out_there = is_out();  // asked once each time: asked again, more is told
+    bool out_there = is_out();  // asked only once each time, because asking again gives a longer answer
     for (int asked = 0; asked < 20 && !out_there; ++asked, out_there = is_out()) {
         const std::string exits = n.ask("X");
         const std::size_t out = exits.find("to Pedestrian area: ");
@@ -181,7 +181,7 @@ TEST(ANewcomer, walks_in_the_university_to_three_rooms_on_two_storeys_and_out_ag
     std::cout << "outside after " << n.now_s() << " s\n";
 }
 
-// A newcomer without a device, or with the simulated hand of one, which rests where it is.
+// A newcomer without a device, or with the simulated hand of one, which stays where it is.
 std::unique_ptr<Newcomer> newcomer(const std::shared_ptr<const Scene>& world, const char* device) {
     HandFacts hand;
     if (device) {
@@ -191,29 +191,29 @@ std::unique_ptr<Newcomer> newcomer(const std::shared_ptr<const Scene>& world, co
     return std::make_unique<Newcomer>(world, std::filesystem::path{}, hand);
 }
 
-// A building, and of how many rooms on the storey at which one begins and of the one above or below names are known and
-// ways found.
+// A building, and how many rooms must be known by name and reached: on the storey of the start, and on the one above or
+// below.
 struct Building {
     const char* file;
     std::size_t here, other;
     bool below = false, ours = false;
-    bool back = true;  // false: out again is not tried
-    bool next = true;  // false: the other storey is two away
+    bool back = true;  // false: the way out is not tried
+    bool next = true;  // false: the other storey is two storeys away
 };
 
-// An office of two storeys as an architect's program would write it.
+// A two-storey office as a program for architects would write it.
 std::shared_ptr<const Scene> office(const char* file) {
     const test::TemporaryFolder folder;
     return test::world_in(folder.write(file, test::office_ifc({2, 1, 3}).text));
 }
 
-// Stairs themselves. Footways are called by the stairs that they lead to.
+// True for stairs themselves. Footways are named after the stairs to which they lead.
 bool is_stairs(const std::string& room) {
     return room.find("tair") != std::string::npos && !room.starts_with("Footway");
 }
 
-// From the outer door at which it begins to three rooms, each chosen from the list of ways by where it is told to be,
-// and back to the ground outside: by what is spoken alone.
+// From the outer door at the start to three rooms, each chosen from the list of routes by its announced place, and back
+// to the ground outside. Uses only what is spoken.
 void walks_to_three_rooms_and_out_again(const Building& building, const char* device) {
     const auto world = building.ours ? office(building.file) : real(building.file);
     if (!world) GTEST_SKIP() << test::needs_real_world(building.file);
@@ -229,7 +229,7 @@ void walks_to_three_rooms_and_out_again(const Building& building, const char* de
     for (const std::string& entry : n.entries("Shift+4")) {
         const std::string room = entry.substr(0, entry.find_first_of(",;"));
         if (room.find("round outside") != std::string::npos || is_stairs(room)) continue;
-        // Without a name in the file.
+        // These names are not from the file.
         if (entry.find(", storey ") != std::string::npos || room.ends_with("oom") ||
             room.find("iche") != std::string::npos)
             continue;
@@ -259,8 +259,8 @@ void walks_to_three_rooms_and_out_again(const Building& building, const char* de
 
 constexpr Building kInstitute{"institute.ifczip", 1, 2}, kDuplex{"duplex-apartment.ifc", 1, 2},
     kFamilyHouse{"fzk-haus.ifc", 2, 1},
-    // From the steps that come third two ways of nearly one length lead out, and the way turns from one to the other at
-    // each of two landings.
+    // From the steps that are the third destination, two routes of nearly equal length lead out, and the directions
+    // switch between them at each of two landings.
     kStation{.file = "delft-station.osm", .here = 1, .other = 2, .below = true, .next = false},
     kOffice{"office.ifc", 1, 2, false, true};
 
@@ -298,7 +298,8 @@ TEST(ANewcomer, walks_in_the_station_with_a_simulated_device_to_three_places_on_
     walks_to_three_rooms_and_out_again(kStation, "SIM-T");
 }
 
-// The only room upstairs: its spiral stairs wind below the gallery's own floor, under which one bows one's head.
+// The only room upstairs. Its spiral stairs wind below the gallery's own floor, under which a person must bow their
+// head.
 TEST(ANewcomer, hears_in_the_family_house_what_is_around_and_of_the_stairs_that_are_walked_to_its_gallery) {
     const auto world = real("fzk-haus.ifc");
     if (!world) GTEST_SKIP() << test::needs_real_world("fzk-haus.ifc");
@@ -312,7 +313,7 @@ TEST(ANewcomer, hears_in_the_family_house_what_is_around_and_of_the_stairs_that_
     EXPECT_EQ(around.find("round outside"), std::string::npos) << "what one stands on is no thing: " << around;
 }
 
-// To each named room in turn that is told to have a way; what is unnamed are ledges of windows.
+// Goes to each named room in turn to which a route is announced. The unnamed ones are window ledges.
 TEST(ANewcomer, walks_to_every_room_of_the_duplex_and_of_the_family_house) {
     if (!std::getenv("HANDRAIL_ALL_ROUTES")) GTEST_SKIP() << "set HANDRAIL_ALL_ROUTES: half a minute of computing";
     for (const char* file : {"duplex-apartment.ifc", "fzk-haus.ifc"}) {
@@ -327,7 +328,7 @@ TEST(ANewcomer, walks_to_every_room_of_the_duplex_and_of_the_family_house) {
         for (const std::string& entry : n.entries("Shift+4")) rooms.insert(entry.substr(0, entry.find_first_of(",;")));
         for (const char* unnamed : {"Niche", "Roof"}) rooms.erase(unnamed);
         for (const std::string& room : rooms) {
-            if (words_in_order("Stairs", n.ask("1")) && room == "Stairs") continue;  // on the way to another
+            if (words_in_order("Stairs", n.ask("1")) && room == "Stairs") continue;  // on the way to another room
             EXPECT_TRUE(n.go_to_room(room)) << room << ": " << n.last_lines(60);
         }
         std::cout << file << ": " << rooms.size() << " rooms after " << n.now_s() << " s\n";
@@ -335,7 +336,7 @@ TEST(ANewcomer, walks_to_every_room_of_the_duplex_and_of_the_family_house) {
     }
 }
 
-// What is told of the lift is enough to ride it.
+// The announcements about the lift are enough to ride it.
 TEST(ANewcomer, rides_the_lift_of_a_building_without_stairs_to_its_highest_storey_and_down_again) {
     Newcomer n(test::hall_with_lift());
     (void)n.entries("Shift+4");
@@ -346,7 +347,7 @@ TEST(ANewcomer, rides_the_lift_of_a_building_without_stairs_to_its_highest_store
     EXPECT_NEAR(n.feet_m().z, 0.0, 0.1);
 }
 
-// By stairs one storey up, by a lift one more, and out through the porch.
+// Goes one storey up by stairs and one more by lift, and out through the porch.
 TEST(ANewcomer, walks_in_the_university_by_stairs_and_lift_with_a_simulated_device) {
     if (!std::getenv("HANDRAIL_ALL_ROUTES")) GTEST_SKIP() << "set HANDRAIL_ALL_ROUTES: ten seconds of computing";
     const auto world = real("apb-tu-dresden.osm");

@@ -1,5 +1,5 @@
-// An office with as many doors as a large building has, lived through the session: each is shut to the hand, is opened
-// with the key, and lets the hand through.
+// An office with as many doors as a large building has, in a session. The hand finds each door shut, the key opens it,
+// and then the hand passes.
 #include "app/core/world/entering.h"
 #include "haptic/render/proxy_solver.h"
 #include "haptic/servo/body_playback.h"
@@ -10,10 +10,10 @@
 namespace handrail::test {
 namespace office_doors_test {
 
-// A hand beside the session, which feels what the session hands to the servo.
+// A hand next to the session, which feels the scene that the session hands to the servo.
 struct Hand {
     explicit Hand(AppSession& s) : session(s) { tuning.radius_m = 0.005; }
-    // Straight on within half a second, from a fresh start; what is felt at the end.
+    // Moves straight on within half a second, from a fresh start. Returns what is felt at the end.
     TouchResult goes(const Vec3& from_m, const Vec3& to_m) {
         constexpr int kTicks = 50;
         state.reset();
@@ -48,12 +48,13 @@ TEST(OfficeDoors, of_two_thousand_each_twentieth_opens_to_the_hand) {
     session.app.apply(WorldEntered{make_ready_to_touch(std::make_shared<const Scene>(std::move(*read)))}, 0.0);
     struct Door {
         FeatureId feature;
-        Vec3 middle_m, through;  // unit, along the thin side of the leaf
+        Vec3 middle_m, through;  // unit vector along the thin side of the leaf
     };
     std::vector<Door> doors;
     const auto every = static_cast<std::size_t>(
         20.0 /
-        kSanitizerScale);  // all of them in half a minute of computing; each is as far from the first as they are
+        // All of them would take half a minute of computing. They differ only in their distance from the first.
+        kSanitizerScale);
     const auto scene = session.app.scene();
     ASSERT_EQ(scene->movers.size(), 2000U);
     for (std::size_t i = 0; i < scene->movers.size(); i += every) {

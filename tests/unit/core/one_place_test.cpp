@@ -1,5 +1,5 @@
-// One thing has one place and one distance, whatever is asked: exits, where am I, what is ahead, the list of all things
-// and the ways to rooms, in every room of the house and the school.
+// A thing has one place and one distance, whatever the question: exits, where am I, what is ahead, the list of all
+// things and the routes to rooms. Checked in every room of the house and the school.
 #include <gmock/gmock.h>
 
 #include <map>
@@ -15,7 +15,7 @@ using test::AppSession;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-// Asks in the middle of each room, each time facing another way.
+// Asks in the middle of each room, facing a different direction each time.
 template <class Each>
 void in_every_room(const char* world, Each each) {
     AppSession s;
@@ -34,7 +34,7 @@ void in_every_room(const char* world, Each each) {
     }
 }
 
-// "Study door" to "3 steps, half right", of those told once.
+// Maps names to places, such as "Study door" to "3 steps, half right", for exits that are named once.
 std::map<std::string, std::string> exits_told(AppSession& s) {
     std::map<std::string, std::string> told;
     std::set<std::string> twice;
@@ -99,8 +99,8 @@ TEST(OnePlace, of_a_thing_in_another_room_is_as_far_as_its_way_on_foot_and_told_
             const bool told = value.find(" on foot") != std::string::npos;
             ++(told ? on_foot : straight);
             if (!told) continue;
-            // Its room is told with it unless they share a name, and no way on foot is shorter than the straight line,
-            // but for rounding to five steps.
+            // Its room is also named, unless both have the same name. No walking route is shorter than the straight
+            // line, apart from rounding to five steps.
             EXPECT_GE(std::count(value.begin(), value.end(), ','), name == "Pond" ? 1 : 2) << name << ": " << value;
             const auto things = named_things(*s.app.scene());
             double nearest_m = 1e9;
@@ -122,7 +122,7 @@ TEST(OnePlace, of_a_thing_in_another_room_is_as_far_as_its_way_on_foot_and_told_
 TEST(OnePlace, of_a_room_is_as_far_in_the_list_of_ways_as_its_way_is_long_and_tells_its_storey) {
     for (const char* world : {"house.map", "school.map"}) {
         if (test::kSanitizerScale < 1.0 && world == std::string_view("school.map")) continue;
-        // Of the school's many, fewer in each run.
+        // The school has many routes, so fewer are tried in each run.
         const int every_way = world == std::string_view("school.map") ? 5 * static_cast<int>(test::every(3, 3)) : 5;
         int rooms = 0, ways = 0, other_storeys = 0;
         in_every_room(world, [&](AppSession& s) {

@@ -1,5 +1,4 @@
-// Ways past open doors in the house: a leaf that stands in a way is gone round, as it stands when one sets out and as
-// it comes to stand on the way.
+// Routes past open doors in the house. A leaf in the way is passed, both as it is at the start and if it moves later.
 #include <array>
 #include <map>
 
@@ -19,12 +18,12 @@ struct HouseWalker : test::AppSession {
         ask(Command::Routes);
         for (const ListItem& item : app.dialogue().view().items)
             if (item.name != "Pond" && item.name != "Pond steps" && item.name != "Stairs")
-                rooms.push_back(item.name);  // at their edge one is asked; no places to stay
+                rooms.push_back(item.name);  // their edges ask a question; they are no places to stay
         app.apply(KeyTapped{"Escape"}, now);
     }
-    // True when it gets there; `bumped` holds what it met on the way.
+    // Returns true if it arrives; `bumped` gets what it met on the way.
     bool go_to(const std::string& room) { return test::go_to_room(*this, room, 60.0); }
-    // Opens a door from the side it does not swing to.
+    // Opens a door from the side away from its swing.
     void open(const Mover& door) {
         const Aabb leaf = app.scene()->features[door.feature.value].bounds_m;
         const Vec3 shut = leaf.centre_m(), open = PlacedFrame(door.at(1.0)).to_world(shut - door.pivot_m);
@@ -62,7 +61,7 @@ TEST(OpenDoors, stand_in_no_way_between_two_rooms_of_the_house) {
     const std::vector<Mover> movers = p.app.scene()->movers;
     for (const Mover& mover : movers)
         if (p.app.scene()->features[mover.feature.value].kind == FeatureKind::Door) p.open(mover);
-    // To each from the hall, and from each to each other from where one came to stand.
+    // Walks to each from the hall, and from each to every other, starting where the last walk ended.
     std::map<std::string, Vec3> places{{"Hall", {6.0, 0.7, 0.0}}};
     const auto walk = [&](const std::string& from, const std::string& to) {
         SCOPED_TRACE(from + " to " + to);
@@ -92,7 +91,8 @@ TEST(OpenDoors, that_one_opens_on_the_way_are_gone_round_from_there_on) {
         HouseWalker p;
         EXPECT_TRUE(p.go_to(room)) << "stands at " << p.app.feet_m().x << " " << p.app.feet_m().y << " "
                                    << p.app.feet_m().z;
-        for (const std::string& door : doors) EXPECT_LE(p.bumps_into(door), 1) << door;  // while it was shut
+        // Bumped into while it was shut.
+        for (const std::string& door : doors) EXPECT_LE(p.bumps_into(door), 1) << door;
         EXPECT_TRUE(p.go_to("Hall")) << "stands at " << p.app.feet_m().x << " " << p.app.feet_m().y << " "
                                      << p.app.feet_m().z;
         for (const std::string& door : doors) EXPECT_EQ(p.bumps_into(door), 0) << door;
@@ -102,8 +102,8 @@ TEST(OpenDoors, that_one_opens_on_the_way_are_gone_round_from_there_on) {
 TEST(OpenDoors, that_stand_open_from_the_begin_are_gone_round_from_the_begin) {
     using test::box_brush;
     using test::key;
-    // Two rooms with a gap of a metre in the wall between them; the door in it is hinged at its south and stands open
-    // into the eastern room. What one goes to stands behind its leaf.
+    // Two rooms with a gap of a metre in the wall between them. The door in the gap is hinged at its south and stands
+    // open into the eastern room. The destination is behind its leaf.
     auto scene = read_quake_map(
         test::entity("worldspawn", key("building", "1"),
                      test::room_brushes(0, 0, 0, 400, 160, 96) + box_brush(196, 0, 0, 204, 64, 96) +
@@ -120,7 +120,7 @@ TEST(OpenDoors, that_stand_open_from_the_begin_are_gone_round_from_the_begin) {
     test::AppSession p;
     p.app.apply(WorldEntered{make_ready(std::make_shared<const Scene>(std::move(*scene)))}, 0.0);
     p.run(0.1);
-    p.ask(Command::Exits);  // from here on the ways are known
+    p.ask(Command::Exits);  // from here on the routes are known
     p.ask(Command::Find);
     p.line("Stool");
     p.line("Take me there");
@@ -159,9 +159,9 @@ TEST(OpenDoors, that_are_shut_again_leave_the_ways_as_they_were) {
     EXPECT_EQ(way(), shut);
 }
 
-// A corridor, 1.1 m wide if nothing else is stated, whose north side has a closet, with a door that opens into the
-// corridor, and farther east an opening to a hall. The leaf of the open door leaves no room beside it where that is
-// narrow. `open`: it stands open from the beginning.
+// A corridor, 1.1 m wide by default. On its north side is a closet, whose door opens into the corridor, and farther
+// east an opening to a hall. In a narrow corridor the leaf of the open door leaves no room to pass. `open`: the door is
+// open from the start.
 std::shared_ptr<const Scene> corridor_with_closet(int wide_units = 36, bool open = false) {
     const int south = 96 - wide_units;
     const std::string rooms = test::room_brushes(0, 0, 0, 320, 640, 128);
@@ -215,8 +215,8 @@ TEST(OpenDoors, whose_leaf_leaves_no_way_beside_it_are_announced_and_can_be_shut
     EXPECT_EQ(p.ask(Command::RepeatLeg).find("in the way"), std::string::npos) << p.news();
 }
 
-// Whoever follows the words comes past the open leaf: beside it without a word where there is room, and by shutting it
-// where there is none.
+// A walker who follows the words passes the open leaf: next to it without an announcement if there is room, or else by
+// shutting it.
 TEST(OpenDoors, are_passed_by_words_beside_their_leaf_or_by_shutting_it) {
     for (const int wide_units : {34, 36, 64, 80}) {
         SCOPED_TRACE(wide_units);
@@ -236,7 +236,7 @@ TEST(OpenDoors, are_passed_by_words_beside_their_leaf_or_by_shutting_it) {
     }
 }
 
-// A door that stands open from the beginning is one like any other.
+// A door that is open from the start behaves like any other.
 TEST(OpenDoors, that_rest_open_are_told_as_they_stand) {
     test::AppSession p;
     p.app.apply(WorldEntered{make_ready(corridor_with_closet(36, true))}, 0.0);
@@ -250,7 +250,7 @@ TEST(OpenDoors, that_rest_open_are_told_as_they_stand) {
     }
 }
 
-// Two doors face each other across a corridor, and the leaf of each reaches where that of the other stands open.
+// Two doors face each other across a corridor, and their swings overlap.
 TEST(OpenDoors, on_both_sides_of_a_corridor_open_and_shut_past_each_other) {
     const auto door = [](const char* name, const char* hinge, const char* opens, const std::string& brush) {
         return test::entity("func_door",
@@ -273,7 +273,7 @@ TEST(OpenDoors, on_both_sides_of_a_corridor_open_and_shut_past_each_other) {
         test::AppSession p;
         p.app.apply(WorldEntered{make_ready(world)}, 0.0);
         p.run(0.1);
-        const Vec3 at_office{5.0, 3.8, 0.0}, at_store{5.0, 1.1, 0.0};  // behind them, out of both swings
+        const Vec3 at_office{5.0, 3.8, 0.0}, at_store{5.0, 1.1, 0.0};  // behind the doors, outside both swings
         const auto use = [&](bool store) {
             p.app.apply(Placed{store ? at_store : at_office, store ? 0.0 : kPi}, p.now);
             p.said.clear();
@@ -289,7 +289,7 @@ TEST(OpenDoors, on_both_sides_of_a_corridor_open_and_shut_past_each_other) {
     }
 }
 
-// From the side of its hinge the leaf stands across the way before the doorway that the way leads through.
+// From the side of its hinge, the leaf is across the route before the doorway through which the route leads.
 TEST(OpenDoors, that_the_way_leads_through_are_in_the_way_where_one_comes_to_their_leaf_first) {
     test::AppSession p;
     open_the_closet(p);
@@ -322,7 +322,7 @@ TEST(OpenDoors, that_are_shut_on_the_way_are_told_to_be_opened_again) {
     EXPECT_NE(after.find("Open it"), std::string::npos) << before << " | " << after;
 }
 
-// No leg names it, since by the plan the body goes past it. Whoever asks again hears what to do with it.
+// No leg names the door, since by the plan the walker passes it. A person who asks again hears what to do with it.
 TEST(OpenDoors, that_stop_the_body_on_a_leg_are_named_by_it) {
     test::AppSession p;
     p.app.apply(WorldEntered{make_ready(corridor_with_closet(64))}, 0.0);
@@ -345,7 +345,7 @@ TEST(OpenDoors, that_stop_the_body_on_a_leg_are_named_by_it) {
     p.app.guide().note_stop(closet);
     const std::string shut_it = p.ask(Command::RepeatLeg);
     EXPECT_NE(shut_it.find("Closet is open and in the way. Shut it."), std::string::npos) << shut_it;
-    // A door that goes on stopping the body is no way.
+    // A door that keeps stopping the walker no longer counts as an exit to suggest.
     for (int i = 0; i < 4; ++i) p.app.guide().note_stop(closet);
     EXPECT_EQ(p.ask(Command::RepeatLeg).find("Closet is open"), std::string::npos) << p.news();
 }

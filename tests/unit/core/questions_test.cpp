@@ -14,8 +14,8 @@ using test::SceneBuilder;
 using testing::HasSubstr;
 using testing::Not;
 
-// 8 by 8 metres, the base in the middle facing north; a cupboard in each quarter, one behind a screen, a low bench
-// ahead, a clock that ticks.
+// A hall of 8 by 8 metres with the base in the middle, facing north. It has a cupboard in each quarter, one of them
+// behind a screen, a low bench ahead, and a ticking clock.
 SceneBuilder hall() {
     SceneBuilder b;
     b.box({0, 0, -0.2}, {8, 8, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
@@ -82,7 +82,7 @@ TEST(Questions, looking_one_way_finds_what_is_low_and_what_stands_behind_it) {
     EXPECT_THAT(names(look_towards({world, {4, 4, 0}, 0.0}, kPi / 4.0)), testing::ElementsAre("north wall"));
 }
 
-// Against the slow way: a straight line to many points of each box, met by none of the other boxes.
+// Compared with the slow method: straight lines to many points of each box that no other box blocks.
 TEST(Questions, tell_of_nothing_that_no_line_reaches_and_of_everything_whose_middle_one_reaches) {
     std::mt19937_64 random(test::seed_of_run());
     std::uniform_real_distribution<double> place(-6.0, 6.0), size(0.2, 1.5);
@@ -100,7 +100,7 @@ TEST(Questions, tell_of_nothing_that_no_line_reaches_and_of_everything_whose_mid
             }
             const BodyWorld world(b.share());
             const Vec3 eye(far, 0.0, kLookHeight_m);
-            const auto crosses = [&](const Aabb& box, const Vec3& to) {  // slabs, on the open stretch
+            const auto crosses = [&](const Aabb& box, const Vec3& to) {  // the slab test, on the open segment
                 double enter = 0.0, leave = 1.0;
                 for (int axis = 0; axis < 3; ++axis) {
                     const double way = to[axis] - eye[axis];
@@ -207,7 +207,7 @@ TEST(Coordinates, say_metres_from_the_origin_and_height_above_what_is_below) {
     EXPECT_FALSE(above_floor_m(world, {40, 4, 1.3}));
 }
 
-// The keys, through the session.
+// The keys in a session.
 TEST(SessionQuestions, are_answered_in_the_chosen_vocabulary_and_at_the_chosen_level) {
     Settings settings;
     settings.speech.directions = DirectionChoice::Clock;

@@ -1,5 +1,5 @@
-// The body of a session at every door of buildings, our own and real ones: it walks through, as the file has the floor
-// before and behind.
+// The walker of a session at every door of buildings, our own and real ones. It walks through, on the floors that the
+// file has before and behind the door.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -20,7 +20,7 @@
 namespace handrail {
 namespace real_doors_test {
 
-constexpr double kBefore_m = 0.45;  // of the middle of the body, from the middle of the leaf
+constexpr double kBefore_m = 0.45;  // distance of the body's middle from the leaf's middle
 
 bool walks(const BodyWorld& world, const BodySize& size, const Vec3& middle_m, const Vec3& way) {
     Walker walker(world, size);
@@ -37,7 +37,7 @@ TEST(RealDoors, are_walked_through_both_ways_by_the_body_of_a_session) {
         const std::string file = path.filename().string();
         const Result<Scene> scene = read_world(path);
         ASSERT_TRUE(scene) << scene.error().sentence();
-        auto open = std::make_shared<Scene>(*scene);  // no leaf in the way
+        auto open = std::make_shared<Scene>(*scene);  // no leaf is in the way
         std::erase_if(open->solids, [](const Solid& solid) { return solid.role == SolidRole::Mover; });
         open->movers.clear();
         const BodyWorld world(open);
@@ -61,10 +61,11 @@ TEST(RealDoors, are_walked_through_both_ways_by_the_body_of_a_session) {
     }
 }
 
-// Through a door with its leaves open, as it is reported, and by a body that then stands on a floor.
+// The doors of a scene with open leaves: how many there are, how many the report names, and which ones a walker could
+// not pass onto a floor.
 struct DoorsWalked {
     int doors = 0, reported = 0;
-    std::string held;  // that no report names
+    std::string held;  // doors that stopped the walker but are in no report
 };
 DoorsWalked walk_all(const Scene& scene) {
     auto open = std::make_shared<Scene>(scene);

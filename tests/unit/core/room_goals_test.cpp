@@ -1,4 +1,4 @@
-// Walks to rooms whose middle nobody comes to from where the person stands, or over whose ceiling somebody could stand.
+// Walks to rooms whose middle cannot be reached from where the person stands, or whose ceiling could be stood upon.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -32,7 +32,7 @@ TEST(RoomGoals, are_any_place_of_the_room_that_one_comes_to) {
     EXPECT_LT(person.app.feet_m().z, 0.5) << "not on the gallery";
 }
 
-// The space reaches up to the next storey's floor, which is the roof that one could stand on.
+// The space reaches up to the next storey's floor, which is a roof on which somebody could stand.
 TEST(RoomGoals, are_not_on_the_roof_of_a_room_as_high_as_its_storey) {
     Hut hut;
     hut.part("IFCSLAB", "Floor", hut.block({-6.0, -2.0, -0.2}, {6.0, 6.0, 0.0}), ",$");

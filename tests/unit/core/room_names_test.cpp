@@ -1,5 +1,5 @@
-// Names that a person gives to rooms: asked for by key and by word, kept beside the world, and told of where they do
-// not fit any more.
+// Names that a person gives to rooms: requested by key and by word, kept next to the world, and reported if they no
+// longer fit.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -15,8 +15,8 @@ namespace room_names_test {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-// Two rooms of 6 by 5 m, a gap of so many units in the wall between them (160: no wall is left); one starts in the
-// western one.
+// Two rooms of 6 by 5 m with a gap of this many units in the wall between them (160: no wall is left). The walker
+// starts in the western one.
 std::string two_rooms(double gap_units = 32.0) {
     using test::box_brush;
     const double low = 80.0 - 0.5 * gap_units, high = 80.0 + 0.5 * gap_units;
@@ -32,7 +32,7 @@ struct Person : test::AppSession {
         run(0.1);
         ask(Command::Exits);  // from here on the rooms are known
     }
-    // By the keys alone: the question, the letters, Enter.
+    // Uses only the keys: the question, the letters, Enter.
     std::string name(const std::string& typed) {
         EXPECT_EQ(app.keys().find("Control+N"), Command::NameRoom);
         ask(Command::NameRoom);
@@ -66,7 +66,7 @@ TEST(NamesOfRooms, are_typed_told_everywhere_and_kept_for_the_next_time) {
         p.run(0.1);
         EXPECT_THAT(p.ask(Command::Exits), HasSubstr("to " + sign));
         EXPECT_EQ(p.name("Study"), "This room is now called Study.");
-        EXPECT_EQ(p.name("Library"), "This room is now called Library.");  // again
+        EXPECT_EQ(p.name("Library"), "This room is now called Library.");  // named again
     }
     Person p(world.path);
     EXPECT_THAT(p.ask(Command::WhereAmI), testing::StartsWith(sign + ", "));
@@ -121,21 +121,21 @@ TEST(NamesOfRooms, of_a_world_that_was_edited_are_told_where_they_no_longer_fit)
         p.run(0.1);
         p.name("Larder");
     }
-    // Edited without a change to the rooms: all fit.
+    // The world was edited without a change to the rooms, so all names fit.
     world.write(two_rooms(36.0));
     {
         Person p(world.path);
         EXPECT_FALSE(p.heard("fit")) << p.said.back();
         EXPECT_THAT(p.ask(Command::Exits), HasSubstr("Shop. 1 exit"));
     }
-    // Without the wall there is one room twice as large, which is neither.
+    // Without the wall there is one room of twice the size, which is neither of the two.
     world.write(two_rooms(160.0));
     {
         Person p(world.path);
         EXPECT_TRUE(p.heard("This world has changed since you named rooms. 2 of 2 names no longer fit: Shop; Larder."));
         EXPECT_THAT(p.ask(Command::WhereAmI), testing::Not(HasSubstr("Shop")));
     }
-    // They are still kept for the day when the wall is back.
+    // The names are still kept until the wall is back.
     world.write(two_rooms());
     Person p(world.path);
     EXPECT_THAT(p.ask(Command::WhereAmI), testing::StartsWith("Shop, "));
@@ -151,7 +151,7 @@ TEST(NamesOfRooms, that_are_damaged_are_kept_aside_said_and_started_empty) {
         EXPECT_THAT(p.ask(Command::WhereAmI), testing::StartsWith("Room, west, "));
         EXPECT_EQ(p.name("Shop"), "This room is now called Shop.");
     }
-    // Two entries that cannot be used, in a file that can be read: told, and still there after something was saved.
+    // Two unusable entries in a readable file are reported, and are still there after something was saved.
     ASSERT_TRUE(write_file_atomically(
         world.beside(),
         "[[room_name]]\nname = \"Shop\"\nplace_m = [1.0, 2.5, 0.0]\n[[room_name]]\nname = \"Attic\"\nplace_m = [1.0]\n"

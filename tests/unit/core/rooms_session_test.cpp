@@ -1,5 +1,5 @@
-// Rooms and ways in a session: the room's name, its exits, the way to another room, in words and along it; on a thread
-// and when asked.
+// Rooms and routes in a session: the room's name, its exits, the route to another room in words and along it; on a
+// separate thread and on request.
 #include <map>
 #include <string>
 #include <thread>
@@ -55,7 +55,7 @@ TEST(RoomsInASession, name_the_room_and_its_exits_clockwise) {
         << s.said.back();
     const std::string exits = s.ask(Command::Exits);
     EXPECT_TRUE(exits.starts_with("Hall. ")) << exits;
-    // Facing north from the front door: the way up ahead, then east, south, west.
+    // Facing north from the front door: the exit ahead comes first, then east, south, west.
     const auto at = [&](const std::string& part) {
         const std::size_t found = exits.find(part);
         EXPECT_NE(found, std::string::npos) << part << " is missing in: " << exits;
@@ -102,14 +102,14 @@ TEST(RoomsInASession, lead_to_another_room_in_words_and_along_the_way) {
     EXPECT_NE(rest.find(" stairs up, "), std::string::npos) << rest;
     EXPECT_NE(rest.find("Music room door, shut. Open it. "), std::string::npos) << rest;
     EXPECT_TRUE(rest.starts_with(s.ask(Command::RepeatLeg))) << "the first of them is the one that one is on";
-    // Carried along the way, every feature is heard, and the arrival.
+    // Carried along the route, the walker hears every feature and the arrival.
     s.said.clear();
     for (const Vec3& place : {Vec3(6.3, 2.0, 0.0), Vec3(5.3, 2.7, 0.0)}) {
         s.app.apply(Placed{place, 0.0}, s.now);
         s.run(0.3);
     }
     EXPECT_TRUE(s.heard("Stairs")) << words;
-    // Carried far off, a new way is told.
+    // Carried far off, the walker hears a new route.
     s.app.apply(Placed{{6.0, -4.0, 0.0}, 0.0}, s.now);
     s.run(0.3);
     EXPECT_TRUE(s.heard("You have left the route."));
@@ -121,7 +121,7 @@ TEST(RoomsInASession, lead_to_another_room_in_words_and_along_the_way) {
 }
 
 TEST(RoomsInASession, say_plainly_where_there_is_no_way) {
-    // A balcony 3 m up that nothing leads to.
+    // A balcony 3 m up that cannot be reached.
     auto scene = read_quake_map(R"({
 "classname" "worldspawn"
 "building" "1"
@@ -172,7 +172,7 @@ TEST(RoomsInASession, say_plainly_where_there_is_no_way) {
 TEST(RoomsInASession, are_found_on_a_thread_while_everything_goes_on) {
     Visitor s(true);
     s.app.apply(WorldEntered{make_ready(house())}, 0.0);
-    // Another world gives up what was being looked for.
+    // Entering another world cancels the search for rooms.
     s.app.apply(WorldEntered{make_ready(house())}, 0.0);
     EXPECT_TRUE(test::eventually([&] {
         s.run(0.1);
@@ -181,9 +181,9 @@ TEST(RoomsInASession, are_found_on_a_thread_while_everything_goes_on) {
     EXPECT_TRUE(s.said.back().starts_with("Hall. ")) << s.said.back();
 }
 
-// In virtual time: they come with the question of a certain number, as in a recording.
+// In virtual time, the rooms arrive at a query with a given number, as in a recording.
 struct LateRooms {
-    // What else is made beside asks too, so a few in a row.
+    // Other background tasks query too, so several consecutive numbers are given.
     explicit LateRooms(std::uint64_t come_with_question)
         : arrivals({come_with_question, come_with_question + 1, come_with_question + 2, come_with_question + 3}) {
         session.app.apply(WorldEntered{make_ready(house())}, 0.0);
@@ -255,7 +255,7 @@ TEST(RoomsKept, are_as_if_they_were_found_anew_and_the_sessions_own) {
     RoomsOfWorld anew(world, body, at_once());
     ASSERT_TRUE(anew.ready() && anew.found());
     ASSERT_NE(kept.of(world, body), nullptr);
-    anew.graph().rooms[0].name = "Vestibule";  // as a person may call it
+    anew.graph().rooms[0].name = "Vestibule";  // as a person may rename it
     RoomsOfWorld before(world, body, at_once());
     {
         RoomsKept none(0);
@@ -272,7 +272,7 @@ TEST(RoomsKept, are_as_if_they_were_found_anew_and_the_sessions_own) {
                 EXPECT_EQ(a.reaches, b.reaches);
             }
     }
-    // Neither for another scene, nor for another body, nor in another language.
+    // Kept rooms are not used for another scene, another body size or another language.
     EXPECT_EQ(kept.of(same_again, body), nullptr);
     EXPECT_EQ(kept.of(world, walk_body(*world, size.radius_m + 0.01, size.height_m, size.step_up_m)), nullptr);
     const test::InLanguage german("de");

@@ -1,4 +1,4 @@
-// Routes in words and along them.
+// Routes in words, and announcements along them.
 #include "app/core/wayfinding/route_words.h"
 
 #include <gmock/gmock.h>
@@ -13,7 +13,7 @@ using ::testing::HasSubstr;
 
 const DistanceWords kSteps{true, 0.7};
 
-// Ten metres north to a door, through it, then ten metres east, and half right for ten more.
+// A route ten metres north to a door, through it, ten metres east, and ten more half right.
 Route corner() {
     Route route;
     route.points_m = {{0, 0, 0}, {0, 10, 0}, {10, 10, 0}, {17.071, 2.929, 0}};
@@ -32,7 +32,7 @@ TEST(RouteWords, tell_every_leg_with_the_next_feature_and_the_turn_there) {
     const Route route = corner();
     EXPECT_EQ(route_words(route, nodes(route), 0.0, kSteps),
               "45 steps in all. 14 steps to blue door. Turn right. 15 steps. Turn half right. 14 steps to Kitchen.");
-    // Who faces west turns right first.
+    // A walker who faces west turns right first.
     EXPECT_THAT(route_words(route, nodes(route), -kPi / 2.0, kSteps),
                 HasSubstr("in all. Turn right. 14 steps to blue door"));
     EXPECT_THAT(route_words(route, nodes(route), kPi, kSteps), HasSubstr("Turn round."));

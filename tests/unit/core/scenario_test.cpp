@@ -63,7 +63,7 @@ TEST_F(ScenarioFile, a_sweep_is_three_moves_for_each_direction) {
     EXPECT_EQ(s->actions[5].name, "w last");
 }
 
-// Each bad file names its line and what to do; nothing is half read.
+// For each bad file the error names the line and what to do; no file is read in part.
 TEST_F(ScenarioFile, says_what_is_wrong_and_where) {
     const std::string head = kHead;
     EXPECT_THAT(error("title = \"t\"\n"), testing::HasSubstr("needs the key \"world\""));
@@ -98,7 +98,7 @@ TEST_F(ScenarioFile, survives_being_cut_at_every_byte) {
     }
 }
 
-// Everything in a session follows from its input: two runs leave the same log, bit for bit.
+// Everything in a session follows from its input: two runs make bit-identical logs.
 TEST(RunScenario, gives_the_same_log_every_time) {
     struct Silent final : AudioSink {
         void play(const SoundCue&) override { ++count; }
@@ -146,7 +146,7 @@ TEST(RunScenario, gives_the_same_log_every_time) {
     }
 }
 
-// As for a person: what stands next to the world counts, but less than what the scenario itself sets.
+// As for a person: settings next to the world apply, but those of the scenario take precedence.
 TEST(RunScenario, counts_the_settings_next_to_its_world) {
     const test::TemporaryFolder folder;
     const auto world = folder.path() / "room.map";

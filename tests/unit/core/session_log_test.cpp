@@ -20,7 +20,7 @@ TEST(LineAmplitude, finds_a_sine_in_a_ramp_with_its_amplitude) {
     EXPECT_NEAR(line_amplitude(samples, 1e-3, 8.0, 300.0), 0.05, 0.001);
 }
 
-// Each kind of expectation must be able to fail: the same log, once right and once wrong.
+// Each kind of expectation must be able to fail: it is checked on the same log, once met and once not.
 TEST(Failures, each_kind_holds_when_it_should_and_fails_with_line_and_what_was_seen) {
     test::SceneBuilder b;
     const FeatureId wall = b.box({-1, 1, 0}, {1, 1.2, 2}, "north wall");

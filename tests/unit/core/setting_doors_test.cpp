@@ -1,5 +1,5 @@
-// Every setting, changed by every door that a session has: afterwards the state is the same, what the hand feels is the
-// same, and the same is written into the person's file.
+// Every setting, changed by every means that a session has. The state and the forces are then the same, and the
+// person's file contains the same.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -27,7 +27,7 @@ std::shared_ptr<const Scene> room() {
     return b.share();
 }
 
-// A person with a hand, who had chosen a scale by its name.
+// A person with a hand who has chosen a named scale.
 struct Door : test::AppSession {
     Door() : AppSession(Settings{}, hand()) {
         app.apply(WorldEntered{make_ready(room())}, now);
@@ -40,13 +40,13 @@ struct Door : test::AppSession {
         facts.spec = *find_device_spec("sim-t");
         return facts;
     }
-    // As a screen reader does it.
+    // Acts on an item as a screen reader does.
     void act(ItemAct::Kind kind, std::size_t item) {
         const auto items = app.dialogue().view().items;
         ASSERT_LT(item, items.size());
         EXPECT_TRUE(app.apply(ItemActed{{kind, item, items[item].name}}, now)) << items[item].name;
     }
-    // The list with that setting; its place there.
+    // Opens the list with that setting and returns its place there.
     std::size_t open_list_of(std::string_view key) {
         const auto topics = setting_topics();
         const std::string_view topic = key.substr(0, key.find('.'));
@@ -61,7 +61,7 @@ struct Door : test::AppSession {
     }
 };
 
-// All that a change of a setting may reach, and the file that the person has afterwards.
+// Everything that a change of a setting may affect, and the person's file afterwards.
 std::map<std::string, std::string> state_of(Door& door) {
     std::map<std::string, std::string> state;
     for (const SettingInfo& info : settings_table())
@@ -89,7 +89,7 @@ std::map<std::string, std::string> state_of(Door& door) {
     return state;
 }
 
-// Another value than the default, as it is typed.
+// Returns a value other than the default, as a person types it.
 std::string another_value(const SettingInfo& info) {
     if (info.key == "speech.language") return "de";
     if (std::holds_alternative<TextField>(info.field)) return "sim-f";
@@ -104,7 +104,7 @@ std::string another_value(const SettingInfo& info) {
 
 class SettingDoors : public testing::Test {
 protected:
-    // The language may be another one afterwards.
+    // Restores the language, which the change may have altered.
     template <class Change>
     static std::map<std::string, std::string> changed_by(const Change& change) {
         const test::InLanguage english("en");
@@ -182,10 +182,10 @@ TEST_F(SettingDoors, of_commands_lead_to_the_same_as_those_of_the_list) {
     EXPECT_NE(turned, "0.0");
 }
 
-// From a file, the set-up by voice or another world: all at once.
+// Changes from a file, from the set-up by voice or from another world arrive all at once.
 TEST_F(SettingDoors, of_the_settings_owner_lead_to_the_same_state) {
     for (const SettingInfo& info : settings_table()) {
-        if (info.key == "workspace.scale") continue;  // a named scale is in force until the person chooses another one
+        if (info.key == "workspace.scale") continue;  // a named scale stays active until the person chooses another one
         SCOPED_TRACE(info.key);
         const std::string value = another_value(info);
         auto wanted = set(info.key, value), owned = changed_by([&](Door&door) {
@@ -193,7 +193,7 @@ TEST_F(SettingDoors, of_the_settings_owner_lead_to_the_same_state) {
                                                 EXPECT_TRUE(change_setting(settings, info.key, value));
                                                 door.app.apply(SettingsChanged{settings}, door.now);
                                             });
-        wanted.erase("file"), owned.erase("file");  // it comes from there
+        wanted.erase("file"), owned.erase("file");  // the change comes from the file, so nothing is written to it
         EXPECT_EQ(owned, wanted);
     }
 }
@@ -208,7 +208,7 @@ TEST_F(SettingDoors, change_keys_and_refuse_what_cannot_be) {
     EXPECT_TRUE(door.app.take_setting_changes().empty());
 }
 
-// Until 2026-11 it was said and saved, and the hand went on in the named scale.
+// Until 2026-11 the new scale was announced and saved, but the hand stayed in the named scale.
 TEST_F(SettingDoors, lead_out_of_a_named_scale) {
     EXPECT_THAT(set("workspace.scale", "33").at("touch"), testing::StartsWith("33 "));
 }

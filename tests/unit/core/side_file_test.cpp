@@ -1,4 +1,4 @@
-// What a person adds to a world: kept beside it, never lost, never read wrong.
+// A person's additions to a world: kept next to it, never lost, never misread.
 #include "app/core/kept/side_file.h"
 
 #include <gmock/gmock.h>
@@ -60,7 +60,7 @@ TEST(SideFile, keeps_what_it_does_not_know) {
     EXPECT_EQ(SideFile::of_world(world, {}).entries("mark"), marks);
 }
 
-// Somebody else's folder may hold such a link to any file of the person's.
+// Another person's folder may contain such a link to any file of the user.
 TEST(SideFile, is_neither_read_nor_written_through_a_link) {
     const TemporaryFolder folder, data;
     const fs::path world = folder.write("a.map", "x");
@@ -134,7 +134,7 @@ TEST(SideFile, survives_being_cut_or_changed_at_every_byte) {
         else broken[i] = static_cast<char>(random());
         folder.write("a.map.handrail.toml", broken);
         const SideFile read = SideFile::of_world(world, {});
-        // Understood, or told and kept.
+        // The file is either understood, or reported and kept.
         if (read.news().empty()) EXPECT_LE(read.entries("mark").size(), 1U);
         else EXPECT_FALSE(fs::exists(path));
         for (const SideEntry& entry : read.entries("mark")) {
@@ -154,9 +154,9 @@ TEST(SideFile, goes_to_the_data_folder_where_the_worlds_folder_cannot_be_written
     ASSERT_TRUE(file.save());
     EXPECT_EQ(file.path().parent_path(), data.path() / "worlds");
     EXPECT_EQ(SideFile::of_world(world, data.path()).entries("mark").size(), 1U);
-    // Another world of the same name has its own.
+    // Another world with the same name has separate additions.
     EXPECT_TRUE(SideFile::of_world(other.write("a.map", "x"), data.path()).entries("mark").empty());
-    // Once it can be written, what was there is not lost.
+    // Once the folder becomes writable, earlier additions are not lost.
     fs::permissions(folder.path(), fs::perms::owner_all);
     EXPECT_EQ(SideFile::of_world(world, data.path()).entries("mark").size(), 1U);
 }
@@ -172,7 +172,7 @@ TEST(SideFile, goes_to_the_data_folder_when_the_worlds_folder_takes_no_file_from
 
 TEST(SideFile, takes_the_data_folder_when_saving_beside_the_world_fails) {
     const TemporaryFolder folder, data;
-    // A name that fits the world and leaves no room for ours.
+    // A name that is valid for the world but leaves no room for our ending.
     const std::string name(244, 'w');
     const fs::path world = folder.write(name, "x");
     SideFile file = SideFile::of_world(world, data.path());
@@ -222,7 +222,7 @@ TEST(SideFile, keeps_the_file_aside_before_it_writes_over_what_is_no_list_of_ent
         file.set_entries("mark", {mark("newer", 1.0)});
         ASSERT_TRUE(file.save());
         EXPECT_FALSE(fs::exists(kept.string() + "-2")) << "once";
-        // Where it cannot be copied, it is not written over.
+        // A file that cannot be copied is not overwritten.
         folder.write("a.map.handrail.toml", text);
         SideFile again = SideFile::of_world(world, {});
         fs::remove(folder.path() / "a.map.handrail.toml");

@@ -1,4 +1,4 @@
-// What is in sight in large worlds against the plain way to tell it: eight straight looks at everything. And bodies'
+// What is in sight in large worlds, compared with the plain method: eight straight lines to everything. Also tests body
 // worlds that share a building.
 #include <random>
 
@@ -14,7 +14,7 @@ namespace sight_test {
 
 constexpr std::uint32_t kSeed = 7;
 
-// The twin: everything in reach, nearest first, eight looks at each, nothing left out.
+// The plain method: everything within range, nearest first, eight lines to each, nothing left out.
 std::vector<Seen> plainly_in_sight(const BodyWorld& world, const Vec3& feet_m, double height_m, std::size_t most) {
     const Scene& scene = world.scene();
     const Vec3 eye = feet_m + Vec3(0.0, 0.0, height_m);
@@ -135,7 +135,7 @@ TEST(Sight, costs_a_bounded_number_of_looks_however_large_the_world) {
         most = std::max(most, rays);
     }
     EXPECT_LT(most, kMostRays + 16);
-    // In a hall in which 1,600 things are in sight it is enough to look at the nearest.
+    // In a hall with 1,600 things in sight it is enough to check the nearest.
     SceneBuilder hall;
     for (int i = 0; i < 1600; ++i) {
         const Vec3 a(-38.0 + 1.9 * (i % 40), -38.0 + 1.9 * (i / 40), 0.0);
@@ -170,7 +170,7 @@ TEST(BodyWorld, meets_in_a_shared_building_what_it_meets_in_one_of_its_own) {
     }
 }
 
-// Each solid alone tells where a way meets it; of all together the first counts.
+// Finds where a path meets each solid alone; for all solids together the first of these counts.
 TEST(BodyWorld, meets_first_what_is_met_first_of_all_solids_alone) {
     std::mt19937 random(kSeed);
     const Aabb all{Vec3(-6.0), Vec3(6.0)};

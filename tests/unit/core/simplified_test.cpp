@@ -1,4 +1,5 @@
-// What is too small to feel at a scale: changed for the hand, told, listed, and nothing else changes.
+// Things that are too small to feel at a scale: they are changed for the hand, announced and listed, and nothing else
+// changes.
 #include <gmock/gmock.h>
 
 #include <random>
@@ -183,7 +184,7 @@ TEST(Simplified, is_said_in_whole_german_sentences) {
     EXPECT_TRUE(p.heard("Nichts ist vereinfacht.", from)) << p.all_heard(from);
 }
 
-// Two rooms with an opening of 0.9 m between them that has no door, and a partition of 0.05 m at x 6.
+// Two rooms joined by an opening of 0.9 m without a door, and a partition of 0.05 m at x 6.
 std::shared_ptr<const Scene> open_rooms() {
     test::SceneBuilder builder;
     const auto wall = [&](const Vec3& low, const Vec3& high, FeatureKind kind = FeatureKind::Wall) {
@@ -210,7 +211,7 @@ TEST(Simplified, widens_openings_without_a_door_as_soon_as_the_rooms_are_found) 
     app.apply(CommandDown{Command::ScaleBuilding}, 0.0);
     std::string said;
     double now = 0.0;
-    // The thread that looks for rooms takes real time; sessions go on meanwhile.
+    // The thread that finds rooms takes real time; sessions continue meanwhile.
     test::eventually([&] {
         app.tick(now += 1.0 / 60.0, {});
         for (const CueRequest& cue : app.take_cues()) said += cue.text + "\n";
@@ -223,7 +224,7 @@ TEST(Simplified, widens_openings_without_a_door_as_soon_as_the_rooms_are_found) 
     EXPECT_THAT(app.dialogue().view().items[0].name, HasSubstr("Opening between "));
 }
 
-// Until all that is made in the background is there; real time, since it may be made on a thread.
+// Waits until all background tasks are done, in real time, since a thread may do them. Returns what was said.
 std::string wait_for_touch(Session& app, double& now) {
     std::string said;
     int frames = 0;
@@ -243,8 +244,8 @@ bool any_rounded(const HapticScene& scene) {
                        [](const Obstacle& o) { return o.rounding != 0; });
 }
 
-// Threads make the same as no threads, to the bit. Until it is made the hand feels what there was, and entering a world
-// waits for nothing.
+// The results with threads and without them are bit-identical. Until they are ready, the hand feels what there was
+// before, and entering a world does not wait.
 TEST(Simplified, makes_on_threads_what_it_makes_without_them) {
     const auto house = test::our_world("house.map");
     Session beside({}, Explorer::facts("sim-t"), {.executor = on_threads()}), at_once({}, Explorer::facts("sim-t"));
@@ -288,7 +289,7 @@ TEST(Simplified, makes_on_threads_what_it_makes_without_them) {
             EXPECT_THAT(said, HasSubstr("Simplified: ")) << "told when it is felt";
         }
     }
-    // Only the last of many changes counts, and a session that ends waits for none.
+    // Only the last of many changes counts, and a session that ends does not wait for any.
     for (int i = 0; i < 12; ++i) {
         beside.apply(CommandDown{kScales[static_cast<std::size_t>(i) % 4]}, now);
         beside.apply(CommandUp{kScales[static_cast<std::size_t>(i) % 4]}, now);
@@ -297,8 +298,8 @@ TEST(Simplified, makes_on_threads_what_it_makes_without_them) {
     compare("after many changes");
 }
 
-// A door that has been opened is found, seen and walked through where it is when that was made known beside the
-// session, too.
+// An opened door is found, seen and walked through at its new place, also if a background task has registered that
+// place.
 TEST(Simplified, settles_on_a_thread_what_has_come_to_rest) {
     const auto house = test::our_world("house.map");
     Session app({}, Explorer::facts(nullptr), {.executor = on_threads()});
@@ -321,12 +322,13 @@ TEST(Simplified, looks_for_openings_on_entering_a_world_with_nothing_of_the_one_
     Explorer p(test::our_world("house.map"), "sim-t");
     p.tap(Command::ScaleBuilding, 0.2);
     const std::size_t from = p.lines();
-    p.app().apply(WorldEntered{make_ready(open_rooms())}, p.now_s());  // no door moves here; the house's have moved out
+    // This world has no moving doors, and those of the house are gone.
+    p.app().apply(WorldEntered{make_ready(open_rooms())}, p.now_s());
     p.run(0.2);
     EXPECT_TRUE(p.heard("Simplified: 1 doorway widened.", from)) << p.all_heard(from);
 }
 
-// Walls are not made thicker: none is too thin to hold.
+// Walls are not thickened, because no wall is too thin to hold the hand.
 TEST(Simplified, holds_a_fast_hand_at_a_wall_of_a_fifth_of_a_millimetre) {
     Settings settings;
     settings.desk.use = false;
@@ -351,7 +353,7 @@ TEST(Simplified, holds_a_fast_hand_at_a_wall_of_a_fifth_of_a_millimetre) {
     }
 }
 
-// A liquid is felt from a centimetre of the hand around it.
+// A liquid is felt within a centimetre of hand movement around it.
 bool feels_liquid(const Scene& scene, const Vec3& hip_m, double world_m_per_hand_m) {
     constexpr double kFelt_hand_m = 0.01;
     return std::any_of(scene.solids.begin(), scene.solids.end(), [&](const Solid& solid) {
@@ -359,8 +361,8 @@ bool feels_liquid(const Scene& scene, const Vec3& hip_m, double world_m_per_hand
     });
 }
 
-// Whatever the hand is doing, in or outside walls and doorways, another scale leaves the ball outside of everything and
-// is not felt; the stream of a pond near it, which grows with everything else, is.
+// Whatever the hand is doing, in or outside walls and doorways, a change of scale leaves the proxy outside of
+// everything and cannot be felt. The only exception is the stream of a nearby pond, which grows with everything else.
 void changes_under_the_hand(const std::shared_ptr<const Scene>& world, const char* device, int rounds) {
     const BodySize size = body_size(*world, Settings{}.walk.body_radius_m);
     const std::vector<Room> rooms =
@@ -369,7 +371,7 @@ void changes_under_the_hand(const std::shared_ptr<const Scene>& world, const cha
     std::mt19937 random(test::seed_of_run());
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
     Settings settings;
-    settings.desk.use = false;  // where scales wait
+    settings.desk.use = false;  // because at the desk changes of scale wait
     settings.workspace.rim = false;
     Explorer p(world, device, settings);
     const double reach_m = find_device_spec(device)->workspace_radius_m;
@@ -403,8 +405,9 @@ TEST(Simplified, changes_under_the_hand_without_leaving_it_in_a_wall_or_a_jolt) 
         changes_under_the_hand(test::our_world("house.map"), device, test::scaled(60));
 }
 
-// Scenario 17: an architect's house, its first level. Each scale is told by its name and its true width, what is too
-// narrow to feel is widened and told, the ball goes through every door, and on the way back all is as it was.
+// Scenario 17: the first level of an architect's house. Each scale is announced by its name and its true width.
+// Openings too narrow to feel are widened and announced. The proxy passes through every door, and on the way back
+// everything is as before.
 void tells_the_truth_of_each_scale(const std::shared_ptr<const Scene>& world) {
     {
         Explorer p(world, "sim-t");
@@ -459,8 +462,8 @@ TEST(Simplified, tells_the_truth_of_each_scale_in_an_architects_house_and_change
     tells_the_truth_of_each_scale(test::world_once(*path));
 }
 
-// Hands held still anywhere in their reach: another scale puts each ball outside of everything wherever the one
-// workspace has room for both.
+// Both hands are still, anywhere in their workspaces. A change of scale puts each proxy outside of everything wherever
+// the shared workspace has room for both.
 TEST(Simplified, brings_both_hands_out_of_walls_in_their_one_workspace) {
     Settings settings;
     settings.desk.use = false;
@@ -498,7 +501,7 @@ TEST(Simplified, brings_both_hands_out_of_walls_in_their_one_workspace) {
     std::cout << left_free << " of " << rounds << " left hands are free\n";
 }
 
-// The rule of thirds holds for doorways as they are felt, so the ball of each scale goes through every one of them.
+// The rule of thirds also applies to doorways as they are felt, so the proxy of each scale passes through all of them.
 TEST(Simplified, leaves_a_ball_that_goes_through_every_doorway_at_each_scale) {
     for (const char* device : {"sim-t", "sim-f"})
         for (const char* file : {"house.map", "school.map"}) {

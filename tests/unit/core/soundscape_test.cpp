@@ -14,7 +14,7 @@ using test::SceneBuilder;
 
 constexpr Vec3 kEars_m{2.0, 1.0, 1.6};
 
-// Two rooms along y with a wall from y 4 to 4.2 between them; the opening x 1.5 to 2.5, z 0 to 2.1 may be filled.
+// Two rooms along y with a wall between them from y 4 to 4.2. Its opening, x 1.5 to 2.5 and z 0 to 2.1, may be filled.
 SceneBuilder two_rooms() {
     SceneBuilder b;
     b.box({0, 0, -0.2}, {4, 8.2, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
@@ -46,7 +46,7 @@ TEST(Muffling, wall_takes_more_than_a_door_and_one_built_of_two_layers_counts_on
 }
 
 TEST(Muffling, rises_little_by_little_behind_an_edge_and_furniture_takes_little) {
-    // The line from these ears to the source passes the corner at (2.5, 4) on one side, then on the other.
+    // The line from these ears to the source passes the corner at (2.5, 4) first on one side, then on the other.
     const BodyWorld world(two_rooms().share());
     const Vec3 source{2.5, 7.0, 1.6};
     double last_db = -1.0;
@@ -105,7 +105,7 @@ TEST(Crossings, agree_with_walking_along_the_line_in_small_steps) {
     }
 }
 
-// 6 by 4 by 2.6 metres inside.
+// The inner size is 6 by 4 by 2.6 metres.
 SceneBuilder closed_room(const std::string& floor, const std::string& walls, const std::string& ceiling) {
     SceneBuilder b;
     b.box({-0.2, -0.2, -0.2}, {6.2, 4.2, 0}, "floor", SolidRole::Solid, floor, FeatureKind::Floor);
@@ -119,7 +119,7 @@ SceneBuilder closed_room(const std::string& floor, const std::string& walls, con
 }
 
 TEST(Reverberation, is_that_of_sabine_within_10_percent_wherever_one_stands_in_the_room) {
-    // V 62.4 cubic metres; floor 24, ceiling 24, walls 52 square metres.
+    // V is 62.4 cubic metres; floor 24, ceiling 24, walls 52 square metres.
     const double carpeted_s = 0.161 * 62.4 / (24 * 0.35 + 24 * 0.05 + 52 * 0.05),
                  tiled_s = 0.161 * 62.4 / (24 * 0.02 + 24 * 0.03 + 52 * 0.03);
     const BodyWorld carpeted(closed_room("carpet", "plaster", "plaster").share()),
@@ -138,7 +138,7 @@ TEST(Reverberation, there_is_none_under_the_sky_or_on_a_field) {
     EXPECT_EQ(reverberation_s(BodyWorld(b.share()), {0, 0, 1.6}), 0.0);
 }
 
-// Sources along x at y 2, in the open.
+// Sources along x at y 2, in the open air.
 struct Field {
     explicit Field(std::initializer_list<double> places) {
         SceneBuilder b;

@@ -1,4 +1,5 @@
-// Sizes that are told of buildings and rooms are those of walls: nothing that was laid round them counts.
+// The announced sizes of buildings and rooms are those of their walls; the ground that was added around them does not
+// count.
 #include <cmath>
 #include <numbers>
 

@@ -14,11 +14,11 @@ namespace trail_test {
 
 using test::SceneBuilder;
 
-// A body that trails until the time is up or the wall ends, as Session moves it, and what it was told.
+// A walker that trails until the time is up or the wall ends, as Session moves it, and what it reported.
 struct Trailed {
     std::vector<TrailEvent> events;
     std::vector<Vec3> feet_m;
-    double farthest_from_wall_m = 0.0;  // of its side, while it says that it touches
+    double farthest_from_wall_m = 0.0;  // distance of its side from the wall while it reports contact
 };
 
 Trailed go(const BodyWorld& world, const BodySize& body, const Vec3& feet, double heading, TrailSide side,
@@ -39,7 +39,7 @@ Trailed go(const BodyWorld& world, const BodySize& body, const Vec3& feet, doubl
     return result;
 }
 
-// The same told in words: names in order, a star before corners.
+// The events in words: names in order, corners with a star before them.
 std::vector<std::string> words(const Scene& scene, const std::vector<TrailEvent>& events) {
     std::vector<std::string> all;
     for (const TrailEvent& event : events) {
@@ -92,7 +92,7 @@ TEST(Trail, rounds_a_room_both_ways_wherever_it_is_and_never_leaves_the_wall) {
         const auto first = std::find(order.begin(), order.end(), corners.front()) - order.begin();
         for (std::size_t i = 0; i < corners.size(); ++i)
             EXPECT_EQ(corners[i], order[(static_cast<std::size_t>(first) + i) % 4]) << run;
-        // It has been along every wall: its way reaches each of them to the gap, and never leaves them by more.
+        // The walker has been along every wall: its path comes within the gap of each, and is never farther away.
         double least[4] = {9, 9, 9, 9};
         for (std::size_t i = 120; i < lap.feet_m.size(); ++i) {
             const Vec3 p = lap.feet_m[i] - at;
@@ -132,7 +132,7 @@ TEST(Trail, passes_doorways_straight_on_and_tells_them_but_follows_wide_openings
 }
 
 TEST(Trail, goes_round_a_free_standing_block_outside_and_round_a_slanted_one) {
-    for (const double gap : {0.0, 0.7}) {  // square, and with a slanted side
+    for (const double gap : {0.0, 0.7}) {  // a square room, and one with a slanted side
         SceneBuilder b;
         b.box({-9, -9, -0.2}, {9, 9, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
         b.box({-1, -1, 0}, {1, 1, 2}, "block", SolidRole::Solid, "wood", FeatureKind::Wall);
@@ -140,7 +140,7 @@ TEST(Trail, goes_round_a_free_standing_block_outside_and_round_a_slanted_one) {
         const auto scene = b.share();
         const BodyWorld world(scene);
         const Trailed lap = go(world, body_size(*scene, 0.25), {0, -1.5, 0}, kPi / 2.0, TrailSide::Left, 20.0);
-        // All four sides are passed.
+        // The walker passes all four sides.
         bool side[4] = {};
         for (const Vec3& p : lap.feet_m) {
             side[0] |= p.y < -1.0;
@@ -155,7 +155,7 @@ TEST(Trail, goes_round_a_free_standing_block_outside_and_round_a_slanted_one) {
     }
 }
 
-// A brush that stands upright on a polygon, counter-clockwise from above; map units.
+// An upright brush over a polygon, whose corners run counter-clockwise as seen from above; map units.
 std::string prism(const std::vector<Vec3>& ring, double z0, double z1) {
     const auto point = [](double x, double y, double z) { return fmt::format("( {} {} {} ) ", x, y, z); };
     std::string faces;
@@ -168,7 +168,7 @@ std::string prism(const std::vector<Vec3>& ring, double z0, double z1) {
     return "{\n" + faces + "}\n";
 }
 
-// Six walls, none of which runs along an axis in two of three rooms.
+// Six walls; in two of the three rooms none of them is parallel to an axis.
 TEST(Trail, rounds_a_room_of_slanted_walls_at_a_constant_distance) {
     for (const double turned : {0.0, 0.2, 0.41}) {
         constexpr double kRadius = 128.0;  // 4 m
@@ -189,7 +189,7 @@ TEST(Trail, rounds_a_room_of_slanted_walls_at_a_constant_distance) {
         const auto shared = std::make_shared<const Scene>(*scene);
         const BodyWorld world(shared);
         const double apothem = kRadius / 32.0 * std::cos(kPi / 6.0);
-        // Begins beside the middle of the first wall and faces along it.
+        // Starts next to the middle of the first wall and faces along it.
         const double across = turned + kPi / 6.0;
         const Vec3 start((apothem - 0.6) * std::cos(across), (apothem - 0.6) * std::sin(across), 0.0);
         const Trailed lap = go(world, body_size(*shared, 0.25), start, -across, TrailSide::Left, 27.0);

@@ -1,5 +1,5 @@
-// Two sessions in one world: what either adds, changes or deletes is in the file in the end, whatever the order in
-// which they save.
+// Two sessions in one world: everything that either adds, changes or deletes is in the file in the end, in whatever
+// order they save.
 #include <gmock/gmock.h>
 #include <sys/file.h>
 
@@ -63,7 +63,7 @@ TEST(SideMerge, keeps_both_where_both_changed_the_same_and_tells_the_name) {
     EXPECT_THAT(names(merged.entries), UnorderedElementsAre("mine", "theirs", "b changed", "c changed"))
         << "a change counts more than a deletion";
     EXPECT_THAT(merged.conflicts, UnorderedElementsAre("mine", "b changed", "c changed"));
-    // The same change by both is no conflict, and the same new entry is one.
+    // The same change by both is no conflict, and the same new entry counts once.
     const MergedEntries alike = merge_entries(base, {entry("x", 1.0), base[1], base[2], entry("new", 9.0)},
                                               {entry("x", 1.0), base[1], base[2], entry("new", 9.0)}, Alike::OneThing);
     EXPECT_THAT(names(alike.entries), ElementsAre("x", "b", "c", "new"));
@@ -109,10 +109,10 @@ TEST(SideMerge, merges_tables_key_by_key) {
     EXPECT_THAT(merged.conflicts, ElementsAre("c"));
 }
 
-// The twin knows each entry by a number and holds all that is said of it; the code knows only what the file holds.
+// The reference model knows each entry by a number and keeps all its values. The tested code knows only the file.
 class Twin {
 public:
-    using Values = std::map<int, std::set<std::string>>;  // of each entry that is there
+    using Values = std::map<int, std::set<std::string>>;  // the values of each existing entry
     struct One {
         Values base, now;
         bool changed = false;
@@ -120,8 +120,8 @@ public:
     One a, b;
     Values file;
 
-    // What is said of an entry is a set: what both began with and neither took away stays, and whatever either has
-    // added. So a change counts more than a deletion, and of two changes both stay.
+    // The values of an entry are a set: those that both began with and neither removed, and all that either has added.
+    // So a change wins over a deletion, and two changes are both kept.
     void save(One& s) {
         if (!std::exchange(s.changed, false)) return;
         std::set<int> all;
@@ -175,8 +175,8 @@ TEST(TwoSessions, random_interleavings_of_their_edits_lose_nothing) {
             ASSERT_EQ(std::multiset<std::string>(here.begin(), here.end()), all_of(session.now))
                 << "run " << run << ", step " << step;
             const int what = upto(9);
-            // An entry that two have changed stands there twice, and nobody could say which is which: such are left as
-            // they are.
+            // An entry that both have changed is in the list twice, and nobody could say which is which, so the test
+            // leaves it alone.
             std::vector<int> plain;
             for (const auto& [id, values] : session.now)
                 if (values.size() == 1) plain.push_back(id);
@@ -262,7 +262,7 @@ struct Visitor : test::AppSession {
         app.apply(WorldEntered{make_ready(test::world_in(world)), SideFile::of_world(world, {})}, now);
         run(0.1);
     }
-    // Sets a mark and takes the name it is given.
+    // Sets a mark and gives it this name.
     std::string mark(const std::string& name) {
         ask(Command::DropMark);
         return line(name);
@@ -281,7 +281,7 @@ TEST(Additions, that_cannot_be_saved_are_said_to_be_unsaved_each_time_and_saved_
     const TemporaryFolder folder;
     const fs::path world = folder.path() / "first_room.map", link = folder.path() / "first_room.map.handrail.toml";
     fs::copy_file(test::project_root() / "worlds/maps/first_room.map", world);
-    fs::create_symlink("elsewhere", link);  // what no save writes through, whoever runs the test
+    fs::create_symlink("elsewhere", link);  // no save writes through a link, whoever runs the test
     Visitor visitor(world);
     EXPECT_THAT(visitor.mark("Coat"), HasSubstr("Not saved yet: Coat"));
     EXPECT_THAT(visitor.mark("Shoes"), HasSubstr("Not saved yet: Shoes")) << "not only the first time";
@@ -322,7 +322,7 @@ TEST(TwoSessions, both_keep_their_marks_and_a_conflict_is_said) {
     EXPECT_THAT(first.marks(), testing::AllOf(HasSubstr("Coat"), HasSubstr("Shoes"), HasSubstr("Hat")));
     std::vector<std::string> there = names(SideFile::of_world(world, {}).entries("mark"));
     EXPECT_THAT(there, UnorderedElementsAre("Coat", "Shoes", "Hat"));
-    // Both delete and rename the same one.
+    // Both sessions delete and rename the same entry.
     SideFile other = SideFile::of_world(world, {});
     std::vector<SideEntry> list = other.entries("mark");
     for (SideEntry& one : list)

@@ -1,4 +1,4 @@
-// What was understood of a building's file: one sentence on entering, and a list of all on request.
+// What was understood of a building's file: one sentence on entering, and a full list on request.
 #include "app/core/context/telling.h"
 #include "app/core/context/workspace_scale.h"
 #include "app/core/dialogue/words.h"
@@ -15,7 +15,7 @@ namespace understood_test {
 using test::Explorer;
 using testing::HasSubstr;
 
-// Two rooms of an architect's model, the second as if stairs filled it.
+// Two rooms of an architect's model; the second looks as if stairs filled it.
 std::shared_ptr<const Scene> house_with_odd_room() {
     Result<Scene> scene = read_world(test::project_root() / "tests/unit/ifc/worlds/small_house.ifc");
     EXPECT_TRUE(scene.has_value());
@@ -47,7 +47,7 @@ TEST(Understood, is_told_in_one_sentence_on_entering_and_leads_to_what_is_to_be_
     EXPECT_NEAR(p.app().guide().goal()->box_m.min_m.y, at_m.y, 1e-9);
 }
 
-// The reader lays eight metres of ground round this house, which is no part of it.
+// The reader adds eight metres of ground around this house, which does not count as part of it.
 TEST(SizeOfABuilding, leaves_out_the_ground_that_the_reader_laid_round_it) {
     Explorer p(house_with_odd_room(), "sim-t");
     const Scene& scene = *p.app().scene();

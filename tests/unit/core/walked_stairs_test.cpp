@@ -1,4 +1,4 @@
-// Stairs of each form are climbed by the body that walks, where the routes say so.
+// The walker climbs stairs of each form wherever the routes say that it can.
 #include "app/core/world/walker.h"
 #include "tests/support/stair_house.h"
 #include "worlds/navigation/navigation.h"
@@ -6,7 +6,8 @@
 namespace handrail {
 namespace walked_stairs_test {
 
-// Goes from point to point of a route, as somebody does who knows the stairs. How far from its end it stays, in metres.
+// Walks from point to point of a route, like a person who knows the stairs. Returns how far from its end it stays, in
+// metres.
 double left_m(Walker& walker, const std::vector<Vec3>& points_m) {
     constexpr double kSpeed_m_per_s = 0.7, kTick_s = 1.0 / 60.0, kThere_m = 0.03, kPatience_s = 3.0;
     for (const Vec3& point_m : points_m) {
@@ -46,7 +47,7 @@ TEST(WalkedStairs, of_each_form_lead_up_and_down) {
     }
 }
 
-// What is no part of stairs is as high a step as ever, right next to them.
+// A step that does not belong to the stairs is as high as ever, even right next to them.
 TEST(WalkedStairs, make_no_step_lower_that_is_none_of_theirs) {
     test::SceneBuilder b;
     b.box({-5, -5, -0.2}, {5, 5, 0}, "floor");

@@ -130,7 +130,7 @@ TEST(Walker, passes_a_door_of_90_cm_and_not_one_of_40_cm) {
     }
 }
 
-// Under a lintel a full step up would lift the head into it.
+// Under a lintel, a full step up would lift the head into it.
 TEST(Walker, steps_over_a_threshold_of_2_cm_under_a_lintel_that_leaves_it_3_cm) {
     SceneBuilder rooms;
     rooms.box({-5, -5, -0.22}, {5, 1, -0.02}, "outside");
@@ -147,7 +147,7 @@ TEST(Walker, steps_over_a_threshold_of_2_cm_under_a_lintel_that_leaves_it_3_cm) 
     EXPECT_NEAR(walker.state().feet_m.z, 0.0, 1e-3);
 }
 
-// Between walls that it overlaps nothing held it up: it fell through the floor that it stood on.
+// Earlier, nothing held up a walker between walls that it overlapped, and it fell through its floor.
 TEST(Walker, stands_on_the_floor_where_it_is_too_wide_for_its_place) {
     SceneBuilder passage;
     passage.box({-5, -5, -0.2}, {5, 5, 0});
@@ -167,7 +167,7 @@ TEST(Walker, stands_on_the_floor_where_it_is_too_wide_for_its_place) {
     }
 }
 
-// What a body overlapped was ignored: it walked through the whole wall.
+// Earlier, solids that a walker overlapped were ignored, and it walked through the whole wall.
 TEST(Walker, walks_out_of_what_it_overlaps_and_never_farther_in) {
     SceneBuilder passage;
     passage.box({-5, -5, -0.2}, {5, 5, 0});
@@ -190,7 +190,7 @@ TEST(Walker, walks_out_of_what_it_overlaps_and_never_farther_in) {
     EXPECT_NEAR(walker.state().feet_m.y, -0.1, 1e-3);
 }
 
-// A crate that comes down at a slant neither lifts nor moves a body that it touches.
+// A crate that comes down at a slant neither lifts nor moves a walker that it touches.
 TEST(Walker, stands_where_it_stood_when_something_has_come_to_overlap_it) {
     SceneBuilder room;
     room.box({-5, -5, -0.2}, {5, 5, 0});
@@ -212,7 +212,7 @@ TEST(Walker, stands_where_it_stood_when_something_has_come_to_overlap_it) {
     EXPECT_FALSE(world.blocked(walker.state().feet_m, walker.shape()));
 }
 
-// Nobody is kept in something that was set down around them.
+// A walker is not trapped in something that was set down around it.
 TEST(Walker, walks_out_of_a_solid_that_its_middle_is_in_either_way) {
     SceneBuilder room;
     room.box({-5, -5, -0.2}, {5, 5, 0});
@@ -228,7 +228,7 @@ TEST(Walker, walks_out_of_a_solid_that_its_middle_is_in_either_way) {
     }
 }
 
-// Whatever one wishes, at any frame rate, the body is never inside a solid.
+// Whatever the person wishes, and at any frame rate, the walker is never inside a solid.
 TEST(Walker, never_ends_inside_a_solid_in_random_clutter) {
     std::mt19937 random(20);
     std::uniform_real_distribution<double> place(-6, 6), size(0.1, 2.0), angle(0, 2 * kPi);
@@ -272,7 +272,7 @@ TEST(BodyWorld, trace_agrees_with_small_steps_for_random_rays) {
         const BodyShape body{i % 2 ? 0.25 : 0.0, i % 2 ? 0.5 : 0.0};
         if (world.blocked(from, body)) continue;
         const TraceHit hit = world.trace(from, to, body);
-        // Brute force: a thousand and one places along the way; the exact answer lies within one spacing of the first
+        // Brute force: a thousand and one places along the path. The exact answer is within one spacing of the first
         // blocked one.
         double first = 1.0;
         const int parts = 1000;

@@ -1,4 +1,4 @@
-// Moving by ear as a session does it: keys, words and sounds.
+// Moving by ear in a session: keys, words and sounds.
 #include <algorithm>
 
 #include "app/core/scenario/session_log.h"
@@ -50,7 +50,7 @@ struct Walk {
     std::vector<CueRequest> cues;
 };
 
-// 6 by 4 metres, a door in the south wall before which one starts, a landmark in the north.
+// A room of 6 by 4 metres with a door in the south wall, where the walker starts, and a landmark in the north.
 std::shared_ptr<const Scene> room() {
     SceneBuilder b;
     b.box({0, 0, -0.2}, {6, 4, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
@@ -67,7 +67,7 @@ std::shared_ptr<const Scene> room() {
     return b.share();
 }
 
-// A platform 10 m long to the north with a floor `deep` below its end.
+// A platform 10 m long to the north, whose end is `deep` above the floor.
 std::shared_ptr<const Scene> platform(double deep) {
     SceneBuilder b;
     b.box({-5, -5, -4}, {5, 4, 0}, "floor", SolidRole::Solid, "concrete", FeatureKind::Floor);
@@ -150,7 +150,7 @@ TEST(Walking, a_leap_leads_to_ones_own_mark_too_and_right_onto_it) {
     ASSERT_TRUE(w.said("Mark 1"));
     const Vec3 left = w.app.feet_m();
     int onto_it = 0;
-    for (int i = 0; i < 3; ++i) {  // door, clock and mark
+    for (int i = 0; i < 3; ++i) {  // for the door, the clock and the mark
         w.tap(Command::LeapNext);
         onto_it += glm::length(w.app.feet_m() - marked) < 0.05 ? 1 : 0;
     }
@@ -186,7 +186,7 @@ TEST(Walking, an_edge_holds_until_it_is_asked_for_twice_and_not_at_all_where_tha
     EXPECT_TRUE(w.said("Edge. Drop, 1.2 metres deep"));
     EXPECT_GT(w.sounds(SoundKind::DropNear), 4);
     w.run(1.0);
-    w.hold(Command::Forward, 0.5);  // three seconds after the stop: a first press again
+    w.hold(Command::Forward, 0.5);  // three seconds after the stop, so it counts as a first press again
     EXPECT_NEAR(w.app.feet_m().y, 4.0, 0.05);
     w.run(0.5);
     w.hold(Command::Forward, 1.5);
@@ -219,8 +219,8 @@ TEST(Walking, callouts_go_off_and_on_by_their_key_and_stay_so) {
     EXPECT_TRUE(w.said("Callouts on"));
 }
 
-// In a level of steps half a metre high one walks a minute in every direction: few words that were not asked for, and
-// the body gets about.
+// In a level of steps half a metre high, the walker goes a minute in every direction: it says little without a request,
+// and gets around.
 TEST(Walking, game_levels_stay_walkable_and_quiet) {
     const auto ours = test::project_root() / "tests/scenarios/worlds/game_step.map";
     for (const auto& file : test::with_real_worlds({ours}, {"agtut01.map", "quake-e1m1.map"})) {

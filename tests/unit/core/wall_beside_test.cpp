@@ -1,4 +1,4 @@
-// How near a wall is to who walks along it, whatever its line is made of.
+// How near a wall is to a person who walks along it, whatever the wall consists of.
 #include "app/core/world/wall_beside.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ using test::box_brush;
 using test::entity;
 using test::key;
 
-// In metres, as a box of the building.
+// A box of the building, given in metres.
 std::string built(double x0, double y0, double z0, double x1, double y1, double z1) {
     return box_brush(32.0 * x0, 32.0 * y0, 32.0 * z0, 32.0 * x1, 32.0 * y1, 32.0 * z1);
 }
@@ -22,9 +22,12 @@ std::string thing(const std::string& name, double x0, double y0, double z0, doub
     return entity("thing", key("name", name), built(x0, y0, z0, x1, y1, z1));
 }
 
-// A room of 8 by 6 metres with walls of 0.3. North: a window of 1.6 m over a sill of 0.9, its pane 0.2 m back, and one
-// of 1.2 m down to the floor. East: an open door of 1 m. South: a board that hangs on it, and a bookshelf 0.4 m deep.
-// West: a gate of 3.2 m. In the middle a table, a metre from everything.
+// A room of 8 by 6 metres with walls of 0.3:
+// - north: a window of 1.6 m over a sill of 0.9, its pane 0.2 m back, and one of 1.2 m down to the floor;
+// - east: an open door of 1 m;
+// - south: a board that hangs on the wall, and a bookshelf 0.4 m deep;
+// - west: a gate of 3.2 m;
+// - in the middle: a table, a metre from everything.
 BodyWorld room() {
     const double h = 2.6;
     std::string walls = built(-1, -1, -0.2, 9, 7, 0.0) + built(-1, -1, h, 9, 7, h + 0.2);
@@ -59,7 +62,7 @@ TEST(WallBeside, is_what_stands_at_a_wall_and_not_what_stands_free) {
     EXPECT_GT(wall_beside_m(world, {4.0, 4.2, 0.0}), 1.7);
 }
 
-// A window from corner to corner has no wall beside it.
+// A window from corner to corner has no wall next to it.
 TEST(WallBeside, is_a_pane_from_corner_to_corner_and_no_pole) {
     std::string walls = built(-1, -1, -0.2, 9, 7, 0.0) + built(-1, -1, 2.6, 9, 7, 2.8) + built(-0.3, 0, 0, 0, 6, 2.6) +
                         built(8, 0, 0, 8.3, 6, 2.6) + built(-0.3, -0.3, 0, 8.3, 0, 2.6);
@@ -80,7 +83,7 @@ TEST(WallBeside, goes_along_the_windows_of_a_real_building) {
     auto scene = read_world(*file);
     ASSERT_TRUE(scene) << scene.error().sentence();
     const BodyWorld world(std::make_shared<const Scene>(std::move(*scene)));
-    // The west wall of a bedroom: glass down to the floor for 3 of its 5 metres.
+    // The west wall of a bedroom: 3 of its 5 metres are glass down to the floor.
     int near = 0;
     for (int i = 0; i <= 100; ++i) near += wall_beside_m(world, {0.75, -17.0 + 0.05 * i, 3.12}) < 0.45;
     EXPECT_GE(near, 95) << "of 101";
@@ -88,7 +91,7 @@ TEST(WallBeside, goes_along_the_windows_of_a_real_building) {
 
 TEST(WallBeside, ends_where_nothing_goes_on) {
     const BodyWorld world = room();
-    // In the gate, and out in the open.
+    // In the gate, and outside in the open.
     EXPECT_GT(wall_beside_m(world, {0.4, 1.7, 0.0}), 1.5);
     EXPECT_GT(wall_beside_m(world, {-0.7, 1.7, 0.0}), 1.5);
     EXPECT_NEAR(wall_beside_m(world, {0.4, 4.5, 0.0}), 0.4, 0.02);

@@ -1,5 +1,5 @@
-// A body that does what it is told: walks along the way that was planned last, point after point, and opens what it
-// stands before.
+// A walker that follows directions: it walks along the last planned route, point after point, and opens the doors
+// before which it stands.
 #pragma once
 
 #include <cmath>
@@ -9,9 +9,9 @@
 
 namespace handrail::test {
 
-// Until `there`, or for so many seconds; true when it got there.
+// Walks until `there` is true, or for `seconds`; returns true if it got there.
 inline bool walk_along(AppSession& person, const std::function<bool()>& there, double seconds) {
-    // Who turns a hand's breadth before a point cuts the corners that ways go round by no more than that.
+    // Turning a hand's breadth before a point cuts corners by no more than that.
     constexpr double kAtPoint_m = 0.05, kStuck_s = 0.5, kDoorOpens_s = 2.5;
     Session& app = person.app;
     std::vector<Vec3> way;
@@ -49,7 +49,7 @@ inline bool walk_along(AppSession& person, const std::function<bool()>& there, d
     return there();
 }
 
-// Chooses a room in the list of ways and walks there; true when it got there.
+// Chooses a room in the list of routes and walks there; returns true if it arrives.
 inline bool go_to_room(AppSession& person, const std::string& room, double seconds) {
     person.ask(Command::Routes);
     person.line(room);
@@ -60,8 +60,8 @@ inline bool go_to_room(AppSession& person, const std::string& room, double secon
         person, [&] { return person.heard(there); }, seconds);
 }
 
-// Walks straight from place to place, whatever may be planned. `run(seconds)` lets time pass and gives
-// what it is then.
+// Walks straight from place to place, whatever route may be planned. `run(seconds)` lets time pass and returns the time
+// afterwards.
 template <class Run>
 void steer_along(Session& app, const std::vector<Vec3>& places, Run run) {
     double now_s = run(0.0);

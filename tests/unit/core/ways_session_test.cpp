@@ -1,5 +1,6 @@
-// Kept ways in a session: planned or walked, kept under a name beside the world, and after a restart heard, followed
-// stop after stop by ear and by the hand, backwards, changed, deleted; damaged, and in a world that was edited since.
+// Kept routes in a session. They are planned or walked, and kept under a name next to the world. After a restart they
+// are heard, followed stop by stop by ear and by hand, reversed, changed and deleted. Also covers damaged files and
+// worlds that were edited since.
 #include <gmock/gmock.h>
 
 #include "tests/support/child_process.h"
@@ -20,7 +21,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-// The house, where additions to it are kept beside it.
+// The house in a folder where additions are kept next to it.
 struct House {
     House() { fs::copy_file(test::project_root() / "worlds/maps/house.map", path); }
     fs::path beside() const { return path.string() + ".handrail.toml"; }
@@ -29,14 +30,14 @@ struct House {
 };
 
 struct Person : test::AppSession {
-    // beside: rooms are found on a thread, as in a session with a window.
+    // `beside`: rooms are found on a separate thread, as in a session with a window.
     explicit Person(const fs::path& world, bool beside = false)
         : AppSession({}, {}, {.executor = beside ? on_threads() : at_once()}) {
         app.apply(WorldEntered{make_ready(test::world_in(world)), SideFile::of_world(world, {})}, now);
         run(0.1);
     }
     bool go_to(const std::string& room) { return test::go_to_room(*this, room, 90.0); }
-    // Chooses a kept way, and what is to be done with it.
+    // Chooses a kept route and what to do with it.
     std::string way(const std::string& name) {
         ask(Command::Ways);
         return line(name);
@@ -45,7 +46,7 @@ struct Person : test::AppSession {
         way(name);
         return line(act);
     }
-    // The text of an entry of the list that is open, with its value; empty: none.
+    // An entry of the open list with its name and value; empty if there is no such entry.
     std::string item(const std::string& begin) const {
         for (const ListItem& one : app.dialogue().view().items)
             if (one.name.starts_with(begin)) return one.name + ", " + one.value;
@@ -65,7 +66,7 @@ TEST(KeptWays, from_what_was_planned_are_walked_stop_after_stop_after_a_restart)
         EXPECT_THAT(p.ask(Command::Ways), HasSubstr("You have not kept a route here yet. Control+8 keeps the route"));
         ASSERT_TRUE(p.go_to("Living room")) << p.app.feet_m().x << " " << p.app.feet_m().y;
         p.ask(Command::Routes);
-        p.line("Kitchen");  // planned from where the way before ended: part of the same
+        p.line("Kitchen");  // planned from the end of the route before, so it is part of the same route
         p.ask(Command::KeepWay);
         EXPECT_EQ(p.item("The route you planned last"), "The route you planned last, Hall, Living room, Kitchen");
         EXPECT_THAT(p.line("The route you planned last"),
@@ -90,7 +91,7 @@ TEST(KeptWays, from_what_was_planned_are_walked_stop_after_stop_after_a_restart)
     EXPECT_THAT(words, HasSubstr(" to Kitchen."));
 
     EXPECT_THAT(p.way("To the stove", "Follow it by ear"),
-                StartsWith("To Living room. "));  // one stands at its first stop
+                StartsWith("To Living room. "));  // the walker is at its first stop
     p.said.clear();
     ASSERT_TRUE(test::walk_along(
         p, [&] { return p.heard("Kitchen. You are there."); }, 120.0))
@@ -98,9 +99,9 @@ TEST(KeptWays, from_what_was_planned_are_walked_stop_after_stop_after_a_restart)
     EXPECT_TRUE(p.heard("Living room. You are there. To Kitchen. "));
     EXPECT_EQ(p.ask(Command::WhereAmI).substr(0, 9), "Kitchen, ");
     p.ask(Command::Routes);
-    EXPECT_EQ(p.item("Stop following"), "");  // it is over
+    EXPECT_EQ(p.item("Stop following"), "");  // the route is over
 
-    // Backwards, from where it ends.
+    // Follows the route backwards, from its end.
     EXPECT_THAT(p.way("To the stove", "Reverse the route"), HasSubstr("To the stove, backwards"));
     EXPECT_THAT(p.line("Follow it by ear"), StartsWith("To Living room. "));
     p.said.clear();
@@ -117,14 +118,14 @@ TEST(KeptWays, are_left_and_found_again_go_on_from_where_one_is_and_stop_when_as
     p.keep("The route you planned last", "There");
     p.way("There", "Add a stop");
     EXPECT_EQ(p.line("Kitchen"), "There now goes on to Kitchen.");
-    // From the study one is led to its first stop first.
+    // From the study the walker is first led to the first stop.
     p.app.apply(Placed{{9.5, 3.0, 0.0}, 0.0}, p.now);
     p.run(0.1);
     EXPECT_THAT(p.way("There", "Follow it by ear"), StartsWith("To Hall. "));
     p.said.clear();
     ASSERT_TRUE(test::walk_along(
         p, [&] { return p.heard("Hall. You are there. To Living room."); }, 60.0));
-    // Carried far off, one is told the way to the same stop.
+    // Carried far off, the walker hears the route to the same stop.
     p.app.apply(Placed{{6.0, -4.0, 0.0}, 0.0}, p.now);
     p.said.clear();
     p.run(0.3);
@@ -141,7 +142,8 @@ TEST(KeptWays, are_left_and_found_again_go_on_from_where_one_is_and_stop_when_as
 
 TEST(KeptWays, from_the_trail_keep_its_corners_and_lead_along_them) {
     const House house;
-    // In the garden round the pond's other side: south of the house to the west and back up, which no plan would do.
+    // In the garden around the far side of the pond: south of the house to the west and back up, which no plan would
+    // choose.
     const std::vector<Vec3> detour{{6.0, -2.0, 0.0}, {1.0, -2.0, 0.0}, {1.0, -4.0, 0.0}, {8.0, -4.0, 0.0}};
     {
         Person p(house.path);
@@ -164,7 +166,7 @@ TEST(KeptWays, from_the_trail_keep_its_corners_and_lead_along_them) {
         p.line("What you walked since you began");
         EXPECT_EQ(p.line("Round"), "Route Round kept");
         EXPECT_EQ(p.keep("Everything", "round"),
-                  "Another route is already called round.");  // nothing is kept twice under one name
+                  "Another route is already called round.");  // two routes cannot have one name
     }
     Person p(house.path);
     std::vector<Error> faults;
@@ -178,7 +180,7 @@ TEST(KeptWays, from_the_trail_keep_its_corners_and_lead_along_them) {
     p.app.apply(Placed{detour[0], 0.0}, p.now);
     p.run(0.1);
     p.way("Round", "Follow it by ear");
-    // The whole detour is the way: both corners on it.
+    // The whole detour is the route, including both corners.
     const std::vector<Vec3> way = p.app.guide().way_m();
     for (const Vec3& corner : detour) EXPECT_LT(nearest_on_way(way, corner).distance_m, 0.6);
     p.said.clear();
@@ -246,7 +248,7 @@ TEST(KeptWays, that_are_damaged_are_kept_aside_or_told_with_their_line) {
 
 // ---- a world that was edited ----
 
-// Two rooms of 6 by 5 m with a gap of so many units between them, and a table in the eastern one.
+// Two rooms of 6 by 5 m with a gap of this many units between them, and a table in the eastern one.
 std::string two_rooms(double gap_units, double table_x) {
     using test::box_brush;
     const double low = 80.0 - 0.5 * gap_units, high = 80.0 + 0.5 * gap_units;
@@ -275,7 +277,7 @@ TEST(KeptWays, tell_by_name_what_no_longer_fits_an_edited_world_on_entering_and_
         p.line("Take me there");
         ASSERT_EQ(p.keep("The route you planned last", "To lunch"), "Route To lunch kept");
     }
-    // Edited without a change to what it goes by.
+    // The world was edited without a change to the stops.
     write(two_rooms(36.0, 300.0));
     {
         Person p(path);
@@ -300,12 +302,12 @@ TEST(KeptWays, tell_by_name_what_no_longer_fits_an_edited_world_on_entering_and_
         const std::string chosen = p.line("To lunch");
         const std::string faults(edit.told + 10, std::strlen(edit.told) - 12);
         EXPECT_THAT(chosen, HasSubstr("To lunch. This route does not fit this version of the world: " + faults));
-        // Followed all the same, as far as it goes.
+        // The route is still followed as far as it goes.
         const std::string words = p.line("Follow it by ear");
         EXPECT_THAT(words,
                     edit.gap_units == 0.0 ? HasSubstr("No walking route found to Table.") : HasSubstr("To Table. "));
     }
-    // Where the rooms are found beside everything else, as soon as they are.
+    // If rooms are found in a background task, the check follows as soon as they are known.
     {
         Person p(path, true);
         EXPECT_TRUE(test::eventually([&] {
@@ -313,7 +315,7 @@ TEST(KeptWays, tell_by_name_what_no_longer_fits_an_edited_world_on_entering_and_
             return p.heard("no longer fits: To lunch (no walking route from Shop to Table).");
         })) << testing::PrintToString(p.said);
     }
-    // Taken over as it is: told no more, and it leads to where the table stands.
+    // The change is accepted as it is: nothing more is announced, and the route leads to the table's new place.
     write(two_rooms(36.0, 206.0));
     {
         Person p(path);
@@ -349,7 +351,7 @@ TEST(KeptWays, follow_a_room_that_the_person_gives_another_name) {
 
 // ---- by the hand, and in German ----
 
-// Kept, and from the base on the free hand is led along it; how many lines had been said before.
+// Keeps a route, and leads the free hand along it from the base. Returns how many lines had been said before.
 std::size_t kept_and_led(test::Explorer& p, const std::string& which) {
     p.tap(Command::KeepWay);
     p.line(which);
@@ -390,7 +392,7 @@ TEST(KeptWays, lead_the_hand_from_stop_to_stop) {
 TEST(KeptWays, lead_the_hand_along_the_corners_of_a_trail) {
     test::Explorer p(test::our_world("house.map"), "sim-t");
     p.tap(Command::Exits);
-    // Round by the east of the hall, and back to its west: 3 m from where one began.
+    // Walks around by the east of the hall and back to its west, 3 m from the start.
     test::steer_along(p.app(), {{6.9, 1.2, 0.0}, {6.9, 3.2, 0.0}, {5.1, 3.2, 0.0}}, [&](double seconds) {
         p.run(seconds);
         return p.now_s();
@@ -401,7 +403,7 @@ TEST(KeptWays, lead_the_hand_along_the_corners_of_a_trail) {
     ASSERT_TRUE(p.wait_for(
         [&] {
             east_m = std::max(east_m, p.tool().proxy_m.x);
-            return p.heard("Here: Stairs", before);  // where the hall ends in the north-west
+            return p.heard("Here: Stairs", before);  // at the end of the hall in the north-west
         },
         90.0))
         << p.all_heard(before);

@@ -1,4 +1,4 @@
-// Kept ways: read and written, never lost or read wrong; looked up again in an edited world; planned through their
+// Kept routes: read and written, never lost or misread; looked up again in an edited world; planned through their
 // stops; trails with few corners.
 #include "app/core/kept/ways.h"
 
@@ -124,7 +124,7 @@ TEST(Ways, that_cannot_be_read_are_told_with_file_line_and_what_to_do_and_stay_i
         write_ways(file, ways);
         ASSERT_TRUE(file.save());
         const std::vector<SideEntry> after = SideFile::of_world(world, {}).entries("way");
-        if (one.entry.find("nan") == std::string::npos) {  // which equals nothing
+        if (one.entry.find("nan") == std::string::npos) {  // nan equals nothing
             EXPECT_EQ(after, before);
         }
         EXPECT_EQ(after.size(), 2U);
@@ -158,7 +158,7 @@ TEST(Ways, survive_a_file_that_is_cut_or_changed_at_every_byte) {
             for (const Stop& one : way.stops) EXPECT_TRUE(is_finite(one.place_m));
         }
         if ((ways.empty() && faults.empty()) || i % 7 != 0) continue;  // writing to the disk is slow
-        // What was understood is understood again once it was written.
+        // What was understood is still understood after it was written.
         const std::vector<SideEntry> before = read.entries("way");
         write_ways(read, ways);
         ASSERT_TRUE(read.save());
@@ -177,8 +177,8 @@ struct Flat {
     RoomGraph graph;
 };
 
-// 12 by 5 metres of floor, walls round it, a wall across the middle with a gap of a metre unless it is shut; a table in
-// the west or elsewhere, or none.
+// A floor of 12 by 5 metres with walls around it, and a wall across the middle with a gap of a metre unless it is shut.
+// A table is in the west or elsewhere, or there is none.
 Flat flat(const std::optional<Vec3>& table, bool shut = false, const std::optional<Vec3>& block = {}) {
     SceneBuilder b;
     b.box({0, 0, -0.2}, {12, 5, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
@@ -229,8 +229,8 @@ TEST(Ways, are_looked_up_again_and_what_no_longer_fits_is_told_by_name) {
     EXPECT_EQ(unfit(flat({})), "Table no longer exists");
     EXPECT_EQ(unfit(flat(table, true)), "no walking route from Table to Far end");
     EXPECT_EQ(unfit(flat(table, false, Vec3(10.9, 2.5, 0))), "there is no place to stand at Far end");
-    EXPECT_EQ(unfit(flat(table, false, Vec3(7.5, 2.5, 0))), "");  // one walks round it
-    // Elsewhere it is found, and the way goes there.
+    EXPECT_EQ(unfit(flat(table, false, Vec3(7.5, 2.5, 0))), "");  // a walker can go around it
+    // The table is found at another place, and the route goes there.
     const Flat moved = flat(Vec3(9.5, 0.3, 0));
     const FoundWay found = look_up(to_the_table(), *moved.scene, SideFile(), *moved.navigation, moved.graph);
     ASSERT_EQ(found.faults.size(), 1U);
@@ -238,7 +238,7 @@ TEST(Ways, are_looked_up_again_and_what_no_longer_fits_is_told_by_name) {
     EXPECT_NEAR(found.faults[0].moved_m, std::hypot(9.5 - 2.0, 3.5 - 0.9),
                 1e-9);  // from (2, 3.5) to its corner at (9.5, 0.9)
     EXPECT_LT(glm::length(found.stops[1].place_m - Vec3(9.5, 0.9, 0)), 0.6);
-    // A corner of a trail in a pillar is told by the stop behind it.
+    // If a corner of a trail is inside a pillar, the fault names the stop behind it.
     EXPECT_THAT(unfit(flat(table, false, Vec3(8.5, 4.0, 0))),
                 HasSubstr("there is no place to stand on the route to Far end"));
 }
@@ -251,7 +251,7 @@ TEST(Ways, know_rooms_by_each_of_their_names) {
     one.graph.rooms[room_at(one.graph, one.navigation->space(), {1, 1, 0})].map_name = "larder";
     EXPECT_EQ(unfit(one, way), "");
     EXPECT_EQ(unfit(one), "");
-    // The name is on the other side by now: the stop goes there.
+    // The name now belongs to the other side, so the stop is there.
     one = flat(Vec3(2.4, 3.2, 0));
     for (Room& room : one.graph.rooms) room.name = "other";
     give_names(one.graph, one.navigation->space(), {{{11, 2.5, 0}, "Shop"}});
@@ -295,7 +295,7 @@ TEST(Ways, through_several_places_are_the_legs_one_after_the_other) {
 
 // ---- trails ----
 
-// Every point against every line between two kept ones.
+// Compares every point with every line between two kept ones.
 double farthest_off_m(const std::vector<Vec3>& trail, const std::vector<Vec3>& corners) {
     double worst = 0.0;
     for (const Vec3& p : trail) {
@@ -329,7 +329,7 @@ TEST(Trails, keep_so_few_corners_that_nothing_is_farther_off_than_asked) {
             EXPECT_EQ(corners.back(), one.back());
             EXPECT_LE(farthest_off_m(one, corners), 0.4 + 0.01);
             EXPECT_LE(corners.size(), one.size());
-            // In the order of the trail.
+            // The corners are in the order of the trail.
             std::size_t at = 0;
             for (const Vec3& corner : corners) {
                 while (at < one.size() && one[at] != corner) ++at;
@@ -339,7 +339,7 @@ TEST(Trails, keep_so_few_corners_that_nothing_is_farther_off_than_asked) {
     }
     EXPECT_TRUE(corners_of({}, 0.4).empty());
     EXPECT_EQ(corners_of(std::vector<Vec3>{{1, 1, 1}}, 0.4).size(), 1U);
-    std::vector<Vec3> straight;  // 20 metres with an angle in the middle: its two ends and the angle
+    std::vector<Vec3> straight;  // 20 metres with a bend in the middle: its two ends and the bend remain
     for (int i = 0; i <= 40; ++i) straight.push_back({0.25 * i, 0, 0});
     for (int i = 1; i <= 40; ++i) straight.push_back({10, 0.25 * i, 0});
     EXPECT_EQ(corners_of(straight, 0.4), (std::vector<Vec3>{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}}));

@@ -1,4 +1,4 @@
-// Who asks for the way to a room that nobody comes to hears why that is, and what would help.
+// A person who requests the route to an unreachable room hears the reason and what would help.
 #include <gtest/gtest.h>
 
 #include "tests/support/box_scene.h"
@@ -10,8 +10,8 @@
 namespace handrail {
 namespace why_no_way_test {
 
-// Two rooms of 5 by 4 m with a gap between them, and nothing in the farther one.
-// The wall between them is that thick, and the gap in it that high.
+// Two rooms of 5 by 4 m with a gap between them; the farther one is empty. The wall between them has thickness
+// `wall_m`, and the gap has height `high_m`.
 std::shared_ptr<const Scene> two_rooms(double gap_m, double wall_m = 0.2, double high_m = 3.0) {
     test::SceneBuilder b;
     b.box({0, 0, -0.2}, {10.2, 4, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
@@ -63,7 +63,7 @@ TEST(WhyNoWay, is_told_with_what_would_help_at_once_or_from_a_thread_beside) {
     }
 }
 
-// Most such walls are thin enough for a door, which was offered in place of the reason.
+// Most such walls are thin enough for a door; the session once suggested a door instead of giving the reason.
 TEST(WhyNoWay, is_a_gap_that_is_too_narrow_or_too_low_whatever_the_wall) {
     struct Gap {
         double wide_m, high_m;

@@ -10,8 +10,8 @@ TEST(DistanceWords, are_whole_steps_and_rounded_to_five_past_twenty) {
     EXPECT_EQ(distance_words(3.5, steps), "5 steps");
     EXPECT_EQ(distance_words(0.7, steps), "1 step");
     EXPECT_EQ(distance_words(0.2, steps), "close by");
-    EXPECT_EQ(distance_words(15.0, steps), "20 steps");  // 21.4 steps
-    EXPECT_EQ(distance_words(33.0, steps), "45 steps");  // 47.1 steps
+    EXPECT_EQ(distance_words(15.0, steps), "20 steps");  // exactly 21.4 steps
+    EXPECT_EQ(distance_words(33.0, steps), "45 steps");  // exactly 47.1 steps
 }
 
 TEST(DistanceWords, are_half_metres_when_metres_are_chosen) {
@@ -49,7 +49,7 @@ TEST(DirectionWords, change_with_the_vocabulary_and_nothing_else) {
     EXPECT_EQ(direction_words(radians_from_degrees(22.5), 0.0, DirectionChoice::Sides, false), "23 degrees right");
 }
 
-// Every direction, whatever the heading: the hour is the nearest one and the words say the same side.
+// In every direction and for every heading, the hour is the nearest one and the words name the same side.
 TEST(DirectionWords, agree_with_each_other_all_the_way_round) {
     for (int heading = -360; heading <= 360; heading += 30)
         for (int turn = -175; turn <= 175; turn += 5) {

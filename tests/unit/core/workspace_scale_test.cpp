@@ -36,8 +36,8 @@ TEST(BallRadius, is_4_mm_felt_at_room_scale_2_to_6_mm_elsewhere_and_a_third_of_t
     const Scene& plain = open.scene();
     EXPECT_NEAR(ball_radius_m(plain, 0.004, 60.0), 0.12, 1e-12);
     EXPECT_NEAR(ball_radius_m(plain, 0.004, 120.0), 0.12, 1e-12);
-    EXPECT_NEAR(ball_radius_m(plain, 0.004, 15.0), 0.045, 1e-12);  // 6 mm felt
-    EXPECT_NEAR(ball_radius_m(plain, 0.004, 400.0), 0.4, 1e-12);   // 2 mm felt
+    EXPECT_NEAR(ball_radius_m(plain, 0.004, 15.0), 0.045, 1e-12);  // 6 mm for the hand
+    EXPECT_NEAR(ball_radius_m(plain, 0.004, 400.0), 0.4, 1e-12);   // 2 mm for the hand
     open.box({2, 0, 0}, {2.9, 0.1, 2.0}, "door", SolidRole::Solid, "wood", FeatureKind::Door);
     for (const double scale : {15.0, 60.0, 120.0, 400.0})
         EXPECT_LE(2.0 * ball_radius_m(open.scene(), 0.004, scale), 0.9 / 3.0 + 1e-12);
