@@ -1,5 +1,5 @@
-// What is typed in the first second, before the rooms of a world are known, is answered all the same, and what follows
-// it is the answer to its list and no command of its own.
+// Commands typed in the first second, before the rooms of a world are known, are still answered. The line after such a
+// command answers its list and is no command of its own.
 #include <gmock/gmock.h>
 
 #include "tests/support/project_root.h"

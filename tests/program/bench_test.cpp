@@ -1,4 +1,5 @@
-// What measures: `handrail bench`, which people have, and the comparison of renderers, which stays with the sources.
+// The measuring commands: `handrail bench`, which people have, and the comparison of renderers, which is only in the
+// source tree.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>

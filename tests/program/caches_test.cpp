@@ -1,5 +1,4 @@
-// Where the program keeps what it works out itself, and that it writes through no link that somebody else's folder
-// holds.
+// Where the program keeps what it has computed, and that it never writes through a link in somebody else's folder.
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -34,7 +33,7 @@ std::vector<std::string> names_in(const fs::path& folder) {
 
 class Caches : public testing::Test {
 protected:
-    // `handrail info FILE` with this home.
+    // Runs `handrail info FILE` with this home.
     ProgramRun info(const fs::path& file, std::map<std::string, std::string> environment = {}) const {
         ProgramCall call;
         call.program = built_program("handrail");
@@ -55,7 +54,7 @@ protected:
         EXPECT_EQ(run.exit_status, 0) << run.err;
         return run.out + run.err;
     }
-    // Large enough to be kept, with enough rooms that its ways are, too.
+    // An office large enough to be cached, with enough rooms that its routes are cached too.
     fs::path office(const std::string& name) const {
         return folder_.write(name, office_ifc({.storeys = 2, .corridors = 1, .rooms_along = 20}).text);
     }
@@ -92,7 +91,7 @@ TEST_F(Caches, are_in_the_persons_folder_and_nothing_is_left_next_to_the_file) {
     EXPECT_THAT(info(file).out, HasSubstr(kTaken));
 }
 
-// Each of these was written through until November 2026.
+// Until November 2026 the program wrote through each of these links.
 TEST_F(Caches, write_through_no_link_that_is_in_the_folder_of_a_world) {
     const fs::path map = folder_.path() / "house.map", file = office("office.ifc");
     fs::copy_file(bundled_world("house.map"), map);

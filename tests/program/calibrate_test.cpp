@@ -1,4 +1,4 @@
-// `handrail calibrate` as a process: lines go in, sentences come out, and what was found stands in the settings.
+// `handrail calibrate` as a process: lines go in, sentences come out, and the settings contain the results.
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
@@ -33,9 +33,9 @@ protected:
 };
 
 constexpr const char* kSimulatedHand =
-    "left\n\n"                                                            // both ears
+    "left\n\n"                                                            // bell at both ears
     "hand-back 15\nhand-forward 30\nhand-left 12\n"                       // pulled, pushed, left hand
-    "wait 12\nbutton\n"                                                   // pressed until it is felt
+    "wait 12\nbutton\n"                                                   // the force grows until it is felt
     "up\nhand-back 20\nhand-forward 20\nwait 1\n\n"                       // the wall at normal force
     "hand-right 30\nhand-left 30\nhand-forward 30\nhand-back 30\n\n\n\n"  // reach, scale, rim
     "65\n";

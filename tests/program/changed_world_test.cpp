@@ -1,5 +1,5 @@
-// A world's file that is changed or deleted while somebody is in it: said once, and read again when the person wants
-// it.
+// A world's file that is changed or deleted while a person is in it. The program says so once, and reads it again when
+// the person wants it.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -47,8 +47,8 @@ TEST(ChangedWorld, is_told_once_and_read_again_from_the_menu) {
     EXPECT_EQ(times_in(content_of(told), "no longer exists"), 1U);
 }
 
-// A key that nobody can press was taken without a word, and its command was dead; all faults of a file in one sentence
-// took a minute and a half.
+// Earlier, a key that cannot be pressed was accepted silently, and its command was unreachable. Announcing all faults
+// of a file in one sentence took a minute and a half.
 TEST(FaultySettings, are_told_by_the_first_with_a_count_and_the_rest_by_the_menu) {
     const TemporaryFolder home;
     std::filesystem::create_directories(home.path() / "handrail");

@@ -1,5 +1,5 @@
-// Choosing devices that are not there, or whose maker's library is missing, lacking or playing: the program always goes
-// on or says why not.
+// Requests for devices that are missing, or whose maker's library is missing, incomplete or a stand-in. The program
+// always continues or says why not.
 #include <nlohmann/json.hpp>
 
 #include "tests/support/project_root.h"
@@ -17,7 +17,7 @@ ProgramRun run(std::vector<std::string> arguments, const std::filesystem::path& 
     ProgramCall call;
     call.program = test::built_program("handrail");
     call.arguments = std::move(arguments);
-    call.input = "where\n";  // the end of input waits for the search for devices, "quit" does not
+    call.input = "where\n";  // the end of input waits for the search for devices, but "quit" does not
     if (!libraries.empty()) call.environment["LD_LIBRARY_PATH"] = libraries.string();
     return run_program(call);
 }
@@ -33,7 +33,7 @@ TEST(Devices, without_any_says_so_in_words_and_as_data) {
     EXPECT_EQ(json["udev_rule"], "70-handrail.rules");
 }
 
-// What confines is a fact of the kernel. Where it has nothing of it the program says so, and goes on.
+// The kernel decides what can confine a process. If it offers nothing, the program says so and continues.
 TEST(Devices, command_tells_what_confines_the_processes_that_handle_files_and_devices) {
     const auto on_old_kernel = [](std::vector<std::string> arguments) {
         ProgramCall call;

@@ -1,6 +1,6 @@
-// Every command that a document shows: what is the program's is run, with worlds of ours in place of a reader's; test
-// programs are asked whether what the filter names is there; scripts, presets and labels must exist. What needs a
-// device, root or the network is marked so in the document itself: "# needs a device".
+// Checks every command that a document shows. Commands of the program are run, with our worlds in place of a reader's.
+// For test programs it checks that the filter matches something. Scripts, presets and labels must exist. Commands that
+// need a device, root or the network are marked in the document: "# needs a device".
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -23,19 +23,19 @@ using Words = std::vector<std::string>;
 const fs::path kRoot = test::project_root();
 
 struct DocCommand {
-    std::string text, where, needs;  // needs: what the mark says, "a device"; empty without one
+    std::string text, where, needs;  // needs: the text of the mark, "a device"; empty without a mark
 };
 
 bool is_command(const std::string& text) {
     static const std::regex kCommand(
         R"re(^([A-Z_]+=\S+ )*(\./run|handrail|build/release/bin/\w+|cmake|ctest|sudo|git|debootstrap|cp|valgrind)re"
         R"re(|tests/[\w/]+\.sh|\.ci/run|docs/\w+\.py|(unit|property|program|voices|window|umockdev)_\w+)( .*|$))re");
-    // "unit_m = 0.001" is a key of a scenario.
+    // "unit_m = 0.001" is a key in a scenario, no command.
     return std::regex_match(text, kCommand) && text.find("cp -") == std::string::npos &&
            !std::regex_search(text, std::regex(R"(^\w+ = )"));
 }
 
-// Those of one page: in lines of code and between backticks. A table's \| is a bar.
+// The commands of one page, in code lines and between backticks. In a table \| is a bar.
 void add_commands_of(const fs::path& page, std::vector<DocCommand>& all) {
     static const std::regex kSpan("`([^`]+)`"), kMark(R"(^(.*?)\s+# (.*)$)");
     std::istringstream lines(content_of(page));
@@ -74,7 +74,7 @@ std::vector<DocCommand> commands() {
     return all;
 }
 
-// As a shell takes it apart, quotes taken off; what redirects is left out.
+// Splits like a shell and removes quotes; redirections are left out.
 Words words_of(const std::string& text) {
     Words words;
     std::string word;
@@ -102,7 +102,7 @@ std::string all_of(const std::string& ending) {
     return text;
 }
 
-// A test program by its name, and what its filter names: nothing where all is there, else what is not.
+// Checks a test program and the tests that its filter names. Returns an empty string, or what is missing.
 std::string fault_of_test_program(const std::string& name, const Words& options) {
     static const std::string kLists = all_of("CMakeLists.txt");
     if (!std::regex_search(
@@ -153,7 +153,7 @@ std::string fault_of_ctest(const Words& words) {
     return {};
 }
 
-// The folder in which the program runs a reader's commands: worlds by the names that the documents use.
+// The folder in which a reader's commands are run: worlds by the names that the documents use.
 class Reader {
 public:
     Reader() {
@@ -170,7 +170,7 @@ public:
         fs::copy_file(kRoot / "tests" / "scenarios" / "first_contact.toml",
                       folder_.path() / "scenarios" / "first_contact.toml");
         names_["tests/scenarios"] = (folder_.path() / "scenarios").string();
-        // A recording, the newest, for what replays and reports.
+        // Makes a recording, the newest one, for the commands that replay and report.
         const ProgramRun recorded =
             run({"--record", "--no-window", "--device", "none", "house"}, "forward 2\nwhere\nquit\n");
         EXPECT_EQ(recorded.exit_status, 0) << recorded.err;
@@ -186,7 +186,7 @@ public:
         call.environment["XDG_DATA_HOME"] = (folder_.path() / "data").string();
         return run_program(call);
     }
-    // Whom documents call the learner: as there as the words want, with one recorded session.
+    // Makes the learner that the documents name, as far as the words need: with one recorded session for reports.
     void make_learner_for(const Words& words) const {
         const std::string name = "Maple Heron";
         if (std::find(words.begin(), words.end(), name) == words.end()) return;
@@ -197,7 +197,7 @@ public:
         if (words[0] == "report")
             run({"house", "--no-window", "--device", "none", "--learner", name}, "forward 2\nquit\n");
     }
-    // What stands in the document, as words that can be run here.
+    // Converts the words of a document to words that can be run here.
     Words arguments(Words words) const {
         static const std::set<std::string> kWritten{"--swell", "--stl",  "--route-card", "--html",
                                                     "--csv",   "--json", "--junit",      "--scenario"};
@@ -227,7 +227,7 @@ private:
     std::map<std::string, std::string> names_;
 };
 
-// What a document says of `./run` or `handrail`: nothing where it is so, else what is not.
+// Checks what a document says about `./run` or `handrail`. Returns an empty string, or what is wrong.
 std::string fault_of_program(const Reader& reader, Words words) {
     static const std::set<std::string> kCommands{"info",  "touch", "scenario", "settings", "calibrate", "devices",
                                                  "bench", "check", "export",   "replay",   "report",    "lesson"};
@@ -243,11 +243,11 @@ std::string fault_of_program(const Reader& reader, Words words) {
         return script.find("\nbench)\n") == std::string::npos ? "./run knows no bench" : "";
     if (!words.empty() && words[0] == "COMMAND") words.erase(words.begin());
     const bool command = !words.empty() && kCommands.contains(words[0]);
-    // A lesson goes on as long as somebody learns: of that command its options are held against its help.
+    // A lesson lasts as long as somebody learns, so its options are only compared with its help.
     if (command && words[0] == "lesson")
         words.erase(std::remove_if(words.begin() + 1, words.end(), [](const auto& w) { return !w.starts_with("-"); }),
                     words.end());
-    // Named alone, or with options alone: what it is called with stands in its help.
+    // A command that is named alone or only with options is compared with its help.
     const bool named = command && words[0] != "settings" && words[0] != "devices" && words[0] != "calibrate" &&
                        words[0] != "replay" && words[0] != "report" &&
                        std::all_of(words.begin() + 1, words.end(), [](const auto& w) { return w.starts_with("-"); });
@@ -269,7 +269,7 @@ std::string fault_of_program(const Reader& reader, Words words) {
     return {};
 }
 
-// A command by what it begins with.
+// Checks a command by its first word.
 std::string fault_of(const Reader& reader, Words words) {
     while (!words.empty() && std::regex_match(words[0], std::regex("[A-Z_]+=.*"))) words.erase(words.begin());
     if (words.empty()) return "nothing is called";
@@ -296,7 +296,7 @@ std::string fault_of(const Reader& reader, Words words) {
 TEST(DocumentedCommands, can_be_run_as_they_stand_or_say_what_they_need) {
     if (kSanitizerScale < 1.0) GTEST_SKIP() << "the documents are the same under a sanitizer";
     const Reader reader;
-    std::map<std::string, std::string> tried;  // command, its fault
+    std::map<std::string, std::string> tried;  // maps each command to its fault
     std::size_t marked = 0;
     for (const DocCommand& command : commands()) {
         if (!command.needs.empty()) {

@@ -1,4 +1,4 @@
-// A world that takes more than a minute to read: faces with as many corners as are read at all.
+// A world that takes more than a minute to read: its faces have the greatest number of corners that is accepted.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// However a world is entered, from the command line, the menu, where a session broke off or in a recording: its
-// settings come and go with it, and it is read as it was asked for.
+// A world can be entered from the command line, from the menu, where a session broke off, or in a recording. In each
+// case its settings come and go with it, and it is read as requested.
 #include <gmock/gmock.h>
 
 #include <csignal>
@@ -23,7 +23,7 @@ ProgramRun run_with(std::vector<std::string> arguments, const std::string& lines
     return run_program(call);
 }
 
-// What five steps are under the hand, each time that was asked.
+// The answers to the scale-bar command: how large five steps are under the hand, for each time it was asked.
 std::vector<std::string> bars_of(const std::string& out) {
     std::vector<std::string> bars;
     for (std::size_t at = 0; (at = out.find("metres are ", at)) != std::string::npos; ++at)
@@ -53,7 +53,7 @@ TEST(EnteredWorlds, tell_what_is_wrong_with_their_settings_when_they_are_entered
     EXPECT_THAT(bars_of(run.out), testing::ElementsAre("17.5")) << run.out;
 }
 
-// A scale by its name, and then one that is typed into the list of settings.
+// Chooses a named scale, and then types another into the list of settings.
 TEST(EnteredWorlds, are_felt_at_the_scale_that_was_chosen_last) {
     const ProgramRun run = run_with({"house", "--no-window"},
                                     "detail\nscale-bar\nmenu\nsettings\nworkspace\nscale\n8\nescape\nescape\nescape\n"
@@ -97,7 +97,7 @@ TEST_F(BuildingOfSeveral, is_the_one_that_is_gone_on_in_after_a_crash) {
     killed.close_input = false;
     killed.signal_when_said = SIGKILL;
     killed.signal_after = "acing south";
-    // The place is kept every 3 seconds.
+    // The place is saved every 3 seconds.
     const ProgramRun first =
         explore({"--building", "Annex"},
                 "forward\nback\nforward\nback\nforward\nback\nforward\nback\nright 8\nheading\n", killed);

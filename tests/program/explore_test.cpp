@@ -24,7 +24,7 @@ ProgramRun explore(std::vector<std::string> arguments, const std::string& input,
 
 TEST(Explore, without_anything_says_nothing_of_what_is_missing_but_where_one_is_and_ends_well) {
     ProgramCall call;
-    call.voice = true;  // nothing is set, as on anybody's machine
+    call.voice = true;  // no settings, as for any new user
     const ProgramRun run = explore({}, "", call);
     EXPECT_EQ(run.exit_status, 0) << run.err;
     EXPECT_THAT(run.out, HasSubstr("say: "));
@@ -34,11 +34,11 @@ TEST(Explore, without_anything_says_nothing_of_what_is_missing_but_where_one_is_
     EXPECT_THAT(run.out, HasSubstr("facing north"));
 }
 
-// Until 2026-11-28 PipeWire wrote a line of its own to the terminal in both cases, where OpenAL has it (Debian 13).
+// Until 2026-11-28 PipeWire printed its own line on the terminal in both cases if OpenAL uses it (Debian 13).
 TEST(Explore, libraries_of_sound_that_find_nothing_complain_to_nobody) {
     for (const char* missing : {"PIPEWIRE_CONFIG_DIR", "SPA_PLUGIN_DIR"}) {
         ProgramCall call;
-        call.environment["ALSOFT_DRIVERS"] = "";  // whatever OpenAL has
+        call.environment["ALSOFT_DRIVERS"] = "";  // the default drivers of OpenAL
         call.environment[missing] = "/nonexistent";
         const ProgramRun run = explore({"--no-window", "--device", "none"}, "quit\n", call);
         EXPECT_EQ(run.exit_status, 0);
@@ -55,8 +55,8 @@ TEST(Explore, a_whole_map_is_entered_too) {
     }
 }
 
-// Every thread of ours has a name that `top -H` shows. The program's is that of the first thread, and of one that
-// OpenAL starts.
+// Every thread of ours has a name that `top -H` shows. The first thread has the program's name, as does one that OpenAL
+// starts.
 TEST(Explore, all_its_threads_have_names) {
     const TemporaryFolder home;
     const std::filesystem::path out = home.path() / "out";
@@ -136,8 +136,8 @@ TEST(Explore, after_a_crash_the_next_start_says_where_a_report_lies_that_names_n
     crashing.close_input = false;
     crashing.signal_when_said = SIGSEGV;
     crashing.signal_after = "Facing east";
-    // A sanitizer would take the signal for a fault of its own finding, and end with its status instead.
-    for (const char* options : {"ASAN_OPTIONS", "TSAN_OPTIONS"}) {  // with what they hold, as what is suppressed
+    // Otherwise a sanitizer would report the signal as a fault and end with its own status.
+    for (const char* options : {"ASAN_OPTIONS", "TSAN_OPTIONS"}) {  // keeps the given options, such as suppressions
         const char* given = std::getenv(options);
         crashing.environment[options] = (given ? std::string(given) + ":" : std::string()) + "handle_segv=0";
     }
@@ -170,7 +170,7 @@ TEST(Explore, after_a_kill_the_next_start_says_so_goes_on_at_the_last_place_and_
     killed.close_input = false;
     killed.signal_when_said = SIGKILL;
     killed.signal_after = "Facing east";
-    // More than 5 s of walking between what is changed and the kill: the settings are saved after 2, the place every 3.
+    // More than 5 s of walking between the changes and the kill: settings are saved after 2, the place every 3.
     const ProgramRun first =
         explore({"--no-window"}, "frame\nforward 3\nback 3\nforward 3\nback 3\nright 4\nheading\n", killed);
     EXPECT_EQ(first.exit_status, 128 + SIGKILL) << first.out;

@@ -1,5 +1,5 @@
-// The first start as a process: from the welcome to the choice, by lines, each row's key words in order; and what a
-// script that knows nothing of it meets.
+// The first start as a process: from the welcome to the choice, by typed lines, with the key words of each step in
+// order. Also a script that knows nothing of it.
 #include <chrono>
 #include <fstream>
 #include <memory>
@@ -25,7 +25,7 @@ protected:
         call.program = test::built_program("handrail");
         call.arguments = std::move(arguments);
         for (const char* more : {"--no-window", "--set", "speech.through=text"})
-            call.arguments.emplace_back(more);  // text takes no time
+            call.arguments.emplace_back(more);  // text output takes no time
         call.input = lines;
         call.first_start = true;
         call.environment["XDG_CONFIG_HOME"] = home_.path().string();
@@ -74,15 +74,15 @@ TEST_F(FirstMinutes, run_from_welcome_to_choice_with_the_keyboard_alone_and_are_
     EXPECT_THAT(second.out, HasSubstr("First room, 6 by 4 metres."));
 }
 
-// A person at the simulated Touch: waits for words, then types, and where the machine was too busy for steady touch
-// does what is said and does the step again.
+// A person with the simulated Touch: waits for words, then types. If the machine was too busy for steady touch, the
+// person follows the instructions and repeats the step.
 class FirstMinutesWithTouch : public FirstMinutes {
 protected:
     struct Step {
-        const char* words;  // typed once these are said,
+        const char* words;  // the lines are typed once these words are said
         std::string lines;
-        // and this, where the force was taken away before the next step's words. What stops for a moment takes nothing
-        // away in the set-up, and lets the hand into a wall in a world.
+        // Typed if the force was removed before the next step's words. In the set-up a short stall removes nothing; in
+        // a world it lets the hand into a wall.
         std::string again{};
         bool in_world = false;
     };
@@ -98,7 +98,7 @@ protected:
     }
     std::string said() const { return content_of(told_); }
     Outcome take(std::initializer_list<Step> steps) {
-        constexpr std::size_t kBusyEnough = 6;  // nobody goes on trying
+        constexpr std::size_t kBusyEnough = 6;  // a person would not try more often
         std::size_t from = 0, busy = 0, stopped = 0;
         const Step* last = steps.begin();
         for (const Step& step : steps) {
@@ -132,13 +132,15 @@ private:
     using Clock = std::chrono::steady_clock;
 };
 
-// The set-up of the device within them is the wizard's own: pulled, pushed, to the left hand's side, felt, a wall.
+// The device's set-up in the first minutes is that of the wizard: pull, push, move to the left hand's side, feel, a
+// wall.
 TEST_F(FirstMinutesWithTouch, run_through_the_set_up_to_the_first_wall_and_the_choice) {
     const std::string to_wall = "hand-forward 30\nhand-forward 30\n";
     const std::string to_radiator = "hand-left 20\nhand-down 10\nhand-left 10\nhand-up 10\n";
-    // Back again, so that the hand is not at a wall of the room when that begins, and names it before it is asked to.
+    // The hand goes back, so that it is not at a wall of the room when that begins, and does not name the wall before
+    // it should.
     const std::string push = "hand-back 20\nhand-forward 20\nwait 1\nhand-back 20\n\n";
-    const std::string anew = "hand-centre\nhome\n";  // in this order: what is behind a wall stays there otherwise
+    const std::string anew = "hand-centre\nhome\n";  // in this order, as otherwise things behind a wall stay there
     const Outcome outcome = take({
         {"Type an empty line to begin", "space\n\n"},
         {"bell on your left", "left\n"},
@@ -159,8 +161,8 @@ TEST_F(FirstMinutesWithTouch, run_through_the_set_up_to_the_first_wall_and_the_c
     if (outcome == Outcome::TooBusy) GTEST_SKIP() << "this machine is too busy to give a servo its rate";
     ASSERT_EQ(outcome, Outcome::Done);
     EXPECT_EQ(program_->exit_status(), 0) << said();
-    // Names of what the hand meets are not among these: a name is dropped if the hand has gone on before it can be
-    // said, which a busy machine causes. scenarios/first_minutes_sim_t.toml checks the names in virtual time.
+    // Names of what the hand meets are not among these. A name is dropped if the hand has moved on before it can be
+    // said, as happens on a busy machine. scenarios/first_minutes_sim_t.toml checks the names in virtual time.
     expect_in_order(said(), {"say: Welcome. Handrail is speaking with text alone. Type an empty line to begin, "
                              "space to hear this again, or escape to leave.",
                              "say: Welcome. Handrail is speaking with text alone. Type an empty line to begin, "
@@ -200,7 +202,7 @@ TEST_F(FirstMinutesWithTouch, run_through_the_set_up_to_the_first_wall_and_the_c
                              "facing north"});
 }
 
-// The choice leads somewhere: a hunt here, and the same in the house, which is read first.
+// The choice leads to a real activity: a hunt here, and the same in the house, which is read first.
 TEST_F(FirstMinutes, end_in_a_hunt_where_it_is_chosen) {
     const char* const kToChoice = "\nleft\n\nforward 6\nleft 4\nforward 3\nright 8\nforward 7\nhome\n";
     const ProgramRun here = run({"--device", "none"}, std::string(kToChoice) + "find\nwhere\nquit\n");
@@ -240,15 +242,15 @@ TEST_F(FirstMinutes, give_way_to_a_script_that_knows_nothing_of_them_and_to_the_
     expect_in_order(nobody.out, {"Welcome.", "First room,", "facing north"});
 }
 
-// Deliverable of the terminal: every command of the table, by its word, does something that is said or takes part; none
-// is unknown.
+// Every command of the table, given by its word, has an effect or an answer, and none is unknown. This is a deliverable
+// of the terminal.
 TEST(Terminal, every_command_of_the_table_works_by_its_word) {
     std::string lines;
     for (const CommandInfo& row : command_table())
         if (row.command != Command::Leave && row.command != Command::Calibrate &&
             row.command != Command::FirstMinutes && row.command != Command::InputHelp)
             lines += std::string(row.word) +
-                     "\ncancel\n";  // what opens a list is left again; elsewhere cancel is no command
+                     "\ncancel\n";  // leaves a list if one was opened; otherwise cancel is no command
     lines += "input-help\nforward\ninput-help\nwelcome\nescape\ncalibrate\nquit\nwher\nleave\nleave\n";
     ProgramCall call;
     call.program = test::built_program("handrail");

@@ -1,5 +1,5 @@
-// What the built programs are guarded by, as readelf tells of them: both start at random addresses, their tables are
-// read-only once they run, and functions with arrays notice when their stack was written over.
+// How the built programs are protected, as shown by readelf. Both start at random addresses, their tables are read-only
+// while they run, and functions with arrays detect that their stack was overwritten.
 #include <array>
 #include <cstdio>
 
@@ -33,7 +33,7 @@ TEST(Hardened, programs_start_at_random_addresses_with_read_only_tables_and_guar
         EXPECT_THAT(told, ContainsRegex("Type: +DYN \\(Position-Independent Executable file\\)"));
         EXPECT_THAT(told, HasSubstr("GNU_RELRO"));
         EXPECT_THAT(told, HasSubstr("BIND_NOW"));
-        EXPECT_THAT(told, ContainsRegex("GNU_STACK[ 0-9a-fx]* RW "));  // a stack that cannot be run
+        EXPECT_THAT(told, ContainsRegex("GNU_STACK[ 0-9a-fx]* RW "));  // the stack is not executable
         EXPECT_THAT(told, HasSubstr("__stack_chk_fail"));
     }
 #ifdef __OPTIMIZE__

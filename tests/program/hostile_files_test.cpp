@@ -1,5 +1,5 @@
-// What a person, a script or a system may hand the program instead of what it expects: pipes for files, closed
-// descriptors, floods, and leaving at once.
+// What a person, a script or a system may give the program instead of what it expects: pipes for files, closed
+// descriptors, floods of input, and an immediate end.
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
@@ -58,7 +58,7 @@ TEST(HostileFiles, pipes_that_nobody_writes_and_endless_devices_are_one_sentence
     ProgramCall call;
     call.environment["XDG_CONFIG_HOME"] = folder.path();
     expect_refused(run({"settings", "--explain"}, call), "settings.toml");
-    // A picture beside a world, and what is kept beside it.
+    // A picture next to a world, and what is cached next to it.
     std::ifstream in(test::bundled_world("first_room.map"));
     std::string map{std::istreambuf_iterator<char>(in), {}};
     const std::size_t at = map.find("\"classname\" \"worldspawn\"");
@@ -69,7 +69,7 @@ TEST(HostileFiles, pipes_that_nobody_writes_and_endless_devices_are_one_sentence
     expect_refused(run({"info", (folder.path() / "room.map").string()}), "picture.png");
 }
 
-// With a descriptor closed, the first file that is opened would get its number, and what is printed would go into it.
+// If a descriptor is closed, the first opened file would get its number, and printed output would be written into it.
 TEST(HostileFiles, closed_descriptors_are_open_before_anything_else) {
     const TemporaryFolder home;
     std::array<int, 2> input{-1, -1};
@@ -85,7 +85,7 @@ TEST(HostileFiles, closed_descriptors_are_open_before_anything_else) {
     std::vector<std::string> variables;
     for (const auto& [name, value] : bare_environment(home.path()))
         if (!value.empty()) variables.push_back(name + "=" + value);
-    for (const std::string sanitizer : {"LSAN_OPTIONS", "TSAN_OPTIONS"})  // what foreign libraries do
+    for (const std::string sanitizer : {"LSAN_OPTIONS", "TSAN_OPTIONS"})  // because of foreign libraries
         if (const char* options = std::getenv(sanitizer.c_str())) variables.push_back(sanitizer + "=" + options);
     std::vector<char*> envp;
     for (std::string& variable : variables) envp.push_back(variable.data());
@@ -105,7 +105,7 @@ TEST(HostileFiles, closed_descriptors_are_open_before_anything_else) {
     EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
 }
 
-// Whoever prepared the folder of a world may have put them there. Their parser dies of each.
+// Whoever prepared the folder of a world may have put these files there. Each of them kills its parser.
 TEST(HostileFiles, toml_beside_a_world_ends_its_reader_and_not_the_program) {
     const TemporaryFolder folder;
     const fs::path world = folder.path() / "room.map";
@@ -124,7 +124,7 @@ TEST(HostileFiles, toml_beside_a_world_ends_its_reader_and_not_the_program) {
     for (const std::string& name : names) EXPECT_EQ(content_of(folder.path() / name), deadly_toml()) << name;
 }
 
-// With a reader that reads nothing, only a world that was read without it could be played.
+// With a reader that reads nothing, a world could be played only if it were read without the reader.
 TEST(HostileFiles, worlds_of_scenarios_are_read_in_the_process_for_reading) {
     const TemporaryFolder folder;
     fs::create_directories(folder.path() / "bin");

@@ -1,5 +1,5 @@
-// `./run kernel-tests` where what it needs cannot be had: one sentence and the status of a skipped test, never a pass
-// or a failure.
+// `./run kernel-tests` on a machine that lacks what it needs: prints one sentence and ends with the status of a skipped
+// test, never as a pass or a failure.
 #include "tests/support/precompiled.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
@@ -10,7 +10,7 @@ namespace kernel_tests_test {
 
 namespace fs = std::filesystem;
 
-// A machine on which these programs alone are installed.
+// A machine on which only these programs are installed.
 ProgramRun run_with(const TemporaryFolder& folder, std::initializer_list<const char*> programs) {
     const fs::path bin = folder.path() / "bin";
     fs::create_directories(bin);
@@ -37,8 +37,7 @@ TEST(KernelTests, are_skipped_in_words_where_the_machine_lacks_qemu) {
 TEST(KernelTests, are_skipped_in_words_where_no_kernel_can_be_fetched) {
     const TemporaryFolder folder;
     fs::create_directories(folder.path() / "bin");
-    // Stand-ins: what is asked of them here is only that they are there. A shell script is no dynamic program, as a
-    // static busybox is none.
+    // Stand-ins that only need to exist. A shell script is not a dynamic program, like a static busybox.
     for (const char* name : {"qemu-system-x86_64", "busybox"}) {
         std::ofstream(folder.path() / "bin" / name) << "#!/bin/bash\n";
         fs::permissions(folder.path() / "bin" / name, fs::perms::owner_all);

@@ -1,5 +1,5 @@
-// What there is of a learner gets out by no command without consent, and is gone once the learner is deleted. Which
-// commands and options there are is read from the program's own help, so that a new one is tried as well.
+// No command releases a learner's data without consent, and everything is gone once the learner is deleted. The
+// commands and options are read from the program's own help, so that new ones are tried as well.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -47,7 +47,7 @@ struct FileOption {
 };
 struct CommandWithFiles {
     std::string name;
-    bool needs_path = false;  // touch: the hand's path, a second file to read
+    bool needs_path = false;  // for touch: the hand's path, a second file to read
     std::vector<FileOption> outputs;
 };
 
@@ -65,11 +65,12 @@ protected:
         ASSERT_FALSE(recording_.empty());
         own_ = recording_.parent_path().parent_path();
         fs::create_directories(out_);
-        // A session of which the results alone were kept.
+        // A session of which only the results were kept.
         write(own_ / "results.jsonl",
               "{\"begun_utc\":\"2026-11-22T17:30:00Z\",\"lesson\":\"Corridors\",\"world\":\"House\",\"seconds\":60.0,"
               "\"tasks\":[{\"t_s\":30.0,\"kind\":\"learn\",\"name\":\"Kitchen\",\"measures\":{\"time\":12.0}}]}\n");
-        // What can be made of the data inside of the folder, where nobody else looks, and is read by other commands.
+        // Files that somebody could make from the data inside the folder, where nobody else looks, and that other
+        // commands read.
         fs::copy_file(test::project_root() / "tests/scenarios/regression_workspace_offset.toml", own_ / "own.toml");
         fs::copy_file(test::bundled_world("first_room.map"), own_ / "own.map");
         write(own_ / "path.csv", "t,x,y,z\n0,0,0,1\n0.001,0,0,1\n");
@@ -85,7 +86,7 @@ protected:
         call.environment["XDG_CONFIG_HOME"] = (home_.path() / ".config").string();
         return run_program(call);
     }
-    // Commands that are given a file or folder to read, with their options that name one to write.
+    // Commands that take a file or folder to read, with their options that name a file to write.
     std::vector<CommandWithFiles> commands() const {
         std::vector<CommandWithFiles> found;
         bool listed = false;
@@ -101,7 +102,7 @@ protected:
     CommandWithFiles command(const std::string& name) const {
         CommandWithFiles one{name, false, {}};
         const std::string help = run({name, "--help"}).out;
-        if (help.find("Arguments:") == std::string::npos) return one;  // it reads nothing that is named to it
+        if (help.find("Arguments:") == std::string::npos) return one;  // it reads no file given by name
         for (const std::string& line : lines_of(help)) {
             const std::vector<std::string> words = words_of(line);
             if (words.size() < 2 || !words[0].starts_with("--") || words[0] == "--settings") continue;
@@ -129,7 +130,7 @@ protected:
         std::sort(files.begin(), files.end());
         return files;
     }
-    // Files below the whole home whose name or content, packed or not, has that.
+    // Files anywhere below the home whose name or content, compressed or not, contains this.
     std::vector<std::string> files_with(const std::string& words) const {
         std::vector<std::string> files;
         for (const auto& entry : fs::recursive_directory_iterator(home_.path())) {

@@ -1,4 +1,4 @@
-// Learners with the program itself: each has settings, marks and recordings of their own, and is gone once deleted.
+// Learners in the program itself. Each has separate settings, marks and recordings, and is gone once deleted.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -83,13 +83,13 @@ TEST_F(LearnerProgram, is_chosen_in_the_program_and_named_in_nobody_elses_record
     std::size_t at = 0;
     for (const char* words : {
              "Oak Owl is learning.",
-             "Oak Owl is here.",  // the list, at its entry
+             "Oak Owl is here.",  // the list, at the learner's entry
              "Oak Owl, is remembered and is recorded, 3 of 3",
              "Fig Finch is learning.",
-             "1 of 2",  // marks; the other's is not among them
+             "1 of 2",  // marks; that of the other learner is not among them
              "Fig Finch is here.",
              "Fig Finch, is remembered, 2 of 3",
-             "Fig Finch: is remembered. No recordings.",  // who is here already is told of
+             "Fig Finch: is remembered. No recordings.",  // choosing the present learner gives their details
              "Oak Owl is learning.",
              "1 of 3",
              "No learner is signed in.",
@@ -145,7 +145,7 @@ TEST_F(LearnerProgram, leaves_no_world_where_the_last_ones_of_all_are_kept) {
     EXPECT_EQ(run(here, "forward 2\n").exit_status, 0);
     EXPECT_THAT(files_that_say("owls_very_own"), testing::Contains("recent-worlds.txt"));
     EXPECT_FALSE(fs::exists(home_.path() / "state/handrail/recent-worlds.txt"));
-    // And the learner finds it there again.
+    // The learner also finds it there again.
     EXPECT_THAT(run({test::bundled_world("house.map"), "--no-window", "--device", "none", "--learner", "Oak Owl"},
                     "menu\n2\n2\n")
                     .out,
@@ -157,7 +157,7 @@ TEST_F(LearnerProgram, leaves_no_world_where_the_last_ones_of_all_are_kept) {
 
 TEST_F(LearnerProgram, goes_on_learning_where_it_ended_as_long_as_that_is_agreed) {
     EXPECT_EQ(run({"learner", "new", "Oak Owl"}).exit_status, 0);
-    const auto rooms_learnt = [this] {  // what the list of rooms begins with; on a busy machine more is said after it
+    const auto rooms_learnt = [this] {  // the beginning of the list of rooms; on a busy machine more is said after it
         const std::string out = explore("Oak Owl", "learnt\n").out;
         const std::size_t list = out.find("Rooms learnt");
         return list == std::string::npos ? "no list in " + out : out.substr(list, out.find('\n', list) - list);

@@ -1,5 +1,5 @@
-// A lesson taught by the program itself, by text alone: to a learner by name, with the desk beside it, recorded where
-// that is agreed, computed again, reported on and forgotten.
+// A lesson taught by the program itself, by text alone, to a named learner and with the desk. It is recorded if the
+// learner has agreed, computed again, reported on and forgotten.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -39,7 +39,7 @@ protected:
         call.environment = environment();
         return run_program(call);
     }
-    // One who learns, at a terminal: waits for what is told before the next line is typed.
+    // A learner at a terminal, who waits for the announced words before the next line is typed.
     class Pupil {
     public:
         Pupil(const TaughtByTheProgram& test, const char* name, std::vector<std::string> words)
@@ -95,7 +95,7 @@ TEST_F(TaughtByTheProgram, keeps_marks_and_recordings_of_its_learner_is_watched_
     ASSERT_TRUE(first.hears("Get to know Entrance hall")) << first.all();
     first.type("mark");
     first.type("door");
-    desk.type("summary");  // a line comes every ten seconds by itself
+    desk.type("summary");  // otherwise a line comes every ten seconds
     ASSERT_TRUE(desk.hears("walls done")) << desk.all();
     first.type("done");
     ASSERT_TRUE(first.hears("Face Trophy case")) << first.all();
@@ -165,15 +165,15 @@ TEST_F(TaughtByTheProgram, goes_on_with_the_next_session_and_keeps_results_of_wh
         first.type("done");
         ASSERT_TRUE(first.hears(asked)) << first.all();
     }
-    // The list of lessons knows it at once.
+    // The list of lessons shows it at once.
     first.type("task");
     ASSERT_TRUE(first.hears("Begin From the main door to the library, session 2 of 3")) << first.all();
     first.type("1");
     ASSERT_TRUE(first.hears("Route with help, 1 task.")) << first.all();
-    EXPECT_EQ(first.leave(), 0);  // in the middle of it: it is next again
+    EXPECT_EQ(first.leave(), 0);  // leaves in the middle of the session, so it comes next again
     EXPECT_TRUE(recordings().empty());
 
-    // Of what was measured there is a report, also of the session that was left; of what was said there is nothing.
+    // A report shows what was measured, also in the session that was left. Nothing that was said is kept.
     const std::string table = (home_.path() / "results.csv").string(), page = (home_.path() / "page.html").string();
     const ProgramRun report = run({"report", "--learner", "Oak Owl", "--csv", table, "--html", page});
     EXPECT_EQ(report.exit_status, 0) << report.err;
@@ -195,7 +195,7 @@ TEST_F(TaughtByTheProgram, goes_on_with_the_next_session_and_keeps_results_of_wh
     ASSERT_TRUE(second.hears("From the main door to the library: session 2 of 3 is next.")) << second.all();
     EXPECT_EQ(second.leave(), 0);
 
-    // Who is not remembered any more begins anew, and what was kept is gone.
+    // A learner who is no longer remembered begins anew, and what was kept is gone.
     EXPECT_EQ(run({"learner", "consent", "Oak Owl", "--withdraw", "remember"}).exit_status, 0);
     Pupil third(*this, "third", words);
     ASSERT_TRUE(third.hears("Walls, 2 tasks.")) << third.all();
@@ -239,7 +239,7 @@ TEST_F(TaughtByTheProgram, draws_the_order_of_a_lesson_from_the_learner_whether_
     EXPECT_EQ(pupil.leave(), 0);
 }
 
-// Its scale is felt from its begin to its end, by the command and from the list alike.
+// Its scale is felt from its beginning to its end, whether started by the command or from the list.
 TEST_F(TaughtByTheProgram, sets_its_own_settings_until_it_ends_whether_it_is_named_or_chosen) {
     fs::create_directories(home_.path() / "data/handrail/lessons");
     const std::string file = (home_.path() / "data/handrail/lessons/scale.lesson.toml").string();
@@ -322,7 +322,7 @@ TEST_F(TaughtByTheProgram, is_checked_and_written_down_alike_where_its_world_lac
         const ProgramRun checked = run({"lesson", file, "--check"}), written = run({"lesson", file, "--protocol"});
         EXPECT_EQ(checked.exit_status, 2) << wrong;
         EXPECT_EQ(written.exit_status, 2) << wrong;
-        // On a busy machine words of how far it is come before.
+        // On a busy machine progress messages may come first.
         const auto last_line = [](const std::string& told) {
             return told.substr(told.rfind('\n', told.size() - 2) + 1);
         };

@@ -1,5 +1,5 @@
-// A door that is missing in a world's file: made from the list of faults, walked through in the same session and the
-// next, and taken away again; the file itself stays as it is.
+// A door that is missing in a world's file. The person makes it from the list of faults, walks through it in the same
+// session and the next, and removes it again; the file itself stays unchanged.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -21,7 +21,7 @@ constexpr const char* kText =
     "Building: Two rooms.\n\nRoom: Hall, 4 by 6 metres. Door outside in the south wall.\n\n"
     "Room: Kitchen, 4 by 4 metres, east of Hall. Stove in the north-east corner, landmark.\n";
 
-// What the program says of these lines, and then leaves.
+// Returns what the program says to these lines; the session then ends.
 std::string said_in(const std::filesystem::path& world, const std::string& lines) {
     ProgramCall call;
     call.program = test::built_program("handrail");
@@ -63,7 +63,7 @@ TEST_F(MadeDoor, is_there_at_once_and_in_the_next_session_until_it_is_taken_away
     EXPECT_THAT(said_of("describe kitchen\n"), Not(HasSubstr("opening to Hall")));
 }
 
-// A terrace with a bench on it, in a mesh that states no unit and was drawn in millimetres.
+// A terrace with a bench, as a mesh that states no unit and was drawn in millimetres.
 std::string terrace_in_millimetres() {
     std::string text = "solid terrace\n";
     const auto block = [&](const std::array<int, 3>& least, const std::array<int, 3>& most) {

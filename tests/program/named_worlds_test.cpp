@@ -1,5 +1,5 @@
-// The worlds that come with the program: known by their names to every command that looks at a world, without a fault
-// that would stop anybody, and written in words and read again as the same building.
+// The worlds that come with the program. Every command that reads a world knows them by name, they have no fault that
+// would stop anybody, and when written in words they are read again as the same building.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -59,7 +59,7 @@ TEST(BundledWorlds, have_no_fault_that_would_stop_or_mislead_anybody) {
     EXPECT_GE(worlds, 6U);
 }
 
-// Of each room what it leads to: "door Hall", "opening Garden", "door outside".
+// For each room, what it leads to: "door Hall", "opening Garden", "door outside".
 std::map<std::string, std::multiset<std::string>> rooms_in(const std::string& text) {
     std::map<std::string, std::multiset<std::string>> rooms;
     const auto name_at = [](const std::string& line, std::size_t at) {
@@ -79,7 +79,7 @@ std::map<std::string, std::multiset<std::string>> rooms_in(const std::string& te
             rooms[room];
             EXPECT_TRUE(described.insert(room).second) << "twice: " << room;
         }
-        // An opening at an edge is a drop.
+        // An opening at an edge is called a drop.
         if (line.starts_with("Drop of ")) join("Opening", name_at(line, line.find(" to ") + 4));
         for (const std::string kind : {"Door", "Sliding door", "Opening"}) {
             if (line.starts_with(kind + " outside")) rooms[room].insert(kind + " outside");

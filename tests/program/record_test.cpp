@@ -1,4 +1,4 @@
-// A session of the program itself that is recorded.
+// Recordings of sessions of the program itself.
 #include <random>
 #include <regex>
 
@@ -23,7 +23,7 @@ std::vector<std::filesystem::path> folders_in(const std::filesystem::path& folde
     return found;
 }
 
-// A session in our house with a simulated device that is recorded below the folder.
+// A recorded session in our house with a simulated device; the recording is in a folder below this one.
 ProgramCall recorded_in(const std::filesystem::path& folder) {
     ProgramCall call;
     call.program = test::built_program("handrail");
@@ -53,7 +53,7 @@ TEST(RecordedSession, holds_every_line_that_was_said_in_order) {
     EXPECT_EQ(said, run.out);
 }
 
-// What somebody does who is in a hurry: commands, lists, typed text, another world, settings.
+// Input of a person in a hurry: commands, lists, typed text, another world, settings.
 constexpr const char* kBusy[] = {
     "forward 3\nwhere\nexits\nescape\nverbosity\nfind\nkitchen\nexits\n1\nscale-up\nscale-down\nwhat\nahead\n",
     "menu\nWorlds\nhouse\nforward 9\nright 4\nforward 5\naround\nmark\nmy \"first\" mark\nmarks\nescape\nmenu\n2\n"
@@ -64,17 +64,17 @@ constexpr const char* kBusy[] = {
     // With a device in each hand.
     "forward 3\nwhat\nhand-forward 8\nhand-left 12\nscale-down\nroom\nframe\nhand-right 20\nwhere\nfind\nkitchen\n"
     "take-me\nforward 4\nright 3\nforces\nforces\nhand-back 6\ndetail\nhand-left 9\nexits\nescape\n",
-    // With a device that is pulled out while one walks, is found again, and is pulled out again.
+    // With a device that is disconnected during a walk, found again, and disconnected again.
     "forward 3\nwhere\nexits\nescape\nforward 6\nleft 2\nfind\nkitchen\nforward 4\nforces\nwhat\nbackward 9\n"
     "around\nforward 9\nwhere\nforces\nforward 5\nahead\nbackward 5\nmark\nmine\n",
-    // With a device in each hand among things that are free to move: pushed, held by hand and by keys, let go, put
-    // back; then a labyrinth whose ball rolls.
+    // With a device in each hand among bodies that are free to move. They are pushed, held by hand and by keys,
+    // released and put back. Then a labyrinth whose ball rolls.
     "hand-forward 3\nuse\nhand-back 2\nhand-up\nuse\nforward 3\nuse\nforward\nleft\nuse\nput-back\nmenu\nWorlds\n"
     "labyrinth\nhand-forward 2\nuse\nright\nforward\nuse\nput-back\nwhere\n",
 };
 constexpr int kTwoHands = 3, kPulledOut = 4, kFreeBodies = 5;
 
-// A hall with a crate, a ball and what is too heavy.
+// A hall with a crate, a ball and a thing that is too heavy.
 std::string hall_of_things() {
     const auto thing = [](const char* kind, const char* name, const char* kg, const std::string& brush) {
         return entity("thing", key("cs_name", kind) + key("name", name) + key("mass", kg), brush);
@@ -145,7 +145,7 @@ TEST(RecordedSession, becomes_a_scenario_that_holds) {
     EXPECT_THAT(content_of(scenario), HasSubstr("press = \"exits\""));
 }
 
-// What somebody types who knows no rules: any command, numbers, names, keys by their names.
+// Input of a person who knows no rules: any command, numbers, names, keys by their names.
 std::string typed_by_chance(std::uint32_t seed) {
     std::mt19937 random(seed);
     const auto below = [&](std::size_t count) { return static_cast<std::size_t>(random() % count); };
@@ -154,7 +154,7 @@ std::string typed_by_chance(std::uint32_t seed) {
     std::string lines;
     for (int i = 0; i < scaled(60); ++i) {
         const CommandInfo& command = command_table()[below(command_table().size())];
-        // Those end the session, or wait for minutes.
+        // These end the session or wait for minutes.
         const bool ends = command.command == Command::Leave || command.command == Command::Calibrate;
         if (below(3) > 0 && !ends) lines += std::string(command.word) + (below(4) == 0 ? " 3" : "");
         else lines += kWords[below(kWords.size())];
@@ -181,7 +181,7 @@ TEST_P(RecordedByChance, becomes_a_scenario_that_holds_as_it_stands) {
     replay.arguments = {"replay", recording, "--scenario", scenario};
     const ProgramRun made = run_program(replay);
     ASSERT_EQ(made.exit_status, 0) << made.err;
-    // Most answers come again.
+    // Most answers are said again.
     std::smatch told;
     if (std::regex_search(made.out, told, std::regex("not expected: ([0-9]+) of ([0-9]+)\\."))) {
         EXPECT_LE(3 * std::stoi(told[1]), std::stoi(told[2])) << made.out;
@@ -207,7 +207,8 @@ TEST(ReplayCommand, checks_hears_and_tells_what_differs) {
     call.arguments = {"replay", recording.string(), "--speed", "4"};
     const ProgramRun heard = run_program(call);
     EXPECT_EQ(heard.exit_status, 0);
-    // A line whose turn had passed was written and not spoken, so it is not heard: on a busy machine the first answer.
+    // A line whose turn had passed was written but not spoken, so it is not heard; on a busy machine this happens to
+    // the first answer.
     const auto read = read_recording(recording);
     ASSERT_TRUE(read) << read.error().sentence();
     std::size_t at = 0;
@@ -219,7 +220,7 @@ TEST(ReplayCommand, checks_hears_and_tells_what_differs) {
         ASSERT_NE(at, std::string::npos) << line.text << "\n" << heard.out;
     }
     EXPECT_GE(voiced, 2);
-    // Another question than was recorded.
+    // Replaces a question by another one.
     std::string events = content_of(recording / "events.jsonl");
     const std::size_t where = events.find("\"command\":\"where\"");
     ASSERT_NE(where, std::string::npos);
@@ -241,7 +242,7 @@ TEST(ReportCommand, makes_a_page_and_tables_of_a_recording_and_replaces_nothing_
     if (test::kThreadSanitizer) GTEST_SKIP() << "RecordedUnderLoad.* runs the same threads";
     const TemporaryFolder folder;
     ProgramCall call = recorded_in(folder.path());
-    call.input = "routes\nkitchen\nwhere\nleft 4\nforward 6\nexits\n";  // routes waits for the rooms
+    call.input = "routes\nkitchen\nwhere\nleft 4\nforward 6\nexits\n";  // "routes" waits for the rooms
     EXPECT_EQ(run_program(call).exit_status, 0);
     const std::string recording = folders_in(folder.path()).at(0).string();
     call.input.clear();
@@ -254,7 +255,7 @@ TEST(ReportCommand, makes_a_page_and_tables_of_a_recording_and_replaces_nothing_
     EXPECT_THAT(html, testing::StartsWith("<!DOCTYPE html>\n<html lang=\"en\">"));
     EXPECT_THAT(html, HasSubstr("Kim"));
     EXPECT_THAT(html, HasSubstr("<svg"));
-    // The course is what was said. What the program says by itself at the start is cut by what is typed early.
+    // The course contains what was said. Early input interrupts what the program says at the start.
     EXPECT_THAT(html, HasSubstr("Hall, at the base, by the door, facing north."));
     EXPECT_THAT(content_of(table),
                 testing::AllOf(HasSubstr(",time,"), HasSubstr(",contacts_hand,"), testing::Not(HasSubstr("Kim"))));

@@ -1,4 +1,5 @@
-// What a person adds to a world that comes with the program stays in their own folder, however the world was opened.
+// A person's additions to a world that comes with the program are kept in the person's own folder, however the world
+// was opened.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -18,7 +19,7 @@ namespace fs = std::filesystem;
 
 class ShippedWorld : public testing::Test {
 protected:
-    // Sets a mark there and leaves; where it was kept, below the person's own folder.
+    // Sets a mark there and leaves. Returns where it was kept, below the person's own folder.
     std::vector<std::string> kept_after_mark_in(const std::string& world,
                                                 const std::map<std::string, std::string>& environment = {}) {
         const TemporaryFolder home;

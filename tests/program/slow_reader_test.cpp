@@ -1,4 +1,4 @@
-// A world that takes long to read: the program beside a reader that says how far it is, and then waits.
+// A world that takes long to read: the program with a reader that reports its progress and then waits.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -22,7 +22,7 @@ protected:
     void SetUp() override {
         fs::create_directories(folder_.path() / "bin");
         fs::copy_file(test::built_program("handrail"), program());
-        // As the real reader tells of itself (reader_process), and then the real reader.
+        // Reports progress as the real reader does (reader_process), and then runs the real reader.
         const fs::path reader =
             folder_.write("bin/handrail-reader", "#!/bin/sh\nprintf 'p40\\nsimport.shapes\\n' >&4\nsleep 3\nexec '" +
                                                      test::built_program("handrail-reader") + "' \"$@\"\n");

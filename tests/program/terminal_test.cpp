@@ -1,5 +1,5 @@
-// The program at a terminal of its own, as a person has it: keys act at once, words behind a colon, and however it ends
-// the terminal is as it was.
+// The program in its own terminal, as a person uses it. Keys act at once, words come after a colon, and however it ends
+// the terminal is restored.
 #include <unistd.h>
 
 #include <csignal>
@@ -16,7 +16,7 @@
 namespace handrail::test {
 namespace terminal_test {
 
-// The program in a terminal, until the folder of its home is gone.
+// The program in a terminal; it lasts until its home folder is removed.
 struct AtTerminal {
     TemporaryFolder home;
     std::unique_ptr<PtyJob> job;
@@ -38,7 +38,7 @@ struct AtTerminal {
             ::_exit(127);
         });
     }
-    // What is said from now on has this in it.
+    // Types this, and returns true once the output after that contains `said`.
     bool after(const std::string& typed, const std::string& said) const {
         const std::size_t from = job->said().size();
         job->type(typed);

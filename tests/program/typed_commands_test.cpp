@@ -1,4 +1,4 @@
-// The same typed lines by two clocks: the program with its threads and real time, and the session on a virtual clock
+// The same typed lines on two clocks: the program with its threads in real time, and the session on a virtual clock
 // that scenarios and tests use. Both must say the same.
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ std::string joined(const std::vector<std::string>& lines) {
     return all;
 }
 
-// What is said from the world's first sentence on.
+// What is said, starting from the world's first sentence.
 std::vector<std::string> from_greeting(std::vector<std::string> said) {
     const auto greeting =
         std::find_if(said.begin(), said.end(), [](const std::string& line) { return line.starts_with("House with"); });

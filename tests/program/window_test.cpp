@@ -16,7 +16,7 @@ bool has_program(const char* name) {
     return std::system(fmt::format("command -v {} >/dev/null 2>&1", name).c_str()) == 0;
 }
 
-// What a person at the window does, as a shell script: $1 is the program, $2 a folder for its output and pictures.
+// The actions of a person at the window as a shell script: $1 is the program, $2 a folder for its output and pictures.
 constexpr const char* kScript = R"(
 said() { i=0; until grep -q "$1" "$out/said"; do
     i=$((i+1)); [ $i -gt 600 ] && { echo "never said: $1"; kill $pid; exit 9; }; sleep 0.1; done; }
@@ -43,7 +43,7 @@ xdotool key Escape
 wait $pid
 )";
 
-// The share of pixels that differ clearly between two pictures, by ImageMagick.
+// The share of pixels that differ clearly between two pictures, measured by ImageMagick.
 double difference(const fs::path& a, const fs::path& b) {
     const fs::path result = a.parent_path() / "difference";
     (void)!std::system(
@@ -70,7 +70,7 @@ TEST(WindowOfTheProgram, takes_keys_speaks_and_shows_first_person_wall_and_plan)
                       test::built_program("handrail"),
                       folder.path().string()};
     call.environment["LIBGL_ALWAYS_SOFTWARE"] = "1";
-    // Mesa's own leaks; its driver is gone before they could be suppressed by name.
+    // Mesa leaks memory, and its driver is unloaded before the leaks could be suppressed by name.
     call.environment["ASAN_OPTIONS"] = "detect_leaks=0";
     const ProgramRun run = run_program(call);
     std::ifstream said_file(folder.path() / "said");
@@ -78,7 +78,7 @@ TEST(WindowOfTheProgram, takes_keys_speaks_and_shows_first_person_wall_and_plan)
     ASSERT_EQ(run.exit_status, 0) << run.out << run.err << said;
     EXPECT_THAT(said, HasSubstr("say: Press Escape again to leave."));
     EXPECT_THAT(said, HasSubstr("say: Goodbye."));
-    // Walking to the wall and the plan each change a good part of the picture.
+    // Walking to the wall changes a good part of the picture, and so does the plan.
     EXPECT_GT(difference(folder.path() / "first.png", folder.path() / "wall.png"), 0.05);
     EXPECT_GT(difference(folder.path() / "wall.png", folder.path() / "plan.png"), 0.05);
 }

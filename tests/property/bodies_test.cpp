@@ -157,7 +157,7 @@ TEST(Bodies, two_walls_that_close_leave_the_ball_in_the_middle) {
             ASSERT_LE(glm::length(rig.last.proxy_m - before), step + 1e-8) << i;
             before = rig.last.proxy_m;
         }
-        EXPECT_NEAR(rig.last.radius_m, 0.005, 1e-4);  // grown again at 20 mm/s
+        EXPECT_NEAR(rig.last.radius_m, 0.005, 1e-4);  // it has grown again, at 20 mm/s
         EXPECT_EQ(rig.last.contacts.count, 0);
     }
 }

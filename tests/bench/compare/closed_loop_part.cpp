@@ -18,7 +18,7 @@ BenchWorld leaning_world(const std::string& wall) {
             world.box({-1.2, -1.1, -1.2}, {0, 1.3, 1.1});
         }
     } else {
-        // A groove of 20 degrees along y, its bottom at x = -0.02.
+        // A groove of 20 degrees along y with its bottom at x = -0.02.
         const double half = radians_from_degrees(10.0), depth = 0.3, out = depth * std::tan(half);
         world.quad({-.02, -1, 0}, {depth - .02, -1, out}, {depth - .02, 1, out}, {-.02, 1, 0});
         world.quad({-.02, -1, 0}, {depth - .02, -1, -out}, {depth - .02, 1, -out}, {-.02, 1, 0});

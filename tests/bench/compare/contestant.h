@@ -21,7 +21,7 @@ struct Contestant {
     std::string title;  // "Handrail, the whole touch tick"
     std::string knob;   // "rounds", "margin_m"; empty: none
     double knob_value = 0.0;
-    bool has_ball = true;  // false: a penalty has no proxy that could stay outside
+    bool has_ball = true;  // false: a penalty method has no proxy that could stay outside
     void* (*make)(const BenchWorld&, double knob_value) = nullptr;
     TickOutcome (*tick)(void* state, const Vec3& goal_m) = nullptr;
     void (*drop)(void* state) = nullptr;

@@ -41,7 +41,7 @@ struct Measured {
 
 // The reference that judges a scene; computed once for all renderers.
 struct Truth {
-    std::vector<Vec3> reference_m;  // by tick; empty: none
+    std::vector<Vec3> reference_m;  // by tick; empty: no reference
 };
 // Empty if the reference would take more than most_work comparisons.
 Truth truth_of(const BenchWorld& world, double most_work);

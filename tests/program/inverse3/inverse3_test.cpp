@@ -1,4 +1,4 @@
-// The one device that no bus shows: `handrail devices` asks the service of its maker, here a stand-in at the service's
+// The one device that no bus shows. `handrail devices` queries its maker's service, here a stand-in at the service's
 // own port.
 #include "haptic/drivers/haply_device.h"
 
