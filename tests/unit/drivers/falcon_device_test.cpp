@@ -20,7 +20,7 @@ using test::FalconEmulator;
 
 constexpr double kEncoderQuantumM = 0.06e-3;
 
-// A Falcon on a wire of its own, in virtual time.
+// A Falcon on a simulated wire, in virtual time.
 struct Falcon {
     VirtualClock clock;
     FalconEmulator emulator;
@@ -70,7 +70,7 @@ TEST(FalconDevice, wakes_by_sending_its_firmware_and_comparing_every_echo) {
     EXPECT_EQ(falcon.emulator.latency_ms, 1U);
 }
 
-// A wire on which each piece that is written takes a while.
+// A wire on which writing each piece takes a while.
 class SlowLink final : public ByteLink {
 public:
     SlowLink(std::unique_ptr<ByteLink> wire, VirtualClock& clock, double write_s)
@@ -88,7 +88,7 @@ private:
     double write_s_;
 };
 
-// A sentence after two seconds and then every five: 4000 bytes in pieces, a third of a second each.
+// A sentence after two seconds and then every five: 4000 bytes in pieces that take a third of a second each.
 TEST(FalconDevice, tells_how_far_a_firmware_is_that_takes_long_to_send) {
     VirtualClock clock;
     FalconEmulator emulator;
@@ -223,7 +223,7 @@ TEST(FalconDevice, hand_right_forward_up_is_east_north_up_and_a_force_east_pushe
         const DeviceSample moved = falcon.exchange(Vec3(0.0));
         EXPECT_LT(glm::length(moved.position_m - expected), 2.0 * kEncoderQuantumM) << axis;
 
-        // The whole way into the world and back.
+        // The whole path into the world and back.
         const test::ThroughWorld through = test::through_world(falcon.device->spec(), moved.position_m, axis);
         test::expect_east_north_up(through, axis, 0.01, 2.0 * kEncoderQuantumM);
 
@@ -267,8 +267,8 @@ TEST(FalconDevice, gives_the_asked_force_and_never_more_than_its_ceiling) {
     EXPECT_NEAR(glm::length(falcon.emulator.force_on_hand_n()), 0.95 * 3.0, 0.02);
 }
 
-// A wall of 1000 N/m across z = 0.130, pressed with 3 N less what the ceiling leaves: static answer force / stiffness
-// behind it.
+// A wall of 1000 N/m across z = 0.130, pressed with less than the 3 N of the ceiling. The static answer is force /
+// stiffness behind it.
 TEST(FalconDevice, wall_of_a_thousand_exchanges_rests_at_the_exact_static_answer) {
     constexpr double kStiffness = 1000.0, kPush = 2.0;
     const double wall_y = falcon_to_device({0.0, 0.0, 0.130}).y;
@@ -282,7 +282,7 @@ TEST(FalconDevice, wall_of_a_thousand_exchanges_rests_at_the_exact_static_answer
         const DeviceSample sample = falcon.exchange(force);
         ASSERT_TRUE(sample.fresh && sample.connected && sample.homed) << i;
         ASSERT_LT(glm::length(sample.position_m - true_place(falcon.emulator)), 3.0 * kEncoderQuantumM)
-            << i;  // it moved on during the answer
+            << i;  // the hand has moved during the answer
         force = {0.0, std::min(0.0, -kStiffness * (sample.position_m.y - wall_y)), 0.0};
     }
     EXPECT_NEAR(true_place(falcon.emulator).y, wall_y + kPush / kStiffness, kEncoderQuantumM);
@@ -291,7 +291,7 @@ TEST(FalconDevice, wall_of_a_thousand_exchanges_rests_at_the_exact_static_answer
     EXPECT_LT(glm::length(falcon.emulator.velocity_m_per_s), 0.01);
 }
 
-// What is wrong, how often an exchange may fail for it, and whether the device must have noticed anything.
+// A fault of the wire, how many exchanges may fail because of it, and whether the device must have noticed something.
 struct WireFault {
     const char* name;
     void (*make)(Falcon&);
@@ -317,7 +317,7 @@ TEST_P(FalconWire, never_gives_a_wrong_position_or_too_much_force) {
         if (!sample.fresh) {
             ++failures;
         } else {
-            // The place of this exchange or, where an answer was late, of the one or two before.
+            // The place of this exchange or, if an answer was late, of one of the two before.
             const double off = std::min({glm::length(sample.position_m - now), glm::length(sample.position_m - old),
                                          glm::length(sample.position_m - older)});
             ASSERT_LT(off, kEncoderQuantumM) << GetParam().name << ", exchange " << i;
@@ -379,8 +379,8 @@ TEST(FalconDevice, takes_its_force_back_after_20_ms_of_silence) {
     EXPECT_TRUE(falcon.exchange({0.0, 2.0, 0.0}).fresh);
 }
 
-// Three encoders for three directions: nothing but time can show that one stands still. The grip is off by a few
-// millimetres until then, and the force goes down before that.
+// The device has three encoders for three directions, so only time can show that one is stuck. Until then the grip's
+// position is wrong by a few millimetres, and the force falls before that.
 TEST(FalconDevice, a_stuck_encoder_is_noticed_within_millimetres_and_ends_the_force) {
     for (int leg = 0; leg < 3; ++leg) {
         Falcon falcon;
@@ -432,8 +432,8 @@ TEST(FalconDevice, a_line_along_which_a_leg_stands_still_costs_force_for_a_momen
     EXPECT_GT(last, 1.9);
 }
 
-// The whole chain over a wire where anything goes wrong at any time, for a hand that presses a wall: whatever comes
-// over the wire, no place that is believed is wrong, and no force is above the ceiling, with a stuck leg neither.
+// The whole chain over a wire on which anything can go wrong at any time, with a hand that presses a wall. Whatever
+// comes over the wire, no accepted position is wrong and no force is above the ceiling, nor with a stuck leg.
 TEST(FalconDevice, under_the_servo_no_fault_gives_a_wrong_place_or_a_force_above_the_ceiling) {
     const std::uint64_t seed = test::seed_of_run();
     SCOPED_TRACE(fmt::format("seed {}", seed));
@@ -472,8 +472,8 @@ TEST(FalconDevice, under_the_servo_no_fault_gives_a_wrong_place_or_a_force_above
             if (sample.fresh && sample.homed && is_finite(sample.position_m)) {
                 const double off = std::min({glm::length(sample.position_m - now), glm::length(sample.position_m - old),
                                              glm::length(sample.position_m - older)});
-                // A hand that moves so that only a stuck leg would turn cannot be told from one that rests; no place
-                // holds then.
+                // A hand that moves only the stuck leg cannot be told from a resting one, so no position can be checked
+                // then.
                 ASSERT_TRUE(leg_was_stuck || off < 2.0 * kEncoderQuantumM)
                     << "run " << run << ", exchange " << i << ", off by " << off;
             }
@@ -482,7 +482,7 @@ TEST(FalconDevice, under_the_servo_no_fault_gives_a_wrong_place_or_a_force_above
             rig.sample = sample;
             command = rig.tick_raw(sample.position_m, test::kTick);
             strongest_n = std::max(strongest_n, glm::length(command.force_n));
-            // What reaches the hand is turned by a leg's error as the place is: some more than was asked for, never
+            // A stuck leg also turns the force that reaches the hand: it may be somewhat more than requested, but never
             // more than the driver allows.
             ASSERT_LE(falcon.emulator.largest_force_n, leg_was_stuck ? 3.0 : 1.05 * kCeilingN)
                 << "run " << run << ", exchange " << i;

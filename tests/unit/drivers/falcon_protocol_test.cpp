@@ -81,7 +81,7 @@ TEST(FalconFrames, are_found_again_after_anything) {
             at += piece;
             while (const auto status = reader.next()) last = status;
         }
-        // Noise that ends in a piece of '<' may swallow nothing: the true frame always comes out.
+        // Noise that ends in a piece of '<' must not swallow anything: the true frame always comes out.
         ASSERT_TRUE(last) << "seed " << seed << ", round " << i;
         ASSERT_EQ(last->encoders, (std::array<int, 3>{value, 12, -7})) << "seed " << seed << ", round " << i;
         ++frames;
@@ -113,7 +113,7 @@ TEST(FalconMotorCounts, stay_in_range_and_keep_their_direction) {
             ASSERT_LE(std::abs(count), 4095) << "seed " << seed;
             largest = std::max(largest, std::abs(torques[leg]));
         }
-        // Within one count of the same direction: counts = -scale * torques.
+        // The direction is kept to within one count: counts = -scale * torques.
         const double scale = std::min(4095.0 / largest, 10000.0);
         for (int leg = 0; leg < 3; ++leg)
             ASSERT_NEAR(counts[static_cast<std::size_t>(leg)], -scale * torques[leg], 1.0)

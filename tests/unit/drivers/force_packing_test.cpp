@@ -1,4 +1,4 @@
-// What every driver does last to a force, and what reaches the wire of each.
+// The last step of every driver with a force, and the bytes that reach each wire.
 #include "haptic/drivers/force_packing.h"
 
 #include <limits>
@@ -14,7 +14,7 @@ namespace force_packing_test {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
-// Keeps what it was told last; the angle as the kernel has it, 0 towards the person and clockwise.
+// Keeps the last effect that it received. The angle is the kernel's: 0 is towards the person, clockwise.
 class KeepingLink final : public FfLink {
 public:
     struct Told {
@@ -35,7 +35,8 @@ private:
     Told& told_;
 };
 
-// Any of 600 orders of magnitude, each axis its own, so that some are all but zero beside others.
+// A force over 600 orders of magnitude, independent for each axis, so that some components are nearly zero compared
+// with others.
 Vec3 any_force(std::mt19937& random) {
     std::uniform_real_distribution<double> power(-300.0, 300.0), sign(-1.0, 1.0);
     const auto axis = [&] { return std::copysign(std::pow(10.0, power(random)), sign(random)); };

@@ -1,5 +1,5 @@
-// What tests of both guards share: the program's end of the pipe to one, and a device behind real guards that is ticked
-// as a servo does it.
+// Shared by the tests of both guards: the program's end of the pipe to a guard, and a device behind real guards that is
+// ticked as by a servo.
 #pragma once
 
 #include <sys/eventfd.h>
@@ -21,7 +21,7 @@ inline void signal_event(int event) {
     [[maybe_unused]] const auto written = ::write(event, &one, sizeof one);
 }
 
-// The two ends of a guard's messages; the first is the program's.
+// Both ends of a guard's messages; the first is the program's.
 struct GuardEnds {
     std::array<int, 2> ends{-1, -1};
 
@@ -39,13 +39,13 @@ struct GuardEnds {
         const auto size = ::recv(ends[0], bytes.data(), bytes.size(), 0);
         return size > 0 ? std::string(bytes.begin(), bytes.begin() + size) : std::string();
     }
-    // As the program's end does when it dies.
+    // Closes the program's end, as happens when it dies.
     void leave() {
         if (ends[0] >= 0) ::close(std::exchange(ends[0], -1));
     }
 };
 
-// Ticks it like a servo until it is so.
+// Ticks it like a servo until the condition is true.
 template <class Condition>
 bool tick_until(GuardedDevice& device, Condition&& condition) {
     return eventually([&] {

@@ -27,7 +27,7 @@ namespace hand_guard_test {
 using namespace std::chrono_literals;
 using test::tick_until;
 
-// What happened to a device, in order; and what is to happen.
+// The events of a device in order, and instructions for its behaviour.
 struct Life {
     std::mutex mutex;
     std::condition_variable changed;
@@ -70,7 +70,7 @@ private:
     Life& life_;
 };
 
-// A guard on a thread of its own, with the program's side in the test's hands.
+// A guard on a separate thread; the test plays the program's side.
 struct Guard : test::GuardEnds {
     Life life;
     HandMailbox mailbox;
@@ -124,7 +124,7 @@ TEST(HandGuard, zeroes_the_force_when_the_program_stops_commanding) {
     ASSERT_TRUE(
         guard.life.wait([&] { return !guard.life.forces.empty() && guard.life.forces.back() == Vec3(0.0, 2.0, 0.0); }));
     ASSERT_TRUE(guard.life.wait([&] { return guard.life.forces.back() == Vec3(0.0); }));
-    // At the very next exchange after the old force.
+    // At the first exchange after the old force.
     const std::lock_guard lock(guard.life.mutex);
     const auto last_force = std::find_if(guard.life.forces.rbegin(), guard.life.forces.rend(),
                                          [](const Vec3& f) { return f != Vec3(0.0); });
@@ -271,7 +271,7 @@ TEST(GuardPermissions, are_what_each_driver_needs) {
     }
 }
 
-// Keys and addresses of other programs are in a person's environment.
+// A person's environment contains keys and addresses of other programs.
 TEST(GuardedDevice, gives_its_guards_only_the_variables_that_drivers_need) {
     const std::map<std::string, std::string> hidden{{"SSH_AUTH_SOCK", "/run/agent"},
                                                     {"DBUS_SESSION_BUS_ADDRESS", "unix:path=/run/bus"},

@@ -45,15 +45,15 @@ TEST(HaplyDevice, wall_of_a_thousand_exchanges_rests_at_the_exact_static_answer)
     for (int i = 0; i < 20000 && answers < 1500; ++i) {
         (*device)->write({force});
         sample = (*device)->read(0.0);
-        if (!sample.connected) {  // ten exchanges without an answer: on a machine that is very busy the service gets no
-                                  // turn for so long
+        // Ten exchanges without an answer: on a very busy machine the service may get no turn for that long.
+        if (!sample.connected) {
             ASSERT_LE(++lost, 5);
             device = open_haply_device(clock, service.port());
             ASSERT_TRUE(device) << device.error().sentence();
             force = Vec3(0.0);
             continue;
         }
-        if (!sample.fresh) continue;  // a machine busy with other things
+        if (!sample.fresh) continue;  // the machine is busy with other things
         ++answers;
         force = {0.0, std::min(0.0, -kStiffness * (sample.position_m.y - 0.01)), 0.0};
     }
@@ -73,7 +73,7 @@ TEST(HaplyDevice, force_keeps_its_direction_and_stays_below_the_ceiling) {
     ASSERT_TRUE(device);
     for (const Vec3& asked :
          {Vec3(1e9, 0, 0), Vec3(0, 1e9, -1e9), Vec3(std::nan(""), 1, 1), Vec3(0, INFINITY, 0), Vec3(1, 0, 0)}) {
-        for (int answer = 0; answer < 2; ++answer)  // the first may be to what was asked before
+        for (int answer = 0; answer < 2; ++answer)  // the first answer may belong to the request before
             do {
                 (*device)->read(0.0);
                 (*device)->write({asked});
@@ -88,7 +88,7 @@ TEST(HaplyDevice, force_keeps_its_direction_and_stays_below_the_ceiling) {
     }
 }
 
-// S126, as the service's documentation is understood.
+// S126, as we understand the service's documentation.
 TEST(HaplyDevice, hand_right_forward_up_is_east_north_up_and_a_force_east_pushes_right) {
     for (int axis = 0; axis < 3; ++axis) {
         StandInService service;
@@ -134,7 +134,7 @@ TEST(HaplyDevice, damaged_silent_or_missing_states_are_nothing_new_and_hanging_u
         auto device = open_haply_device(clock, service.port());
         ASSERT_TRUE(device);
         service.mood = mood;
-        for (int i = 0; i < 6; ++i) (*device)->read(0.0);  // what was on its way
+        for (int i = 0; i < 6; ++i) (*device)->read(0.0);  // drains answers that were still on their way
         const double begun_s = clock.now_s();
         for (int i = 0; i < 10; ++i) {
             (*device)->write({{0.0, 2.0, 0.0}});

@@ -162,7 +162,7 @@ struct Puck {
     SpaceMouse mouse{std::make_unique<DirectHidLink>(emulator)};
 };
 
-// S126: pushed right, away, up is x, y, z.
+// S126: pushes to the right, away and up are x, y and z.
 TEST(SpaceMouse, right_forward_up_are_x_y_z_and_turns_follow_the_right_hand) {
     Puck puck;
     puck.emulator.tell(1, {350, 0, 0});

@@ -25,10 +25,10 @@ using namespace std::chrono_literals;
 using test::eventually;
 using test::tick_until;
 
-// A second guard on a thread of its own, with the program and the first guard in the test's hands.
+// A second guard on a separate thread; the test plays the program and the first guard.
 struct Reliever : test::GuardEnds {
     HandMailbox mailbox;
-    int guard = ::eventfd(0, EFD_NONBLOCK);  // as a process descriptor: readable when it has ended
+    int guard = ::eventfd(0, EFD_NONBLOCK);  // acts as a process descriptor: readable when the process has ended
     std::atomic<int> zeroed{0}, killed{0}, status{-1};
     std::atomic<bool> refuse{false}, slow{false}, dies_when_killed{true}, held_by_two{false};
     std::atomic<bool> ended{false};
@@ -87,7 +87,7 @@ TEST(ReliefGuard, ends_a_first_guard_that_stands_still_before_it_touches_the_dev
 
 TEST(ReliefGuard, leaves_a_device_alone_that_the_first_guard_had_let_go) {
     Reliever relief;
-    std::this_thread::sleep_for(250ms);  // opening takes a guard seconds, and it counts no rounds meanwhile
+    std::this_thread::sleep_for(250ms);  // opening takes a guard seconds, in which it counts no rounds
     EXPECT_EQ(relief.killed, 0);
     relief.end_guard();
     ASSERT_TRUE(relief.comes_to(ReliefState::Zero));
@@ -155,7 +155,7 @@ TEST(GuardedDevice, says_on_closing_that_it_may_push_where_zero_was_not_confirme
     ASSERT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh; }));
     ::kill(device.guard_process(), SIGKILL);
     ASSERT_TRUE(tick_until(device, [](const DeviceSample& sample) { return !sample.connected; }));
-    // The second guard has tried and failed by then. Closing waits for it only for a second.
+    // The second guard has tried and failed by then. Closing waits for it for only a second.
     ASSERT_TRUE(tick_until(device, [&](const DeviceSample&) { return device.guard_ended(); }));
     EXPECT_EQ(device.read(0.0).loss, DeviceLoss::MayPush);
     device.close();
@@ -179,7 +179,7 @@ TEST(GuardedDevice, gets_a_new_second_guard_for_one_that_died) {
         device, [](const DeviceSample& sample) { return !sample.connected && sample.loss == DeviceLoss::ForceOff; }));
 }
 
-// `device` never has its news taken: whatever the app is busy with, the guards are watched.
+// The news of `device` are never taken, so the guards are watched even if the app is busy.
 bool gets_another_second_guard(const GuardedDevice& device, pid_t than) {
     return eventually([&] { return device.relief_process() != than; });
 }

@@ -6,7 +6,7 @@
 namespace handrail {
 namespace udev_rule_test {
 
-// What may be opened without being an administrator is what the drivers look for.
+// The rule for users without administrator rights covers exactly the devices that the drivers look for.
 TEST(UdevRule, names_every_device_that_a_driver_opens) {
     const std::string rule = test::content_of(test::project_root() / "haptic" / "drivers" / kUdevRule);
     ASSERT_FALSE(rule.empty());

@@ -1,4 +1,4 @@
-// The makers' libraries, played by libraries of our own that a test can make wrong.
+// The makers' libraries, played by our own libraries, which a test can make faulty.
 #include <dlfcn.h>
 
 #include <chrono>
@@ -20,7 +20,7 @@ using test::eventually;
 
 constexpr double kStiffness = 1000.0, kPush = 2.0;
 
-// The stand-in itself, for the test's own way in. Opened once more, so the same one as the driver's.
+// Gives the test access to the stand-in itself. It is opened once more, so it is the same one that the driver uses.
 class StandIn {
 public:
     explicit StandIn(const std::string& path) : handle_(::dlopen(path.c_str(), RTLD_NOW)) {
@@ -215,7 +215,7 @@ TEST(HdDevice, gives_no_force_before_it_is_calibrated_nor_at_places_that_are_no_
     EXPECT_FALSE((*device)->read(0.0).homed);
     EXPECT_EQ(hd.told().force, Vec3(0.0));
     EXPECT_EQ(hd.told().uncalibrated_with_force, 0);
-    hd.call<void(unsigned)>("standin_calibration")(0x5001);  // asks for an update, which the driver does
+    hd.call<void(unsigned)>("standin_calibration")(0x5001);  // requests an update, which the driver then makes
     EXPECT_TRUE(eventually([&] { return (*device)->read(0.0).homed; }));
     EXPECT_TRUE(eventually([&] { return hd.told().force != Vec3(0.0); }));
     hd.nan(true);
@@ -237,7 +237,7 @@ TEST(HdDevice, a_force_error_of_the_library_ends_the_device_and_heat_is_told_apa
     }
 }
 
-// The library hangs; whoever reads is told at once that nothing is new, and the servo takes the force away after 25 ms.
+// The library hangs. Reads return at once without a new sample, and the servo removes the force after 25 ms.
 TEST(HdDevice, a_library_that_blocks_gives_no_new_samples) {
     const Hd hd;
     auto device = open_hd_device(test::built_standin("standin_hd"));

@@ -1,4 +1,4 @@
-// Cuts by what convex solids do not hold: against places looked at one by one, and in files.
+// Cuts that convex solids cannot represent, compared with a check of many single places, and cuts in files.
 #include "worlds/ifc/exact_cut.h"
 
 #include <CGAL/version.h>
@@ -51,7 +51,7 @@ struct Ring3 {
     bool holds(const Vec3& at_m) const {
         const Vec3 off = at_m - frame.origin_m;
         const double x = glm::dot(off, frame.x), y = glm::dot(off, frame.y), z = glm::dot(off, frame.z);
-        const auto within = [&](double radius_m) {  // a polygon's side is nearer than its corner
+        const auto within = [&](double radius_m) {  // a polygon's sides are nearer to the middle than its corners
             const double turn = 2.0 * kPi / corners, angle = std::atan2(y, x);
             const double to_middle = angle - turn * (std::floor(angle / turn) + 0.5);
             return std::hypot(x, y) * std::cos(to_middle) < radius_m * std::cos(0.5 * turn);
@@ -91,8 +91,9 @@ double sampled_common_m3(const Ring3& ring, int places) {
 
 TEST(ExactCuts, hold_what_places_looked_at_one_by_one_say) {
     const double all_m3 = volume_m3(wall());
-    for (const int corners : {8, 12, 48})                   // with 12 the hole touches the faces of the wall
-        for (const double angle : {0.0, 0.5 * kPi, 0.4}) {  // and these lie in the faces of the ring, or across them
+    for (const int corners : {8, 12, 48})  // with 12 corners the hole touches the faces of the wall
+        // With these angles the wall's faces are in the ring's faces, or across them.
+        for (const double angle : {0.0, 0.5 * kPi, 0.4}) {
             SCOPED_TRACE(std::to_string(corners) + " corners, " + std::to_string(angle));
             Ring3 ring;
             ring.corners = corners;
@@ -120,12 +121,12 @@ TEST(ExactCuts, leave_what_the_other_does_not_meet_bit_for_bit) {
     EXPECT_TRUE(common->empty());
 }
 
-// Bodies whose faces were cut without regard to their neighbours, and one that is cut twice.
+// Solids whose faces were cut without regard to their neighbours, and one that is cut twice.
 TEST(ExactCuts, take_two_things_from_a_hollow_skin) {
     Ring3 outer;
     outer.corners = 16;
     Body hollow = outer.body();
-    std::vector<Polygon> halves;  // every side in two, so that corners lie on edges of the caps
+    std::vector<Polygon> halves;  // every side is halved, so that corners are on edges of the caps
     for (const Polygon& sheet : hollow.sheets) {
         const std::vector<Vec3>& p = sheet.points_m;
         const Vec3 low = 0.5 * (p[0] + p[1]), high = 0.5 * (p[2] + p[3]);
@@ -144,7 +145,7 @@ TEST(ExactCuts, take_two_things_from_a_hollow_skin) {
     const std::optional<Body> less = cut_exactly(hollow, by, ExactCut::TakeAway, limits, {});
     ASSERT_TRUE(less);
     const double ring_m3 = volume_m3(outer.body());
-    // From 0.5 m to the outer side: a corner of 16 lies on the x axis.
+    // From 0.5 m to the outer side; one of the 16 corners is on the x axis.
     const double edge_m = 1.0 - 0.05 * std::tan(kPi / 16.0);
     EXPECT_NEAR(ring_m3 - volume_m3(*less), 0.2 * 1.0 * (edge_m - 0.5), 1e-3);
 }
@@ -175,7 +176,7 @@ TEST(ExactCuts, are_refused_for_what_encloses_nothing_and_beyond_the_limits) {
     EXPECT_TRUE(cut_exactly(wall(), ring.body(), ExactCut::TakeAway, limits, {}));
 }
 
-// Both compilers give this number. Another major version of CGAL may refine the meshes in another order.
+// Both compilers give this number. Another major version of CGAL may refine the meshes in a different order.
 TEST(ExactCuts, are_the_same_bits_everywhere) {
     if (CGAL_VERSION_NR / 10000000 != 105) GTEST_SKIP() << "the number is that of CGAL 5";
     Ring3 ring;
@@ -220,7 +221,7 @@ int face_set(Hut& hut, const std::vector<std::vector<Vec3>>& faces) {
     return hut.add("IFCTRIANGULATEDFACESET(" + Hut::ref(list) + ",$,.T.,(" + triangles.str() + "),$)");
 }
 
-// A wall, and what is left of it in the scene: in solids, or as a closed skin of triangles.
+// The remaining volume of a wall in the scene, be it solids or a closed skin of triangles.
 double left_m3(const Scene& scene) {
     double sum = 0.0;
     for (const Solid& solid : scene.solids)
@@ -232,7 +233,7 @@ double left_m3(const Scene& scene) {
 }
 
 TEST(ExactCuts, make_openings_of_the_form_that_they_have) {
-    for (const int corners : {12, 160}) {  // convex solids hold the first, and not the second
+    for (const int corners : {12, 160}) {  // the first hole can be made of convex solids, the second cannot
         SCOPED_TRACE(corners);
         Ring3 ring;
         ring.corners = corners;
@@ -284,7 +285,7 @@ TEST(ExactCuts, take_round_tessellated_and_nested_bodies_away) {
              return hut.add("IFCREVOLVEDAREASOLID(" + Hut::ref(profile) + "," + Hut::ref(hut.placed({2.0, 0.0, 1.0})) +
                             "," + Hut::ref(axis) + ",6.283185307179586)");
          },
-         kPi * (0.2 * 0.2 - 0.1 * 0.1) * 0.3},  // it reaches from the middle of the wall out of it
+         kPi * (0.2 * 0.2 - 0.1 * 0.1) * 0.3},  // it reaches from the middle of the wall to beyond its face
         {"pipe",
          [&](Hut& hut) {
              const int line =
@@ -309,7 +310,7 @@ TEST(ExactCuts, that_are_refused_leave_the_whole_body_and_are_named) {
     ring.frame.origin_m = {2.0, 0.0, 0.4};
     std::vector<std::vector<Vec3>> faces = ring.faces();
     ring.frame.origin_m.x += 0.3;
-    for (std::vector<Vec3>& face : ring.faces()) faces.push_back(face);  // it goes through itself
+    for (std::vector<Vec3>& face : ring.faces()) faces.push_back(face);  // the shell intersects itself
     Hut hut;
     hut.part("IFCWALL", "Wall", hut.less(hut.block(kWallLeast, kWallMost), brep(hut, faces)), ",$");
     const Scene scene = hut.scene();

@@ -1,4 +1,4 @@
-// Small IFC files built from boxes, for tests of how single kinds of parts are read.
+// Small IFC files built from boxes, for tests of how each kind of part is read.
 #pragma once
 
 #include <sstream>
@@ -42,7 +42,7 @@ public:
         return add("IFCFACE((" +
                    ref(add("IFCFACEOUTERBOUND(" + ref(add("IFCPOLYLOOP(" + refs(points) + ")")) + ",.T.)")) + "))");
     }
-    // A closed shell whose outline, seen from above, need not be convex.
+    // A closed shell whose outline, as seen from above, need not be convex.
     int brep(const Ring& outline, double low, double high) {
         std::vector<Vec3> lower, upper;
         for (const Vec2& p : outline) {
@@ -56,14 +56,14 @@ public:
         }
         return add("IFCFACETEDBREP(" + ref(add("IFCCLOSEDSHELL(" + refs(faces) + ")")) + ")");
     }
-    // Open faces without an inside.
+    // Open faces that enclose no volume.
     int sheet(const std::vector<std::vector<Vec3>>& rings) {
         std::vector<int> faces;
         for (const std::vector<Vec3>& ring : rings) faces.push_back(face(ring));
         return add("IFCSHELLBASEDSURFACEMODEL((" + ref(add("IFCOPENSHELL(" + refs(faces) + ")")) + "))");
     }
     int less(int from, int what) { return add("IFCBOOLEANRESULT(.DIFFERENCE.," + ref(from) + "," + ref(what) + ")"); }
-    // A part of that class; `more` are its attributes after the tag.
+    // Adds a part of that class; `more` are the attributes after its tag.
     int part(const std::string& kind, const std::string& name, int item, const std::string& more = {},
              int placement = kPlacement) {
         const int shape = add("IFCPRODUCTDEFINITIONSHAPE($,$,(" +
@@ -72,7 +72,7 @@ public:
                              "," + ref(shape) + ",$" + more + ")"));
         return parts_.back();
     }
-    // A space on the storey, or on another one.
+    // Adds a space on the given storey.
     void space(const std::string& name, int item, int placement = kPlacement, int storey = 0) {
         const int made = part("IFCSPACE", name, item, {}, placement);
         parts_.pop_back();
@@ -80,7 +80,7 @@ public:
             add("IFCRELAGGREGATES('R" + std::to_string(made) + "',$,$,$," + ref(storey) + "," + refs({made}) + ")");
         else spaces_.push_back(made);
     }
-    // elevation: as its attribute states it; that of its placement by default.
+    // `elevation` is the value of its attribute; by default that of its placement.
     int storey(const std::string& name, double height, std::optional<double> elevation = std::nullopt) {
         const int at = add("IFCLOCALPLACEMENT($," + ref(placed({0.0, 0.0, height})) + ")");
         const int made = add("IFCBUILDINGSTOREY('S" + std::to_string(last_ + 1) + "',$,'" + name + "',$,$," + ref(at) +
@@ -95,7 +95,7 @@ public:
         if (filling)
             add("IFCRELFILLSELEMENT('F" + std::to_string(last_) + "',$,$,$," + ref(made) + "," + ref(filling) + ")");
     }
-    // `storey_m`: where its storey is placed.
+    // `storey_m`: the placement of its storey.
     std::string text(const std::string& schema = "IFC4", const Vec3& storey_m = Vec3(0.0)) const {
         std::ostringstream at;
         at.precision(12);
@@ -130,7 +130,7 @@ private:
     std::vector<int> parts_, spaces_;
 };
 
-// A hall 8 by 6 m, entered from the west. A wall divides it, and a gallery without stairs is its widest place.
+// A hall of 8 by 6 m, entered from the west. A wall divides it, and its widest place is a gallery without stairs.
 inline Hut hall_with_gallery() {
     Hut hut;
     hut.part("IFCSLAB", "Floor", hut.block({-6.0, -2.0, -0.2}, {8.0, 6.0, 0.0}), ",$");
@@ -144,7 +144,7 @@ inline Hut hall_with_gallery() {
     return hut;
 }
 
-// Of the solids that lie wholly in a box.
+// The volume of the solids that are wholly inside a box.
 inline double volume_within_m3(const Scene& scene, const Aabb& box) {
     double sum = 0.0;
     for (const Solid& solid : scene.solids)

@@ -1,4 +1,4 @@
-// Small IFC files as text: the bundled house, changed for a test.
+// Small IFC files as text: the house in tests/unit/ifc/worlds, changed for a test.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@
 
 namespace handrail::test {
 
-// A hall of 8 by 4 m: Küche to the west, Living room to the east, a door in the wall between, one to the south, a
-// window to the north.
+// A hall of 8 by 4 m: Küche in the west, Living room in the east, a door in the wall between them, a door in the south,
+// a window in the north.
 inline std::string small_house(const std::string& name = "small_house.ifc") {
     return content_of(test::project_root() / "tests/unit/ifc/worlds" / name);
 }
@@ -23,7 +23,7 @@ inline std::string replaced(std::string text, const std::string& from, const std
     return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
-// With more instances before the end of the data.
+// The text with more instances before the end of the data.
 inline std::string with_instances(const std::string& text, const std::string& more) {
     const std::size_t at = text.rfind("ENDSEC;");
     return text.substr(0, at) + more + text.substr(at);

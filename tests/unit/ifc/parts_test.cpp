@@ -1,4 +1,4 @@
-// Each kind of part that once vanished, stayed shut or was put in the wrong place.
+// Each kind of part that was once lost, left uncut or put in the wrong place.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -42,13 +42,13 @@ TEST(PartsOfIfc, stand_however_many_cuts_are_nested) {
 TEST(PartsOfIfc, stand_however_deep_a_cutter_is_made_of_cutters) {
     Hut hut;
     int cutter = hut.block({1.0, -1.0, 0.0}, {2.0, 1.0, 2.0});
-    for (int i = 0; i < 60; ++i)  // the last of an even number leaves what the first takes
+    for (int i = 0; i < 60; ++i)  // with an even number the last cutter leaves what the first one takes away
         cutter = hut.less(hut.block({1.0, -1.0, 0.0}, {2.0, 1.0, 2.0}), cutter);
     hut.part("IFCWALL", "North", hut.less(hut.block(kWall.min_m, kWall.max_m), cutter), ",$");
     EXPECT_NEAR(volume_within_m3(hut.scene(), kWall), 4.5 - 0.3 * 2.0, 1e-4);
 }
 
-// A partition is named by its two sides whether the wall before it is a solid or a sheet; only without that wall its
+// A partition is named after its two sides, whether the wall in front is a solid or a sheet. Only without that wall its
 // front is the outer side of the building.
 TEST(PartsOfIfc, behind_a_sheet_are_named_as_behind_a_wall) {
     enum class Before { Nothing, Solid, Sheet };
@@ -98,7 +98,7 @@ TEST(PartsOfIfc, are_cut_by_shells_that_are_not_convex) {
     EXPECT_FALSE(in_a_solid(scene, {2.2, 0.2, 1.0}));
 }
 
-// A wedge with a step: neither convex nor a prism.
+// A wedge with a step, neither convex nor a prism.
 TEST(PartsOfIfc, are_cut_by_any_closed_shell) {
     Hut hut;
     const int step = hut.brep({{1.0, -1.0}, {2.0, -1.0}, {2.0, 1.0}, {1.0, 1.0}}, 0.5, 1.0);
@@ -116,11 +116,12 @@ TEST(PartsOfIfc, keep_the_wall_behind_a_niche_whatever_fills_it) {
                                    filling == "IFCDOOR" || filling == "IFCWINDOW" ? ",1.,1.,$,$,$" : ",$");
         hut.opening(wall, hut.block({1.0, 0.15, 0.4}, {2.0, 0.31, 1.6}), thing);
         const Scene scene = hut.scene();
-        const bool leads_through = filling == "IFCDOOR";  // nobody could pass it, so a way is cut free and reported
+        // Nobody could pass this door, so the reader cuts a passage and reports it.
+        const bool leads_through = filling == "IFCDOOR";
         EXPECT_EQ(in_a_solid(scene, {1.05, 0.1, 1.2}), true);
         EXPECT_EQ(in_a_solid(scene, {1.5, 0.1, 1.2}), !leads_through);
         if (filling != "IFCWINDOW") {
-            EXPECT_FALSE(in_a_solid(scene, {1.05, 0.2, 1.2}));  // else the pane
+            EXPECT_FALSE(in_a_solid(scene, {1.05, 0.2, 1.2}));  // a window has its pane there
         }
     }
 }
@@ -129,11 +130,11 @@ TEST(PartsOfIfc, are_cut_through_by_windows_that_end_at_their_faces) {
     Hut hut;
     const int wall = hut.part("IFCWALL", "South", hut.block(kWall.min_m, kWall.max_m), ",$");
     const int window = hut.part("IFCWINDOW", "Window", hut.block({1.0, 0.1, 1.0}, {2.0, 0.2, 2.0}), ",1.,1.,$,$,$");
-    hut.opening(wall, hut.block({1.0, 0.005, 1.0}, {2.0, 0.295, 2.0}), window);  // 5 mm short on both sides
+    hut.opening(wall, hut.block({1.0, 0.005, 1.0}, {2.0, 0.295, 2.0}), window);  // it ends 5 mm before each face
     EXPECT_FALSE(in_a_solid(hut.scene(), {1.5, 0.002, 1.5}));
 }
 
-// A wall that comes already cut, with an opening that says so as well; and one whose opening lies beside it.
+// A wall that is already cut and also has a matching opening, and one whose opening is beside it.
 TEST(PartsOfIfc, that_come_already_cut_need_no_cut) {
     for (const bool beside : {false, true}) {
         Hut hut;
@@ -154,7 +155,7 @@ TEST(PartsOfIfc, that_come_already_cut_need_no_cut) {
 }
 
 TEST(DoorsOfIfc, without_an_opening_are_cut_as_the_whole_leaf) {
-    for (const double off : {0.0, 0.1, 0.25}) {  // in the wall, and hung before it
+    for (const double off : {0.0, 0.1, 0.25}) {  // in the wall, and hung in front of it
         SCOPED_TRACE(off);
         Hut hut;
         hut.part("IFCSLAB", "Floor", hut.block({-3.0, -3.0, -0.2}, {9.0, 5.0, 0.0}), ",$");
@@ -167,7 +168,7 @@ TEST(DoorsOfIfc, without_an_opening_are_cut_as_the_whole_leaf) {
                     EXPECT_FALSE(in_a_solid(scene, {x, y, z})) << x << " " << y << " " << z;
         EXPECT_TRUE(in_a_solid(scene, {2.48, 0.15, 1.0}));
         EXPECT_TRUE(in_a_solid(scene, {3.0, 0.15, 2.15}));
-        EXPECT_TRUE(in_a_solid(scene, {3.0, 0.15, -0.1}));  // the floor stays
+        EXPECT_TRUE(in_a_solid(scene, {3.0, 0.15, -0.1}));  // the floor remains
         const HonestReport report = honest_report(scene);
         EXPECT_EQ(report.doors_cut_free, 1);
         EXPECT_EQ(report.doors_impassable, 0);
@@ -192,12 +193,12 @@ TEST(DoorsOfIfc, that_lead_against_a_wall_are_reported_with_it) {
     }
 }
 
-// Each is said in the report, in what is to be checked, and among the warnings.
+// Each is named in the report, in the list of things to check, and among the warnings.
 TEST(DoorsOfIfc, that_no_body_passes_are_named_with_the_reason) {
     struct Row {
-        Vec3 least, most;  // of the door
+        Vec3 least, most;  // extent of the door
         std::string reason;
-        std::string kind = {}, name = {};  // of what else stands there
+        std::string kind = {}, name = {};  // class and name of the other part there
         Vec3 from = Vec3(0.0), to = Vec3(0.0);
     };
     const Row rows[] = {
@@ -244,7 +245,7 @@ TEST(DoorsOfIfc, that_no_body_passes_are_named_with_the_reason) {
 }
 
 TEST(PartsOfIfc, stand_where_the_axes_of_a_grid_cross) {
-    for (const bool relative : {false, true}) {  // IFC 4.3 has one attribute more
+    for (const bool relative : {false, true}) {  // IFC 4.3 has an additional attribute
         SCOPED_TRACE(relative);
         Hut hut;
         const auto axis = [&](const Vec3& from, const Vec3& to, const char* same = ".T.") {
@@ -267,8 +268,8 @@ TEST(PartsOfIfc, stand_where_the_axes_of_a_grid_cross) {
             hut.part("IFCCOLUMN", "Column", hut.block({-0.2, -0.2, 0.0}, {0.2, 0.2, 3.0}), ",$", at);
         };
         column(one, a, "(0.,0.)");
-        column(two, b, "(0.,0.)");         // the axis ends before it
-        column(back, b, "(0.5,0.,0.25)");  // to the left of an axis that runs the other way, and higher
+        column(two, b, "(0.,0.)");         // the axis ends before the column
+        column(back, b, "(0.5,0.,0.25)");  // on the left of an axis in the opposite direction, and higher
         const Scene scene = hut.scene();
         EXPECT_TRUE(in_a_solid(scene, {100.0, 0.0, 1.5}));
         EXPECT_TRUE(in_a_solid(scene, {106.0, 7.0, 1.5}));
@@ -369,10 +370,10 @@ TEST(MissingParts, are_named_with_their_guid_storey_and_reason) {
     EXPECT_THAT(said, testing::Not(testing::HasSubstr("Floor")));
 }
 
-// Sweeps that grow or shrink are made straight, so they show a part that lacks volume, and one that has too much.
+// Sweeps that grow or shrink are read as straight, so they make a part with too little volume, and one with too much.
 TEST(MissingParts, are_named_when_they_hold_another_volume) {
     struct Row {
-        double from, to;  // side of the square
+        double from, to;  // side of the square at each end
         std::string said;
         bool mapped = false;
     };
@@ -391,7 +392,7 @@ TEST(MissingParts, are_named_when_they_hold_another_volume) {
         const int up = hut.add("IFCDIRECTION((0.,0.,1.))"), from = square(row.from), to = square(row.to);
         int item = hut.add("IFCEXTRUDEDAREASOLIDTAPERED(" + Hut::ref(from) + ",#2," + Hut::ref(up) + ",3.," +
                            Hut::ref(to) + ")");
-        if (row.mapped) {  // also by a copy of another size
+        if (row.mapped) {  // also as a copy of another size
             const int shape = hut.add("IFCSHAPEREPRESENTATION(#5,'Body','SweptSolid',(" + Hut::ref(item) + "))");
             const int map = hut.add("IFCREPRESENTATIONMAP(#2," + Hut::ref(shape) + ")");
             item = hut.add("IFCMAPPEDITEM(" + Hut::ref(map) + "," +
@@ -413,7 +414,7 @@ TEST(MissingParts, are_named_when_they_hold_another_volume) {
     }
 }
 
-// Cuts are compared place by place with what the file says, whatever they are made of.
+// The cuts are compared with the file place by place, whatever they are made of.
 TEST(MissingParts, are_not_named_when_all_cuts_were_made) {
     std::mt19937 random(7);
     const auto at = [&](double from, double to) { return std::uniform_real_distribution<double>(from, to)(random); };
@@ -436,7 +437,7 @@ TEST(MissingParts, are_not_named_when_all_cuts_were_made) {
 }
 
 TEST(MissingParts, are_named_when_they_were_not_cut) {
-    Hut round;  // by a surface that is not read
+    Hut round;  // by a surface of a kind that is not read
     const int surface = round.add("IFCCYLINDRICALSURFACE(" + Hut::ref(round.placed({3.0, 0.0, 0.0})) + ",1.)");
     const int half = round.add("IFCHALFSPACESOLID(" + Hut::ref(surface) + ",.T.)");
     round.part("IFCWALL", "North", round.less(round.block(kWall.min_m, kWall.max_m), half), ",$");
@@ -444,7 +445,7 @@ TEST(MissingParts, are_named_when_they_were_not_cut) {
     ASSERT_EQ(honest_report(uncut).parts_missing, 1);
     EXPECT_THAT(check_words(uncut, honest_report(uncut).check[0]),
                 testing::HasSubstr("has not been cut: IFCHALFSPACESOLID could not be cut away"));
-    Hut far;  // by an outline whose corners lie too far away to be taken
+    Hut far;  // by an outline whose corners are too far away to be accepted
     std::vector<int> corners;
     for (const Vec2& p : {Vec2(-2e7, -2e7), Vec2(2e7, -2e7), Vec2(2e7, 2e7), Vec2(-2e7, 2e7), Vec2(-2e7, -2e7)})
         corners.push_back(far.point({p.x, p.y, 0.0}));
@@ -479,7 +480,7 @@ TEST(MissingParts, know_what_a_closed_skin_encloses) {
 }
 
 TEST(RoomsOfIfc, without_a_slab_get_a_floor_that_is_reported) {
-    for (const double high : {3.0, 0.5}) {  // and none what is too low to be a room
+    for (const double high : {3.0, 0.5}) {  // a space that is too low for a room gets no start
         SCOPED_TRACE(high);
         Hut hut;
         hut.part("IFCSLAB", "Floor", hut.block({0.0, 0.0, -0.2}, {10.0, 5.0, 0.0}), ",$");
@@ -499,7 +500,7 @@ TEST(RoomsOfIfc, without_a_slab_get_a_floor_that_is_reported) {
     }
 }
 
-// A hut over a cellar with three doors within, and one door out of the hut.
+// A hut over a cellar with three inner doors, and one door out of the hut.
 TEST(StartsOfIfc, without_rooms_are_before_doors_to_the_open_sky) {
     for (const bool out_to_south : {true, false}) {
         SCOPED_TRACE(out_to_south);
@@ -602,7 +603,7 @@ TEST(RoomsOfIfc, have_their_goal_where_one_comes_to_from_the_base) {
     ASSERT_NE(hall, graph.rooms.end());
     const std::vector<bool> reached = spans_reached(*space, space->at(placed.starts[0].feet_m));
     EXPECT_TRUE(reached[space->at(hall->middle_m)]);
-    // And from the gallery it is the place of the room on the gallery that is nearest to that.
+    // From the gallery, the destination is the nearest place of the room on the gallery itself.
     const auto room = static_cast<std::uint32_t>(hall - graph.rooms.begin());
     const Result<std::shared_ptr<Navigation>> ways = Navigation::make(placed, WalkBody{});
     ASSERT_TRUE(ways.has_value());
@@ -618,7 +619,7 @@ TEST(RoomsOfIfc, have_their_goal_where_one_comes_to_from_the_base) {
     EXPECT_EQ(goal_in_room(**ways, graph, room, placed.starts[0].feet_m), hall->middle_m);
 }
 
-// Some programs give the parts national coordinates and leave the storeys at zero.
+// Some programs give parts national coordinates but leave the storeys at zero.
 TEST(StoreysOfIfc, are_as_high_as_the_parts_on_a_national_grid) {
     for (const std::string kind : {"IFCBUILDINGELEMENTPROXY", "IFCWALL"})
         for (const double height_m : {0.0, 71.0, -3.0, 2412.5})
@@ -632,14 +633,15 @@ TEST(StoreysOfIfc, are_as_high_as_the_parts_on_a_national_grid) {
                 hut.part(kind, "Slab", hut.block({0.0, 0.0, 2.6}, {6.0, 4.0, 2.8}), ",$", there);
                 const Scene scene = hut.scene("IFC4", storeys_too ? grid : Vec3(0.0));
                 ASSERT_TRUE(scene.stated);
-                // The wall is 5.6 m high, the ground under it a little lower.
+                // The wall is 5.6 m high, and the ground under it is a little lower.
                 EXPECT_NEAR(scene.bounds_m.max_m.z, 5.6, 1e-6);
                 EXPECT_NEAR(scene.stated->storeys.front().floor_m, 0.0, 1e-6);
                 EXPECT_NEAR(scene.stated->storeys.back().floor_m, storeys_too ? 0.0 : 2.8, 1e-6);
             }
 }
 
-// Rooms of a house with half-storeys, side by side; and a sunken part of a storey, which the file states as no storey.
+// Rooms of a house with half-storeys, side by side, and a sunken part of a storey that the file does not state as a
+// storey.
 TEST(RoomsOfIfc, on_half_storeys_are_on_storeys_of_their_own) {
     for (const bool stated : {true, false}) {
         SCOPED_TRACE(stated);
@@ -690,7 +692,7 @@ TEST(DoorsOfIfc, without_names_are_told_in_whole_sentences) {
         const int wall = hut.part("IFCWALL", "South", hut.block({0.0, 0.0, 0.0}, {6.0, 0.3, 3.0}), ",$");
         const int door = hut.part("IFCDOOR", name, hut.block({2.0, 0.1, 0.0}, {3.0, 0.15, 2.1}), ",2.1,1.,.DOOR.,$,$");
         hut.opening(wall, hut.block({2.0, 0.0, 0.0}, {3.0, 0.3, 2.1}), door);
-        hut.part("IFCWALL", name, hut.block({2.0, 0.1, 0.0}, {3.0, 0.2, 2.1}), ",$");  // stands in the doorway
+        hut.part("IFCWALL", name, hut.block({2.0, 0.1, 0.0}, {3.0, 0.2, 2.1}), ",$");  // blocks the doorway
         const Scene scene = hut.scene();
         std::string said;
         for (const Diagnostic& warning : scene.report.warnings) said += warning.message + "\n";
@@ -707,7 +709,7 @@ TEST(DoorsOfIfc, without_names_are_told_in_whole_sentences) {
     }
 }
 
-// A skin that is not closed is compared by its faces, and a face that cannot be taken is counted.
+// An open skin is compared by its faces, and faces that cannot be read are counted.
 TEST(MissingParts, of_open_skins_and_lost_faces_are_named) {
     for (const bool damaged : {false, true}) {
         SCOPED_TRACE(damaged);
@@ -727,7 +729,7 @@ TEST(MissingParts, of_open_skins_and_lost_faces_are_named) {
     }
 }
 
-// Turned and swept solids hold what their outlines and lengths say.
+// Revolved and swept solids have the volume that follows from their outlines and lengths.
 TEST(MissingParts, know_what_turned_and_swept_solids_hold) {
     for (const double inner : {0.0, 0.1}) {
         Hut hut;

@@ -1,4 +1,4 @@
-// Furniture of which a file says the kind and the place but no form.
+// Furniture for which a file states kind and place but no shape.
 #include <gmock/gmock.h>
 
 #include "tests/unit/ifc/ifc_text.h"
@@ -12,7 +12,7 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// Ids from 1000 on; #13 is the building's placement, at zero.
+// Ids begin at 1000; #13 is the building's placement, at zero.
 std::string placed(int id, double x, double y) {
     return fmt::format(
         "#{0}=IFCCARTESIANPOINT(({2},{3},0.));\n#{1}=IFCAXIS2PLACEMENT3D(#{0},$,$);\n"
@@ -44,14 +44,14 @@ TEST(IfcPrefabs, stand_where_a_file_gives_a_kind_and_a_place_but_no_form) {
         "#1014=IFCFURNITURETYPE('t1',$,'Schreibtisch 140',$,$,$,$,$,$,.NOTDEFINED.,.NOTDEFINED.);\n"
         "#1015=IFCRELDEFINESBYTYPE('r1',$,$,$,(#1013),#1014);\n" +
         placed(1020, 1.0, 3.0) + "#1023=IFCTRANSPORTELEMENT('p3',$,'L1',$,$,#1022,$,$,.ELEVATOR.);\n");
-    // A toilet at (2, 2): its pan to the front, its cistern behind.
+    // A toilet at (2, 2): its pan in front, its cistern behind.
     EXPECT_TRUE(test::in_a_solid(scene, {2.0, 2.1, 0.2}));
     EXPECT_TRUE(test::in_a_solid(scene, {2.0, 1.75, 0.7}));
     EXPECT_FALSE(test::in_a_solid(scene, {2.0, 2.1, 0.6}));
-    // A desk at (5, 1): its top, and free under it.
+    // A desk at (5, 1): its top, and free space below.
     EXPECT_TRUE(test::in_a_solid(scene, {5.3, 1.1, 0.72}));
     EXPECT_FALSE(test::in_a_solid(scene, {5.0, 1.1, 0.4}));
-    // A lift's cabin at (1, 3): its back, and free within.
+    // A lift's cabin at (1, 3): its back, and free space inside.
     EXPECT_TRUE(test::in_a_solid(scene, {1.0, 3.0 - 0.725, 1.0}));
     EXPECT_FALSE(test::in_a_solid(scene, {1.0, 3.0, 1.0}));
     EXPECT_EQ(scene.stated->furnishings.size(), 2U);

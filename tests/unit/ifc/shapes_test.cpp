@@ -1,4 +1,4 @@
-// Outlines, cuts and shells, each against asking point by point.
+// Outlines, cuts and shells, each compared with a test of many single points.
 #include <gmock/gmock.h>
 
 #include <random>
@@ -69,7 +69,7 @@ TEST(ConvexParts, leave_a_convex_outline_whole_and_cut_an_l_in_two) {
     EXPECT_TRUE(convex_parts({{{0, 0}, {1, 0}, {2, 0}}}).empty());
 }
 
-// Corners at rising angles round a middle, near and far in turn: triangles, slivers and concave outlines.
+// Corners at rising angles around a middle, alternately near and far: triangles, slivers and concave outlines.
 Ring outline_around(std::mt19937& random, const Vec2& middle, double least_m, double most_m, std::size_t fewest) {
     std::uniform_real_distribution<double> share(0.0, 1.0);
     std::vector<double> angles(fewest + random() % 10);
@@ -97,7 +97,7 @@ TEST(Prism, keeps_the_area_of_any_outline) {
         std::vector<Ring> rings;
         if (round % 4 == 0) rings.push_back(sliver(random));
         else rings.push_back(outline_around(random, {share(random), share(random)}, 2.5, 15.0, round % 4 == 3 ? 6 : 3));
-        if (round % 4 == 3) rings.push_back(outline_around(random, {0.5, 0.5}, 0.05, 0.4, 3));  // a hole
+        if (round % 4 == 3) rings.push_back(outline_around(random, {0.5, 0.5}, 0.05, 0.4, 3));  // adds a hole
         if (round % 3 == 0) std::reverse(rings.front().begin(), rings.front().end());
         double right_m2 = std::abs(signed_area(rings.front()));
         if (rings.size() > 1) right_m2 -= std::abs(signed_area(rings.back()));
@@ -105,7 +105,7 @@ TEST(Prism, keeps_the_area_of_any_outline) {
         const double angle = round % 5 == 0 ? 0.0 : 2.0 * kPi * share(random);
         frame.x = {std::cos(angle), std::sin(angle), 0.0};
         frame.y = {-std::sin(angle), std::cos(angle), 0.0};
-        if (round % 7 == 0) frame.y = -frame.y;  // a mirror image
+        if (round % 7 == 0) frame.y = -frame.y;  // makes a mirror image
         const double high_m = round % 2 ? 0.25 : -3.0;
         double held_m3 = 0.0;
         for (const Ring& part : convex_parts(rings)) {
@@ -144,7 +144,7 @@ TEST(CutAway, takes_what_both_hold_and_nothing_else) {
     }
 }
 
-// An L of 3 by 3 m, 1 m thick, 2 m high, as faces.
+// The faces of an L of 3 by 3 m, 1 m thick and 2 m high.
 std::vector<FlatFace> l_shell() {
     const Ring outline{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}};
     std::vector<FlatFace> faces(2);

@@ -1,4 +1,4 @@
-// A house of our own, small enough to be worked out by hand, always at hand.
+// Our own house, small enough to be worked out by hand and always available.
 #include <gmock/gmock.h>
 
 #include <map>
@@ -85,7 +85,7 @@ TEST(SmallHouse, is_solid_where_walls_are_and_free_where_doors_were_cut) {
 TEST(SmallHouse, has_leaves_that_swing_as_ifc_says) {
     const Scene scene = scene_of(test::small_house());
     ASSERT_EQ(scene.movers.size(), 2U);
-    // Of the front door x runs east and it opens north, about its west edge: counter-clockwise.
+    // The front door's x axis points east. The door opens to the north about its west edge, so counter-clockwise.
     EXPECT_NEAR(scene.movers[0].swing_rad, 0.5 * kPi, 1e-12);
     EXPECT_NEAR(scene.movers[0].pivot_m.x, 1.005, 1e-6);
     EXPECT_EQ(scene.features[scene.movers[0].feature.value].hinge, "west");
@@ -110,7 +110,8 @@ TEST(SmallHouse, is_walked_through_by_the_rooms_of_its_file) {
     EXPECT_TRUE((*navigation)->reachable(scene.starts[0].feet_m, scene.stated->rooms[1].at_m));
 }
 
-// What is found in a building: rooms, what joins them, and ways from place to place. `shift_m`: where its zero lies.
+// The findings in a building: rooms, what joins them, and route lengths from place to place. `shift_m`: the position of
+// its zero.
 struct FoundInIt {
     std::vector<std::string> rooms, joins;
     std::vector<Vec3> doors_m;
@@ -146,9 +147,9 @@ FoundInIt found_in(const Scene& scene, const Vec3& shift_m) {
     return found;
 }
 
-// The same house as another program writes it: IFC 4 in feet, a site elsewhere, walls by their middle lines, openings
-// in the coordinates of their walls, a table as a mapped tessellation, spaces as shells with boundaries, all in another
-// order.
+// The same house as another program writes it: IFC 4 in feet, a site elsewhere, and walls by their middle lines.
+// Openings are in the coordinates of their walls, a table is a mapped tessellation, and spaces are shells with
+// boundaries. Everything is in another order.
 TEST(SmallHouse, written_by_another_program_has_the_same_rooms_doors_joins_and_ways) {
     constexpr double kSame_m = 0.05;
     const Scene one = scene_of(test::small_house()),
@@ -202,7 +203,7 @@ TEST(SmallHouse, written_by_another_program_has_the_same_rooms_doors_joins_and_w
 }
 
 TEST(SmallHouse, joins_rooms_between_which_the_file_has_a_border_but_no_wall) {
-    // Both rooms as far as the middle of the wall between, which is there or not, and a border that is none.
+    // Both rooms reach to the middle of the wall between them, with or without that wall. Also a virtual border.
     std::string walled = test::small_house();
     for (const char* corner : {"#159=IFCCARTESIANPOINT((3.95,0.))", "#160=IFCCARTESIANPOINT((3.95,4.))",
                                "#168=IFCCARTESIANPOINT((4.05,0.))", "#171=IFCCARTESIANPOINT((4.05,4.))"})
@@ -238,7 +239,7 @@ TEST(SmallHouse, joins_rooms_between_which_the_file_has_a_border_but_no_wall) {
     EXPECT_TRUE(openings(scene_of(test::small_house())).empty());
 }
 
-// Many a file has walls and doors and states no room.
+// Many files have walls and doors but state no rooms.
 TEST(SmallHouse, without_rooms_is_begun_before_a_door_and_without_doors_on_the_ground) {
     const auto without = [](std::string text, const std::string& kind) {
         for (std::size_t at = text.find(kind); at != std::string::npos; at = text.find(kind)) {
@@ -277,7 +278,7 @@ TEST(SmallHouse, guesses_what_walls_are_made_of_and_says_so) {
 
 TEST(SmallHouse, stands_where_it_is_when_its_site_lies_thousands_of_kilometres_away) {
     const std::string text = test::small_house();
-    // The one placement that leads from the site: its point becomes one near Karlsruhe in Gauss-Krueger metres.
+    // The one placement below the site: its point becomes one near Karlsruhe in Gauss-Krueger metres.
     const std::size_t line = text.find("=IFCLOCALPLACEMENT($,#");
     ASSERT_NE(line, std::string::npos);
     const std::string axis = text.substr(line + 22, text.find(')', line) - line - 22);
@@ -296,7 +297,7 @@ TEST(SmallHouse, stands_where_it_is_when_its_site_lies_thousands_of_kilometres_a
 }
 
 TEST(SmallHouse, opens_a_door_by_a_box_where_something_stands_in_it_and_names_both) {
-    // A beam in the place and of the form of the wall between, without an opening.
+    // A beam with the place and shape of the wall between the rooms, without an opening.
     const std::string text = test::small_house();
     const std::size_t at = text.find("'middle'");
     ASSERT_NE(at, std::string::npos);
@@ -311,13 +312,13 @@ TEST(SmallHouse, opens_a_door_by_a_box_where_something_stands_in_it_and_names_bo
     ASSERT_EQ(scene.report.warnings.size(), 1U);
     EXPECT_THAT(scene.report.warnings[0].sentence(), AllOf(HasSubstr("inner door"), HasSubstr("forgotten beam")));
     EXPECT_FALSE(test::in_a_solid(scene, {4.0, 1.45, 1.0}));
-    // A second such wall is the same one.
+    // A second wall of this kind counts as the same one.
     const Scene twice = scene_of(test::with_instances(text, wall));
     EXPECT_FALSE(twice.stated->portals[1].opened_by_box);
     EXPECT_TRUE(twice.stated->portals[1].passable);
 }
 
-// Its own openings are cut whichever of them is the first.
+// Its own openings are cut, whichever copy comes first.
 TEST(SmallHouse, is_felt_once_where_a_wall_stands_in_its_file_many_times) {
     const std::string house = test::small_house();
     const Result<Scene> once = read_ifc(house, "once.ifc");

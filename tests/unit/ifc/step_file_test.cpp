@@ -1,4 +1,4 @@
-// The file format below IFC: strings, values, and what is said of damage.
+// The file format below IFC: strings, values, and the reports of damage.
 #include <gmock/gmock.h>
 
 #include "tests/unit/ifc/ifc_text.h"

@@ -1,4 +1,4 @@
-// Whatever a file holds, it becomes a world or one sentence.
+// Whatever a file contains, reading it gives a world or one sentence.
 #include <gmock/gmock.h>
 
 #include <array>
@@ -68,7 +68,7 @@ TEST(IfcTorture, shapes_that_hold_themselves_end) {
     EXPECT_THAT(scene->report.left_out, testing::Contains(HasSubstr("IFCBOOLEANRESULT")));
 }
 
-// A file of which some bytes, numbers and lines are others.
+// The text with some bytes, numbers and lines changed.
 std::string mutated(const std::string& text, std::mt19937& random) {
     std::string other = text;
     for (std::uint32_t edits = 1 + random() % 5; edits > 0; --edits) {
@@ -84,7 +84,7 @@ std::string mutated(const std::string& text, std::mt19937& random) {
             case 2:
                 if (line != std::string::npos && end != std::string::npos) other.erase(line, end - line);
                 break;
-            default: {  // one number or reference for another
+            default: {  // replaces one number or reference by another
                 const std::size_t digit = other.find_first_of("0123456789", at);
                 if (digit != std::string::npos) other[digit] = static_cast<char>('0' + random() % 10);
             }

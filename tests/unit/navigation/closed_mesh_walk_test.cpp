@@ -1,4 +1,4 @@
-// Closed meshes that are not convex cannot be walked into, not even from a start that lies in one.
+// Closed meshes that are not convex cannot be entered on foot, not even from a start inside one.
 #include <gtest/gtest.h>
 
 #include "tests/support/block_mesh.h"
@@ -9,7 +9,7 @@ namespace handrail {
 namespace closed_mesh_walk_test {
 
 TEST(WalkSpace, has_no_place_within_a_closed_mesh_of_any_form) {
-    // A court of 12 by 12 m, in it a horseshoe of rocks 2 m thick and 3 m high, around a yard of 3 by 4 m.
+    // A court of 12 by 12 m with a horseshoe of rocks, 2 m thick and 3 m high, around a yard of 3 by 4 m.
     const test::BlockMesh floor =
         test::block_mesh({{0, 0, 0}}, [](const Vec3& p) { return Vec3(0, 0, -0.5) + p * Vec3(12, 12, 0.5); });
     std::set<test::Block> blocks;
@@ -30,7 +30,7 @@ TEST(WalkSpace, has_no_place_within_a_closed_mesh_of_any_form) {
     std::size_t in_the_yard = 0, on_the_floor = 0;
     for (std::uint32_t s = 0; s < space->spans.size(); ++s) {
         const Vec3 feet = space->place_m(s);
-        if (feet.z > 1.0) continue;  // on the rocks
+        if (feet.z > 1.0) continue;  // the places on top of the rocks
         ++on_the_floor;
         for (const double up : {0.3, 0.9, 1.7}) ASSERT_FALSE(rocks.holds(feet + Vec3(0.001, 0.001, up))) << feet.x;
         in_the_yard += feet.x > 4 && feet.x < 7 && feet.y > 4 && feet.y < 8 ? 1 : 0;

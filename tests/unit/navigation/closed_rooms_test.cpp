@@ -1,4 +1,5 @@
-// Rooms that nothing leads to are rooms, and told as out of reach; tops of walls, roofs and things are none.
+// Rooms to which nothing leads are still rooms, reported as out of reach. Tops of walls, roofs and things are not
+// rooms.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -16,10 +17,10 @@ namespace closed_rooms_test {
 
 constexpr double kCell_m = 3.0, kWall_m = 0.2, kHigh_m = 2.6;
 
-// Rooms of 3 by 3 m in rows, with doorways between some of them; the base is in the first.
+// Rooms of 3 by 3 m in rows, with doorways between some of them; the base is in the first room.
 struct Rows {
     int wide = 1, deep = 1;
-    std::vector<std::array<int, 2>> doorways;  // pairs of neighbours
+    std::vector<std::array<int, 2>> doorways;  // pairs of neighbouring rooms
     bool ceiling = true;
     Vec3 at_m{0.0};
 
@@ -45,7 +46,7 @@ struct Rows {
                     continue;
                 const Vec3 corner((cell % wide) * kCell_m, (cell / wide) * kCell_m, 0.0);
                 const bool open = joins(cell, next);
-                // Along the wall from 0 to the length of a room, with a doorway of 1 m in its middle.
+                // A wall from 0 to the length of a room; if it has a doorway, that is 1 m wide and in its middle.
                 for (const auto& [from, to] : open ? std::vector{std::pair(0.0, 1.0), std::pair(2.0, kCell_m)}
                                                    : std::vector{std::pair(0.0, kCell_m)}) {
                     const bool to_the_east = step == 1 && wide > 1;
@@ -85,7 +86,7 @@ TEST(ClosedRooms, are_counted_named_or_not_with_a_ceiling_or_without) {
 
 TEST(ClosedRooms, are_no_roofs_tops_of_things_or_shafts) {
     test::SceneBuilder b = Rows{1, 1, {}, true, Vec3(0.0)}.build();
-    // A parapet round the roof, a high cupboard with room over it, and a shaft of a square metre.
+    // A parapet around the roof, a high cupboard with room above it, and a shaft of a square metre.
     for (const auto& [from, to] :
          {std::pair(Vec3(-0.2, -0.2, 2.8), Vec3(3.2, 0, 3.8)), std::pair(Vec3(-0.2, 3, 2.8), Vec3(3.2, 3.2, 3.8)),
           std::pair(Vec3(-0.2, 0, 2.8), Vec3(0, 3, 3.8)), std::pair(Vec3(3, 0, 2.8), Vec3(3.2, 3, 3.8))})
@@ -101,7 +102,7 @@ TEST(ClosedRooms, are_no_roofs_tops_of_things_or_shafts) {
     EXPECT_TRUE(out_of_reach(*b.share()).empty());
 }
 
-// Every room can be stood in, and one comes to those that doorways join with the first.
+// A walker can stand in every room, and can reach the rooms that doorways join with the first.
 TEST(ClosedRooms, agree_with_the_doorways_of_random_rows) {
     std::mt19937_64 random(test::seed_of_run());
     const auto chance = [&](double part) { return std::uniform_real_distribution(0.0, 1.0)(random) < part; };

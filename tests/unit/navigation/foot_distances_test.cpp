@@ -1,4 +1,4 @@
-// Distances on foot from doorway to doorway against all pairs of them by Floyd and Warshall.
+// Walking distances from doorway to doorway, compared with all pairs by the Floyd-Warshall algorithm.
 #include "worlds/navigation/foot_distances.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ RoomGraph random_building(std::mt19937& random, int rooms, int portals) {
     return graph;
 }
 
-// All places at once: every doorway on either side, as somebody stands in a room before it.
+// Treats all places at once: both sides of every doorway, at the place where a person in the room stands before it.
 double shortest_m(const RoomGraph& graph, std::uint32_t from, const Vec3& from_m, std::uint32_t to, const Vec3& to_m) {
     struct Place {
         std::uint32_t room;

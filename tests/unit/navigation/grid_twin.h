@@ -1,6 +1,7 @@
-// The brute-force twin of routes: a body walked from square to square through the world that walking itself uses
-// (BodyWorld), by lifting it, moving it and setting it down; then Dijkstra over the squares and the rides on lifts,
-// straightened over all pairs of its squares. Shares no code with worlds/navigation and knows no Recast.
+// The brute-force comparison for routes. A walker is moved from square to square through the world that walking itself
+// uses (BodyWorld), by lifting it, moving it and setting it down. Then Dijkstra's algorithm runs over the squares and
+// the lift rides, and the path is straightened over all pairs of its squares. It shares no code with worlds/navigation
+// and does not use Recast.
 #pragma once
 
 #include <map>
@@ -18,15 +19,16 @@ namespace handrail::test {
 
 class GridTwin {
 public:
-    // Doors are left out of the world. `side_m`: of a square.
+    // Doors are left out of the world. `side_m`: the size of a square.
     GridTwin(const Scene& scene, const BodySize& body, double side_m);
 
-    // Everything that is reached on foot from there belongs to the grid; true when one can stand there.
+    // Adds everything that can be reached on foot from there to the grid. Returns true if a walker can stand there.
     bool flood_from(const Vec3& feet_m);
-    // The metres from one place to all of `to`, a ride on a lift counted as its height; none where it is not reached.
+    // The distances in metres from one place to all of `to`; none for a place that is not reached. A lift ride counts
+    // as its height.
     std::vector<std::optional<double>> lengths(const Vec3& from_m, const std::vector<Vec3>& to_m) const;
     std::size_t size() const { return places_.size(); }
-    // The nearest square's middle within reach.
+    // The index of the nearest square within reach.
     int nearest(const Vec3& feet_m) const;
 
 private:
@@ -41,23 +43,23 @@ private:
     struct Ride {
         Vec3 low_m{0.0}, high_m{0.0};
     };
-    std::vector<Ride> rides_;  // the middle of each lift's top at both ends of its way
+    std::vector<Ride> rides_;  // the middle of each lift's top, at both ends of its travel
     std::vector<Vec3> places_;
-    std::vector<std::array<int, 8>> next_;  // towards east, north-east, north, ...
+    std::vector<std::array<int, 8>> next_;  // in the order east, north-east, north, ...
     std::map<std::tuple<long, long, long>, int> known_;
 };
 
-// Every how manyth place is taken as the beginning of compared routes: to each place further on, and back.
+// The stride between the places from which compared routes start. They lead to each later place and back.
 inline std::size_t source_stride() { return every(4, 10); }
 
 inline std::vector<Vec3> from_on(const std::vector<Vec3>& places, std::size_t first) {
     return {places.begin() + static_cast<std::ptrdiff_t>(first), places.end()};
 }
 
-// What a route counts where a ride on a lift counts as its height.
+// The length of a route, with each lift ride counted as its height.
 double length_with_rides_m(const Route& route);
 
-// The scene without the leaves of its doors.
+// The scene without its door leaves.
 std::shared_ptr<const Scene> without_doors(const Scene& scene);
 
 }  // namespace handrail::test

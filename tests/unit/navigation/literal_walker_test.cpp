@@ -1,6 +1,6 @@
-// Somebody who knows only the form of legs and never the map: turn so many notches, so many steps or until something
-// stops you, or until the stairs are behind you, open the door. A real body in the real solids, from each room of our
-// house and school to each other, with exact steps and with errors.
+// A walker who knows only the form of legs and never the map. It turns by notches, and walks some steps, or until
+// something stops it, or until the stairs are behind it; it also opens doors. A real body walks in the real solids,
+// from each room of our house and school to each other, with exact steps and with errors.
 #include <ctime>
 #include <filesystem>
 #include <random>
@@ -23,7 +23,7 @@ constexpr double kStep_m = 0.7;
 
 struct Building {
     std::vector<int> thing_of_mover;
-    std::shared_ptr<const Scene> scene;  // its doors are things apart
+    std::shared_ptr<const Scene> scene;  // with its doors as separate things
     std::shared_ptr<Navigation> navigation;
     RoomGraph graph;
     std::unique_ptr<BlindGround> ground;
@@ -56,7 +56,7 @@ struct Building {
     }
 };
 
-// The body, what it can do by itself, and the doors, as the program has them.
+// The body, its own abilities, and the doors, as in the program.
 class Body {
 public:
     explicit Body(const Building& in) : in_(in), size_(body_size(*in.scene, 0.25)), open_(in.ground->all_shut()) {
@@ -71,7 +71,7 @@ public:
         double walked_m = 0.0;
         bool stopped = false;
     };
-    // Until so far, until stopped, or until `over`.
+    // Walks this far, until stopped, or until `over`.
     Went walk(double heading_rad, double most_m, const std::function<bool(double)>& over = {}) {
         constexpr double kSpeed_m_per_s = 1.2, kTick_s = 1.0 / 60.0;
         Went went;
@@ -102,7 +102,7 @@ public:
         }
         return went;
     }
-    // The nearest shut door in reach.
+    // Opens the nearest shut door within reach.
     bool open() {
         constexpr double kReach_m = 1.2;
         const std::vector<WordDoor>& doors = in_.ground->doors();
@@ -151,7 +151,7 @@ private:
     bool fell_ = false;
 };
 
-// What is told of a leg.
+// The announced content of a leg.
 struct Told {
     int turn_notches = 0, steps = 0;
     PaceEnd end = PaceEnd::Steps;
@@ -167,7 +167,7 @@ struct Errors {
     double step_part = 0.0, turn_rad = 0.0, start_m = 0.0;
 };
 
-// Knows the legs and its own body only.
+// Knows only the legs and its own body.
 void follow(Body& body, const std::vector<Told>& legs, const Errors& errors, std::mt19937_64& random) {
     std::uniform_real_distribution<double> either(-1.0, 1.0);
     int notch = 0;
@@ -203,7 +203,7 @@ struct Counted {
     std::string missed;
 };
 
-// The car of a lift may be elsewhere.
+// Also checks the height, because the car of a lift may be elsewhere.
 bool stands(const Building& in, const Vec3& at_m) {
     Body body(in);
     body.place(at_m);
@@ -211,7 +211,7 @@ bool stands(const Building& in, const Vec3& at_m) {
     return std::abs(body.feet_m().z - at_m.z) < 0.1;
 }
 
-// Every how manyth pair of rooms.
+// `every`: the stride between the tried pairs of rooms.
 Counted count(const Building& in, int seeds, std::uint32_t every = 1) {
     Counted counted;
     const std::vector<std::uint32_t> rooms = in.rooms();
@@ -285,7 +285,7 @@ TEST(LiteralWalker, comes_from_each_room_of_the_school_to_each_other) {
     const Counted counted = count(school, 5, test::every(97, 211));
     EXPECT_GT(counted.routes, 1);
     EXPECT_EQ(counted.without, 0);
-    // What was reached; 98 and 95 are the goal.
+    // The achieved shares; the goals are 98 and 95.
     EXPECT_TRUE(test::enough(counted.exact, counted.routes, 98));
     EXPECT_TRUE(test::enough(counted.with_errors, counted.runs, 90));
 }

@@ -1,4 +1,4 @@
-// The generated office buildings: that they are what they say, before anything is measured on them.
+// Checks that the generated office buildings are as described, before anything is measured in them.
 #include <set>
 
 #include "tests/support/box_scene.h"
@@ -62,7 +62,7 @@ TEST(OfficeWorld, is_read_without_a_warning_and_each_of_its_rooms_can_be_walked_
         EXPECT_TRUE(behind_doors.contains(r)) << room.name;
         EXPECT_NEAR(room.bounds_m.size_m().x, 4.9, 0.2) << room.name;
     }
-    EXPECT_GE(graph.rooms.size(), 11U);  // 8 rooms, a floor outside them on each storey, the stairs
+    EXPECT_GE(graph.rooms.size(), 11U);  // 8 rooms, a floor outside them on each storey, and the stairs
 }
 
 TEST(Rooms, are_not_found_any_further_once_they_are_given_up) {

@@ -28,7 +28,7 @@ struct Floor {
     std::vector<RoomOutline> outlines;
 };
 
-// By trapezoids below each side.
+// Sums the trapezoids below each side.
 double area_m2(const std::vector<Vec2>& loop) {
     double sum_m2 = 0.0;
     Vec2 from = loop.back();
@@ -39,7 +39,7 @@ double area_m2(const std::vector<Vec2>& loop) {
     return sum_m2;
 }
 
-// How many loops go round a point.
+// How many loops surround a point.
 int loops_around(const RoomOutline& outline, const Vec3& p) {
     int around = 0;
     for (const std::vector<Vec2>& loop : outline.loops_m) {
@@ -53,8 +53,8 @@ int loops_around(const RoomOutline& outline, const Vec3& p) {
     return around;
 }
 
-// The twin: each place to stand lies within a loop of its room; loops have corners only, run with the room on the left
-// and hold no more than its places and what stands among them.
+// Checks each outline against the places. Each place to stand is inside a loop of its room. Loops consist only of
+// corners, run with the room on the left, and enclose no more than its places and the things among them.
 void is_sound(const Floor& floor) {
     ASSERT_EQ(floor.outlines.size(), floor.graph.rooms.size());
     std::vector<int> inside(floor.outlines.size(), 0), all(floor.outlines.size(), 0);
@@ -75,11 +75,11 @@ void is_sound(const Floor& floor) {
             for (std::size_t i = 0; i < loop.size(); ++i) {
                 const Vec2 one = loop[(i + 1) % loop.size()] - loop[i],
                            next = loop[(i + 2) % loop.size()] - loop[(i + 1) % loop.size()];
-                const bool back = one.x * next.x + one.y * next.y < 0.0;  // round the end of a step
+                const bool back = one.x * next.x + one.y * next.y < 0.0;  // turns back at the end of a step
                 EXPECT_TRUE(back || std::abs(one.x * next.y - one.y * next.x) > 1e-6) << "a corner that is none";
             }
         }
-        // Pieces too small to be seen make no loop.
+        // Tiny pieces make no loop.
         const double cell_m2 = floor.space.cell_area_m2();
         EXPECT_GE(inside[r] + static_cast<int>(0.5 / cell_m2), all[r]);
         EXPECT_GE(inside[r], all[r] * 9 / 10) << floor.graph.rooms[r].name;
@@ -120,7 +120,7 @@ TEST(RoomOutlines, hold_each_place_of_their_room_among_random_blocks) {
         }
         b.start({between(0.5, 6.5), between(0.5, 6.5), 0.0}, 0.0);
         const auto scene = b.share();
-        if (!make_walk_space(*scene, walk_body(*scene, 0.25, 1.8, 0.25))) continue;  // the start is in a block
+        if (!make_walk_space(*scene, walk_body(*scene, 0.25, 1.8, 0.25))) continue;  // if the start is inside a block
         is_sound(Floor(*scene));
     }
 }

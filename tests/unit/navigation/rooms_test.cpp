@@ -55,7 +55,7 @@ std::string described(const RoomGraph& graph) {
     return text;
 }
 
-// What must hold in every world.
+// What must be true in every world.
 void is_sound(const World& world) {
     const RoomGraph& graph = world.graph;
     ASSERT_EQ(graph.room_of_span.size(), world.navigation->space().spans.size());
@@ -121,7 +121,7 @@ TEST(Rooms, of_our_house_are_all_found_and_named_and_every_door_joins_two) {
                             [](const Room& r) { return r.kind == RoomKind::Stairs; }));
 }
 
-// The same answer as a grid search for every pair of rooms, and lengths within 5 % and a square.
+// The same answer as a grid search for every pair of rooms, with lengths within 5 % and a square.
 TEST(Rooms, are_joined_by_routes_as_a_grid_search_finds_them_in_every_bundled_world) {
     for (const auto& entry : std::filesystem::directory_iterator(test::project_root() / "worlds" / "maps")) {
         if (entry.path().extension() != ".map") continue;
@@ -141,9 +141,10 @@ TEST(Rooms, are_joined_by_routes_as_a_grid_search_finds_them_in_every_bundled_wo
             const auto lengths = twin.lengths(from, others);
             for (std::size_t i = 0; i < others.size(); ++i)
                 for (const auto& [begin, end] : {std::pair(from, others[i]),
-                                                 std::pair(others[i], from)}) {  // to the twin it is the same both ways
+                                                 // For the grid both directions are equal.
+                                                 std::pair(others[i], from)}) {
                     const Route route = world.navigation->plan(begin, end, RouteWish::Shortest);
-                    if (route.drops) continue;  // the twin never steps off an edge
+                    if (route.drops) continue;  // the grid search never steps off an edge
                     EXPECT_EQ(route.reaches, lengths[i].has_value()) << described(world.graph);
                     if (route.reaches && lengths[i]) {
                         EXPECT_NEAR(test::length_with_rides_m(route), *lengths[i], 0.05 * *lengths[i] + kSide_m)
@@ -180,8 +181,8 @@ TEST(Rooms, of_whole_maps_are_many_and_joined_through_their_doors) {
     }
 }
 
-// Two rooms of 6 by 5 m and a wall between them with a gap; a low table beside a wall leaves a passage as narrow as a
-// door.
+// Two rooms of 6 by 5 m and a wall between them with a gap. In some tests a low table near a wall leaves a passage as
+// narrow as a door.
 std::string two_rooms(double gap_units, const std::string& more = {}) {
     using test::box_brush;
     const double low = 80.0 - 0.5 * gap_units, high = 80.0 + 0.5 * gap_units;
@@ -208,15 +209,14 @@ TEST(Rooms, part_where_walls_come_together_and_not_where_furniture_does) {
     EXPECT_EQ(two.portals[0].kind, PassageKind::Opening);
     EXPECT_NEAR(two.portals[0].width_m, 1.0, 0.2);
     EXPECT_NEAR(two.portals[0].place_m.x, 6.25, 0.3);
-    EXPECT_EQ(rooms_of(two_rooms(160.0)).rooms.size(), 1U);  // no wall at all
-    // A cupboard across most of one open room.
+    EXPECT_EQ(rooms_of(two_rooms(160.0)).rooms.size(), 1U);  // without any wall
+    // A cupboard across most of an open room.
     const RoomGraph one = rooms_of(two_rooms(
         160.0, test::entity("thing", test::key("name", "Cupboard"), test::box_brush(196, 0, 0, 204, 128, 40))));
     EXPECT_EQ(one.rooms.size(), 1U) << described(one);
 }
 
-// Corridors 4 m wide with no door between them: a ring round a block of 20 by 20 m, and an arm of 20 m that leaves it
-// to the west.
+// Corridors 4 m wide without doors: a ring around a block of 20 by 20 m, and an arm of 20 m to the west.
 TEST(Rooms, are_the_straight_stretches_of_corridors_that_turn_and_branch) {
     using test::box_brush;
     const std::string block = box_brush(128, 128, 0, 768, 768, 96);
@@ -228,7 +228,7 @@ TEST(Rooms, are_the_straight_stretches_of_corridors_that_turn_and_branch) {
     for (const Room& room : ring.rooms) EXPECT_EQ(room.name.substr(0, 8), "corridor") << room.name;
     EXPECT_EQ(ring.portals.size(), 5U) << described(ring);  // four corners and the branch
     for (const Portal& portal : ring.portals) EXPECT_NEAR(portal.width_m, 4.0, 0.7) << described(ring);
-    // A hall as large is one room.
+    // A hall of the same size is one room.
     const RoomGraph hall =
         rooms_of(test::entity("worldspawn", test::key("building", "1"), test::room_brushes(0, 0, 0, 896, 896, 96)) +
                  test::entity("info_player_start", test::key("origin", "64 64 24")));
@@ -257,13 +257,13 @@ TEST(Rooms, are_named_by_the_map_the_person_what_is_in_them_or_size_and_place) {
         told.insert(room.name.substr(room.name.rfind(' ') + 1));
     }
     EXPECT_EQ(told, (std::set<std::string>{"east", "west"}));
-    // Two names in one open space: cut apart.
+    // Two names in one open space divide it.
     const std::string both =
         names + test::entity("info_room", test::key("name", "Store") + test::key("origin", "340 80 16"));
     EXPECT_EQ(rooms_of(two_rooms(100.0, both)).rooms.size(), 2U);
 }
 
-// A hall of 20 by 10 m, and along its north wall eight rooms of 2.5 by 2 m that open on it by 0.9 m.
+// A hall of 20 by 10 m. Along its north wall, eight rooms of 2.5 by 2 m open onto it with gaps of 0.9 m.
 TEST(Rooms, of_one_look_and_side_are_told_apart_as_the_second_and_the_third) {
     using test::box_brush;
     std::string walls = test::room_brushes(0, 0, 0, 640, 400, 96);
@@ -343,7 +343,7 @@ TEST(Rooms, tell_their_exits_clockwise) {
     const Vec3 places[] = {{0, 5, 0}, {-5, 0, 0}, {5, 0, 0}, {0, -5, 0}};
     for (std::uint32_t p = 0; p < 4; ++p)
         graph.portals.push_back({PassageKind::Opening, {0, p + 1}, places[p], 1.0, kNoFeature, false});
-    graph.portals.push_back({PassageKind::Drop, {1, 0}, {1, 1, 0}, 1.0, kNoFeature, true});  // leads in, not out
+    graph.portals.push_back({PassageKind::Drop, {1, 0}, {1, 1, 0}, 1.0, kNoFeature, true});  // leads only inwards
     EXPECT_EQ(exits_of(graph, 0, {0, 0, 0}, 0.0), (std::vector<std::uint32_t>{0, 2, 3, 1}));
     EXPECT_EQ(exits_of(graph, 0, {0, 0, 0}, kPi), (std::vector<std::uint32_t>{3, 1, 0, 2}));
     EXPECT_EQ(exits_of(graph, 1, {0, 0, 0}, 0.0).size(), 2U);

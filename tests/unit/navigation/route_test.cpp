@@ -1,4 +1,4 @@
-// Routes against their brute-force twin and in worlds that are strange.
+// Routes compared with a brute-force search, and routes in unusual worlds.
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -33,7 +33,7 @@ Scene bundled(const std::string& name) {
     return std::move(*scene);
 }
 
-// Where the middle of every named thing that stands on a floor can be stood beside.
+// Places next to every named thing on a floor, where a walker can stand.
 std::vector<Vec3> places_beside_things(const Scene& scene, Navigation& navigation) {
     std::vector<Vec3> places;
     for (const Start& start : scene.starts) places.push_back(start.feet_m);
@@ -45,8 +45,8 @@ std::vector<Vec3> places_beside_things(const Scene& scene, Navigation& navigatio
     return places;
 }
 
-// A body that is a little thinner and one that is a little wider: between their ways must lie ours, whatever the
-// squares of the twin happen to miss.
+// One walker is a little thinner and one a little wider. Our route length must be between theirs, whatever the squares
+// of the grid happen to miss.
 constexpr double kThinner_m = 0.03;
 
 struct Twins {
@@ -65,7 +65,7 @@ struct Twins {
 
 void agree(const Route& route, const Vec3& to, std::optional<double> least_m, std::optional<double> most_m,
            double side_m, int& compared) {
-    if (route.drops) return;  // the twin never steps off an edge
+    if (route.drops) return;  // the grid search never steps off an edge
     const bool there = route.reaches && glm::length(route.points_m.back() - to) < 0.4;
     if (most_m) {
         EXPECT_TRUE(there) << "the wider body comes there in " << *most_m;
@@ -79,8 +79,8 @@ void agree(const Route& route, const Vec3& to, std::optional<double> least_m, st
     ++compared;
 }
 
-// Whether one gets from the first place to each, and how long the shortest way is. `back`: and back, which in a
-// building is as far; off a high box one comes, and not up again.
+// Checks whether the walker gets from the first place to each, and the length of the shortest route. `back`: also the
+// way back, which is as long in a building; but from a high box a walker gets down and not up again.
 int agrees_with(const Twins& twins, Navigation& navigation, const Vec3& from, const std::vector<Vec3>& places,
                 bool back) {
     int compared = 0;
@@ -117,7 +117,7 @@ TEST(Routes, agree_with_a_grid_search_between_all_landmarks_of_every_bundled_wor
     }
 }
 
-// Walls with gaps of all widths and boxes of all heights, in a closed field.
+// A closed field with walls that have gaps of all widths, and boxes of all heights.
 Scene random_world(std::mt19937& random, const Vec3& at) {
     SceneBuilder builder;
     const auto draw = [&](double low, double high) {
@@ -134,14 +134,14 @@ Scene random_world(std::mt19937& random, const Vec3& at) {
     box({0, kSize, -0.2}, {kSize, kSize + 0.2, 2.5});
     for (int wall = 1; wall < 3; ++wall) {
         const double x = kSize * wall / 3.0 + draw(-0.5, 0.5), gap = draw(0.0, kSize - 1.0);
-        // Clearly wide enough or clearly too narrow for a body of half a metre.
+        // Clearly wide enough or clearly too narrow for a walker half a metre wide.
         const double width = std::bernoulli_distribution(0.8)(random) ? draw(0.75, 1.2) : draw(0.1, 0.35);
         box({x, 0, 0}, {x + 0.15, gap, 2.5});
         box({x, gap + width, 0}, {x + 0.15, kSize, 2.5});
     }
     for (int i = 0; i < 6; ++i) {
         const Vec3 a{draw(0.5, 8.0), draw(0.5, 8.0), 0};
-        // To walk round or over.
+        // Boxes to walk around or over.
         const double high = std::bernoulli_distribution(0.5)(random) ? draw(0.4, 2.0) : draw(0.05, 0.2);
         box(a, a + Vec3(draw(0.2, 1.5), draw(0.2, 1.5), high));
     }
@@ -170,7 +170,7 @@ TEST(Routes, agree_with_a_grid_search_in_random_worlds_of_boxes_and_walls) {
     }
 }
 
-// Nothing solid on the way: the body of walking itself, moved along every stretch of a route, goes through.
+// The walker's own body moves along every stretch of a route, and nothing solid is in its way.
 TEST(Routes, can_be_walked_by_the_body_that_walks) {
     const Scene scene = bundled("house.map");
     const auto navigation = navigate(scene);
@@ -272,14 +272,14 @@ void say_where_the_way_ends(const Scene& scene) {
         EXPECT_EQ(route.reaches, navigation->reachable(scene.starts.front().feet_m, start.feet_m));
         if (route.reaches) continue;
         EXPECT_GT(route.short_of_m, 1.0);
-        // Where it ends can be reached indeed.
+        // The place where it ends can really be reached.
         EXPECT_TRUE(navigation->plan(scene.starts.front().feet_m, route.points_m.back()).reaches);
     }
     EXPECT_GT(reached, 0);
     EXPECT_GT(not_reached, 0);
 }
 
-// Two rooms of 8 by 4 m behind a wall without a door.
+// Two rooms of 8 by 4 m, separated by a wall without a door.
 TEST(Routes, say_where_the_way_ends_when_a_room_has_no_door) {
     using test::entity;
     using test::key;
@@ -307,8 +307,8 @@ TEST(Routes, take_lifts_both_ways_and_teleporters_and_drops_one_way) {
     using test::box_brush;
     using test::entity;
     using test::key;
-    // A low floor and a high one, 160 units above it, with a lift between them at x 0 to 64; a teleporter at the low
-    // floor's west end leads to a cell of its own.
+    // A low floor, and a high one 160 units above it, with a lift between them at x 0 to 64. A teleporter at the west
+    // end of the low floor leads to a separate cell.
     const std::string text =
         entity("worldspawn", key("wad", ""),
                box_brush(-512, -256, -16, 512, 256, 0) + box_brush(64, -256, 0, 512, 256, 160) +
@@ -351,7 +351,7 @@ TEST(Routes, on_foot_take_the_stairs_where_a_lift_is_nearer) {
     ASSERT_TRUE(scene);
     const auto navigation = navigate(*scene);
     ASSERT_TRUE(navigation);
-    // Before the lift's lower door, and before its upper one.
+    // In front of the lift's lower door, and of its upper one.
     const Vec3 below(14.15, 10.2, 0.0), above(14.15, 10.2, 3.4);
     const auto takes = [](const Route& route, PassageKind kind) {
         return std::any_of(route.passages.begin(), route.passages.end(),
@@ -384,7 +384,7 @@ TEST(Routes, round_a_blocked_door_lead_back_from_right_before_it_and_never_throu
             if (here == kNothing) continue;
             navigation->block(boxes);
             for (const std::uint32_t room : portal.rooms) {
-                // From the middle of the room it can be gone round.
+                // From the middle of the room the walker can go around it.
                 const Vec3 goal = graph.rooms[room].middle_m;
                 if (!navigation->plan(graph.rooms[here].middle_m, goal).reaches) continue;
                 const Route round = navigation->plan(start, goal);
@@ -431,7 +431,7 @@ TEST(Routes, of_worlds_without_floor_are_refused_in_one_sentence) {
 
     SceneBuilder wall;
     wall.box({0, 0, 0}, {4, 0.01, 3});
-    wall.start({2, -1, 0}, 0.0);  // over nothing
+    wall.start({2, -1, 0}, 0.0);  // there is nothing below the start
     EXPECT_FALSE(Navigation::make(wall.scene(), WalkBody{}));
 
     SceneBuilder floor;
@@ -448,7 +448,7 @@ TEST(Routes, of_worlds_without_floor_are_refused_in_one_sentence) {
     EXPECT_EQ(here.length_m, 0.0);
     const Route beyond = (*some)->plan({2, 2, 0}, {50, 2, 0});
     EXPECT_FALSE(beyond.reaches);
-    EXPECT_NEAR(beyond.points_m.back().x, 4.2, 0.15);  // the body stands until all of it is over the edge
+    EXPECT_NEAR(beyond.points_m.back().x, 4.2, 0.15);  // the walker is supported until all of its body is over the edge
     EXPECT_NEAR(beyond.short_of_m, 45.8, 0.2);
 }
 
@@ -465,7 +465,7 @@ TEST(Routes, in_a_huge_world_use_larger_cells_and_say_so) {
     EXPECT_LT((*made)->space().spans.size(), 2'000'000U);
     EXPECT_NEAR((*made)->plan({0, 0, 0}, {30, 40, 0}).length_m, 50.0, 0.5);
 
-    // One block far away makes a small house no larger.
+    // A distant block does not make a small house larger.
     SceneBuilder house;
     house.box({0, 0, -1}, {10, 10, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
     house.box({9e5, 9e5, 0}, {9e5 + 1, 9e5 + 1, 1}, "moon", SolidRole::Solid, {}, FeatureKind::Wall);

@@ -1,4 +1,4 @@
-// Stairs that a file states are walked on where a body can, and taken in one go where it cannot.
+// Stairs that a file states are walked where a body can walk, and taken in one go elsewhere.
 #include "worlds/navigation/stated_stairs.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ StatedRoom room(const std::string& name, const Vec3& least, const Vec3& most) {
     return stated;
 }
 
-// A ground of 10 by 4 m and an upper floor over its eastern end, with stairs between them as they are stated.
+// A ground of 10 by 4 m and an upper floor over its eastern end, with the stated stairs between them.
 struct House {
     test::SceneBuilder b;
     StatedBuilding stated;
@@ -47,7 +47,7 @@ struct House {
         portal.rooms = {0, 1};
         stated.portals.push_back(portal);
     }
-    // A flight of so many steps from the west up to the upper floor.
+    // A flight with this many steps, from the west up to the upper floor.
     FeatureId flight(int steps, double going_m) {
         FeatureId made = kNoFeature;
         for (int k = 0; k < steps; ++k) {
@@ -105,7 +105,8 @@ TEST(StatedStairs, that_one_walks_on_are_no_link) {
     EXPECT_TRUE(climbs(*space).empty());
 }
 
-// Though a body half a metre wide is under the floor above with its back when it is two risers up with its toes.
+// Walkable although the back of a body half a metre wide is still under the floor above when its toes are two risers
+// up.
 TEST(StatedStairs, of_each_form_are_walked_up_and_down) {
     for (const test::StairForm form : test::kStairForms) {
         const test::StairHouse house(form);
@@ -118,9 +119,8 @@ TEST(StatedStairs, of_each_form_are_walked_up_and_down) {
     }
 }
 
-// Where no stairs are stated the same treads carry nobody who is as wide and as tall as they are.
-// Architects' models have walls in pieces one upon the other. A foot that passes the upper one must find no ledge on
-// the lower one.
+// If no stairs are stated, the same treads carry nobody of that width and height. Architects' models have walls in
+// pieces, one on top of the other. A foot that passes the upper piece must find no ledge on the lower one.
 TEST(StatedStairs, next_to_walls_in_pieces_are_as_next_to_whole_walls) {
     std::mt19937 random(20261129);
     const int rounds = test::kSanitizerScale < 1.0 ? 1 : 3;
@@ -168,7 +168,7 @@ TEST(StatedStairs, too_steep_to_walk_on_are_taken_in_one_go_from_their_foot_to_t
     EXPECT_NEAR(foot.x, 7.0 - 5 * 0.3, 0.8) << "before the first step";
     EXPECT_NEAR(head.x, 7.0, 0.8) << "behind the last";
 
-    // The way to the gallery leads over it, there and back, and never on foot.
+    // The route to the gallery uses the link in both directions, and is never on foot.
     const auto scene = house.b.share();
     const auto ways = Navigation::make(*scene, space->body);
     ASSERT_TRUE(ways.has_value());
@@ -217,7 +217,7 @@ TEST(StatedStairs, that_join_nothing_or_lead_to_where_nobody_stands_are_no_link)
     House no_stairs;
     no_stairs.state(kNoFeature);
     no_stairs.stated.portals[0].kind = StatedPortalKind::Opening;
-    House part;  // one step of a flight, as stairs of its own
+    House part;  // one step of a flight, stated as separate stairs
     (void)part.flight(6, 0.3);
     part.state(part.b.box({6.7, 3, 2.0}, {7.0, 4, 2.4}, "stairs"));
     for (House* house : {&level, &alone, &wrong, &high, &no_stairs, &part}) {
@@ -227,7 +227,8 @@ TEST(StatedStairs, that_join_nothing_or_lead_to_where_nobody_stands_are_no_link)
     }
 }
 
-// Whether a body walks up is found by walking; there is a link exactly where it does not, near the origin and far off.
+// Whether a walker gets up is found by walking. There must be a link exactly where it does not, both near the origin
+// and far off.
 TEST(StatedStairs, of_any_steps_are_a_link_exactly_where_nobody_walks_up) {
     std::mt19937 random(17);
     int walked = 0, taken = 0;
@@ -237,7 +238,7 @@ TEST(StatedStairs, of_any_steps_are_a_link_exactly_where_nobody_walks_up) {
         House house(by);
         const int steps = std::uniform_int_distribution<int>(5, 17)(random);
         house.state(house.flight(steps, std::uniform_real_distribution<double>(0.2, 0.35)(random)));
-        if (run % 4 == 3)  // too little room for the head half way up
+        if (run % 4 == 3)  // too little headroom half-way up
             house.b.box(by + Vec3(4, 0, 2.4), by + Vec3(6, 4, 2.5), "beam");
         const Result<WalkSpace> space = house.space();
         ASSERT_TRUE(space.has_value());

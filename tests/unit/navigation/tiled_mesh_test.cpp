@@ -1,4 +1,4 @@
-// Routes over a mesh of several tiles of 64 m: they cross from tile to tile as if the mesh were one.
+// Routes over a mesh of several 64 m tiles: they cross between tiles as if the mesh were one.
 #include <gmock/gmock.h>
 
 #include "tests/support/box_scene.h"
@@ -72,7 +72,7 @@ TEST(TiledMesh, a_drop_leads_across_the_border_of_two_tiles) {
     }
 }
 
-// A teleporter at the west end of a floor of `length_m` to an island beyond its east end.
+// A teleporter at the west end of a floor of `length_m`, which leads to an island beyond its east end.
 Scene with_teleporter(double length_m) {
     SceneBuilder builder;
     builder.box({0, 0, -1}, {length_m, 4, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);

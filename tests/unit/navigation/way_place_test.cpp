@@ -1,4 +1,4 @@
-// The nearest place of a way, beside a twin that looks at a thousand places of each leg.
+// The nearest place of a route, compared with a search of a thousand places of each leg.
 #include "worlds/navigation/way_place.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(NearestOnWay, agrees_with_a_twin_that_looks_everywhere_on_random_ways) {
         std::vector<Vec3> points;
         for (int i = 0, count = 2 + run % 12; i < count; ++i) {
             points.emplace_back(place(random), place(random), place(random));
-            if (i % 5 == 4) points.push_back(points.back());  // a leg without length
+            if (i % 5 == 4) points.push_back(points.back());  // a leg of zero length
         }
         const Vec3 from(place(random), place(random), place(random));
         const WayPlace found = nearest_on_way(points, from), twin = by_looking_everywhere(points, from);
@@ -69,21 +69,21 @@ TEST(NearOnWay, stays_where_one_was_on_a_way_that_passes_near_itself) {
     EXPECT_NEAR(near_on_way(std::vector<Vec3>{{1, 1, 1}}, {1, 1, 3}, 0.0).distance_m, 1.0, 1e-12);
 }
 
-// A wall between the two long legs: the nearer one is no short cut to who does not see it.
+// A wall is between the two long legs. The nearer leg is no short cut for a walker who cannot see it.
 TEST(NearOnWay, takes_no_short_cut_through_what_one_does_not_see_through) {
     const std::vector<Vec3> way{{0, 0, 0}, {10, 0, 0}, {10, 2, 0}, {0, 2, 0}};
     const Vec3 at(4, 0.9, 0);
     const auto before_wall = [&](const Vec3& place) { return place.y < 1.0; };
     EXPECT_NEAR(near_on_way(way, at, 18.0).along_m, 18.0, 1e-12);
     EXPECT_NEAR(near_on_way(way, at, 18.0, 1.0, before_wall).along_m, 4.0, 1e-12);
-    // Nothing is seen: one stays where one was, and is as far off as that is.
+    // If nothing is visible, the place stays the same, and the distance is measured from there.
     const WayPlace stays = near_on_way(way, at, 5.0, 1.0, [](const Vec3&) { return false; });
     EXPECT_NEAR(stays.along_m, 5.0, 1e-12);
     EXPECT_EQ(stays.leg, 0U);
     EXPECT_NEAR(stays.distance_m, glm::length(Vec3(5, 0, 0) - at), 1e-12);
     EXPECT_NEAR(near_on_way(way, at, 11.0, 1.0, [](const Vec3&) { return false; }).place_m.y, 1.0, 1e-12)
         << "on the short leg between";
-    // What is seen only much farther off is not where one is: something thin hides the nearest place.
+    // A visible place much farther off is not the walker's place: something thin only hides the nearest one.
     const auto far_end = [&](const Vec3& place) { return place.x > 9.0; };
     EXPECT_NEAR(near_on_way(way, at, 5.0, 1.0, far_end).along_m, 5.0, 1e-12);
 }

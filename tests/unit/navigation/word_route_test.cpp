@@ -1,5 +1,5 @@
-// Routes for words and the body that follows them, in rooms of a few boxes: what stops a body, what it slides along,
-// the doorway it slides into, and that routes keep off edges and know their own errors.
+// Routes for words and the body that follows them, in rooms made of a few boxes. Tests what stops a body, what it
+// slides along, and the doorway into which it slides. Also tests that routes keep off edges and know their own errors.
 #include "worlds/navigation/word_route.h"
 
 #include <random>
@@ -33,7 +33,7 @@ Room room_of(SceneBuilder& b) {
     room.ground = std::make_unique<BlindGround>(room.navigation->space(), std::vector<WordDoor>{});
     return room;
 }
-// 10 by 10 m, with a wall across at y = 5 and a gap of so many metres round `gap_x`.
+// A space of 10 by 10 m with a wall across it at y = 5, which has a gap of `gap_m` metres around `gap_x`.
 SceneBuilder two_rooms(double gap_x, double gap_m = 0.9) {
     SceneBuilder b;
     b.box({0, 0, -0.2}, {10, 10, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
@@ -58,13 +58,13 @@ TEST(BlindGround, stops_a_body_where_the_walker_stops_and_slides_it_where_the_wa
     const auto part = [&] { return static_cast<double>(random() % 10001) / 10000.0; };
     for (int i = 0; i < 200; ++i) {
         const double x = 0.5 + 9.0 * part(), y = 0.5 + 3.8 * part(), heading = 2.0 * kPi * part(), far = 6.0 * part();
-        // Near the angle at which it either slides or stops, and where a frame is met, the two may differ.
+        // Near the angle that decides between sliding and stopping, and at a frame, the two may differ.
         const double askew = std::abs(std::remainder(heading, 0.5 * kPi));
         if (std::abs(askew - std::asin(kStoppedBelow)) < 0.15) continue;
         BlindBody body = at(room, x, y);
         const Paced paced = room.ground->walk(body, heading, far, PaceEnd::Steps, {});
         if (body.at_m.y > 5.0 || (std::abs(body.at_m.x - 5.0) < 1.2 && body.at_m.y > 3.0))
-            continue;  // through the gap, or lined up with it
+            continue;  // through the gap, or lined up with the gap
         Walker walker(world, body_size(*scene, 0.25));
         walker.place({x, y, 0.0});
         double walked_m = 0.0;
@@ -96,8 +96,8 @@ TEST(BlindGround, slides_a_body_into_the_doorway_whose_frame_it_has_met_and_into
                 EXPECT_LE(std::abs(*aside_m), kLineUp_m + 0.1);
                 EXPECT_LE(*aside_m * off_m, 0.0) << "away from the doorway";
             }
-            // 20 cm are free to each side of the middle, so this far it always finds in, and farther never. On its way
-            // to the wall it comes a little farther to the side.
+            // 20 cm are free on each side of the middle. So up to this offset the body always finds the gap, and
+            // farther off never. On its way to the wall it drifts a little farther to the side.
             const bool sure = std::abs(off_m) < 0.55;
             if (sure) {
                 EXPECT_TRUE(aside_m) << off_m << " " << heading;
@@ -114,14 +114,13 @@ TEST(BlindGround, slides_a_body_into_the_doorway_whose_frame_it_has_met_and_into
             }
         }
     }
-    // A gap of three metres is no doorway: whoever meets its corner is stopped.
+    // A gap of three metres is no doorway: a body that meets its corner is stopped.
     SceneBuilder wide = two_rooms(5.0, 3.0);
     const Room room = room_of(wide);
     EXPECT_FALSE(room.ground->line_up_m(at(room, 3.4, 4.6), 0.0, {}));
 }
 
-// The doorway looked for by strides that each ask for the borders of their cell and go all their way, where no doors
-// are.
+// A plain search for the doorway without doors: each stride checks the borders of its cell and is walked in full.
 struct PlainStrides {
     const WalkSpace& space;
     double stride_m = 0.8 * space.cell_m;
@@ -178,14 +177,15 @@ TEST(BlindGround, lines_up_bit_for_bit_as_strides_do_that_look_at_all_and_go_all
     int there = 0, edges = 0;
     for (const double far_m : {0.0, 1e5}) {
         SceneBuilder b = two_rooms(2.0 + 6.0 * part(), 0.8 + 0.8 * part());
-        b.box({10, 0, -0.2}, {12, 12, 0}, "terrace", SolidRole::Solid, "stone", FeatureKind::Floor);  // to edges
+        // Gives the space edges.
+        b.box({10, 0, -0.2}, {12, 12, 0}, "terrace", SolidRole::Solid, "stone", FeatureKind::Floor);
         b.start({11, 6, 0}, 0.0);
         for (int i = 0; i < 4; ++i) {
             const double x = 9.0 * part(), y = 9.0 * part();
             wall(b, {x, y, 0}, {x + 0.1 + part(), y + 0.1 + part(), 2.6});
         }
         const Room room = room_of(b);
-        WalkSpace moved = room.navigation->space();  // what is far from the origin is coarser by rounding alone
+        WalkSpace moved = room.navigation->space();  // far from the origin, values are coarser only by rounding
         moved.origin_m += Vec3(far_m, -far_m, 0.0);
         const BlindGround ground(moved, {});
         const PlainStrides twin{moved};
@@ -241,7 +241,7 @@ TEST(WordRoute, comes_through_a_doorway_with_errors_in_a_few_legs) {
     }
 }
 
-// A doorway between two rooms belongs to neither outline, whatever the floor in it is counted to.
+// A doorway between two rooms belongs to neither outline, whichever room its floor is counted in.
 TEST(WordRoute, ends_within_the_outline_that_the_file_states_of_a_room) {
     SceneBuilder b = two_rooms(5.0);
     const Room room = room_of(b);
@@ -295,7 +295,7 @@ TEST(WordRoute, there_is_none_to_where_nobody_comes_and_none_once_it_is_stopped)
     EXPECT_FALSE(planner.plan({2, 4, 0}, 0.0, south, {}, {}, stop.get_token()));
 }
 
-// A platform that is left by a drop of half a metre on two sides.
+// A platform with a drop of half a metre on two sides.
 TEST(WordRoute, never_leads_a_body_with_errors_over_an_edge) {
     SceneBuilder b;
     b.box({0, 0, -0.2}, {3, 12, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);

@@ -1,4 +1,4 @@
-// The worlds that ship with the program: read without a word of warning, one floor under every start, nothing that
+// The worlds that come with the program: read without warnings, with one floor under every start, and nothing that
 // overlaps a start.
 #include <filesystem>
 

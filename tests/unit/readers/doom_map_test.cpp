@@ -1,4 +1,4 @@
-// Maps of Doom 3: planes instead of points, and forms that lie around the origin of their entity.
+// Maps of Doom 3: planes instead of points, and shapes relative to the origin of their entity.
 #include "tests/unit/readers/reading.h"
 
 namespace handrail {
@@ -6,7 +6,7 @@ namespace doom_map_test {
 
 using test::reading_of;
 
-// A box of brushDef3, in units.
+// A brushDef3 box, in units.
 std::string box(const Vec3& least, const Vec3& most) {
     std::string text = "{\nbrushDef3\n{\n";
     for (int axis = 0; axis < 3; ++axis)
@@ -56,7 +56,7 @@ TEST(DoomMaps, lose_the_brush_whose_plane_has_no_direction) {
     EXPECT_THAT(reading.said.front(), testing::HasSubstr("no direction"));
 }
 
-// A sine of many control points: no finer than the reader's bound, whatever the file asks for.
+// A sine with many control points is not made finer than the reader's limit, whatever the file requests.
 TEST(DoomMaps, bound_how_fine_a_patch_becomes) {
     std::string patch = "{\npatchDef3\n{\n\"textures/a/b\"\n( 3 3 9999 9999 0 0 0 )\n(\n";
     for (int row = 0; row < 3; ++row) {

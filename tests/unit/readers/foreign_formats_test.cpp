@@ -1,4 +1,4 @@
-// Formats that are known and not read, by their ending and by what is in them.
+// Formats that are recognised but not read, by their ending and by their content.
 #include "worlds/readers/foreign_formats.h"
 
 #include <gmock/gmock.h>
@@ -16,7 +16,7 @@ std::string said_of(const std::string& name, std::string_view bytes) {
     return scene ? "read as " + scene->report.format : scene.error().message;
 }
 
-// The list of an archive with one file of that name, behind the head of its first.
+// The directory of an archive with one file of that name, after the header of its first entry.
 std::string archive_with(const std::string& name) {
     std::string list(46, '\0');
     list.replace(0, 4, "PK\x01\x02");

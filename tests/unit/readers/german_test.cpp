@@ -1,4 +1,4 @@
-// What readers tell, in another language: whole sentences with that language's numbers and word order.
+// The readers' messages in another language: whole sentences with that language's numbers and word order.
 #include "tests/support/map_text.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/readers/reading.h"

@@ -1,5 +1,5 @@
-// Height pictures: every kind of PNG gives the same depths, and what is no picture gives a sentence. The pictures are
-// written here, chunk by chunk.
+// Height pictures: every kind of PNG gives the same depths, and a file that is no picture gives a sentence. The
+// pictures are written here, chunk by chunk.
 #include "worlds/readers/height_picture.h"
 
 #include <functional>
@@ -29,7 +29,7 @@ void add_chunk(std::string& out, const std::string& type, const std::string& dat
     add_number(out, ~crc);
 }
 
-// A zlib stream of stored blocks.
+// A zlib stream of stored blocks, without compression.
 std::string stored(const std::string& raw) {
     std::string out = "\x78\x01";
     for (std::size_t at = 0; at < raw.size() || at == 0; at += 65535) {
@@ -49,7 +49,8 @@ std::string stored(const std::string& raw) {
 }
 
 struct Kind {
-    int colour_type, bits, channels;  // of PNG: 0 grey, 2 colour, 3 palette, 4 grey and alpha, 6 colour and alpha
+    // Colour type of PNG: 0 grey, 2 colour, 3 palette, 4 grey and alpha, 6 colour and alpha.
+    int colour_type, bits, channels;
     bool interlaced;
 };
 
@@ -102,7 +103,7 @@ std::string png(int width, int height, const Kind& kind, const Samples& sample, 
     return out;
 }
 
-// What all pictures below show: 0 to 1 in steps that every depth of bits can hold.
+// The content of all pictures below: 0 to 1 in steps that every bit depth can represent.
 constexpr int kWidth = 13, kHeight = 9;
 double shown(int x, int y, int bits) {
     const int steps = bits == 1 ? 1 : 3;
@@ -157,7 +158,7 @@ TEST(HeightPicture, takes_transparent_for_plain) {
     for (const int bits : {8, 16})
         for (const int channels : {2, 4}) {
             const std::uint32_t full = (1U << bits) - 1;
-            // The value is white everywhere; how opaque it is makes the picture.
+            // The value is white everywhere, and the opacity makes the picture.
             const Samples sample = [&](int x, int y, int channel) {
                 return channel == channels - 1 ? static_cast<std::uint32_t>(std::lround(shown(x, y, bits) * full))
                                                : full;

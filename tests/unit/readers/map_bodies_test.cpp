@@ -1,5 +1,5 @@
-// Things of a map that are free to move: by name as the original has them, or by the key `free`; what is wrong with
-// their keys is told with file and line, and the rest loads.
+// Things of a map that are free to move, by the original's class names or by the key `free`. Faults of their keys are
+// reported with file and line, and the rest loads.
 #include "tests/support/map_text.h"
 #include "tests/unit/readers/reading.h"
 #include "worlds/scene/models.h"
@@ -129,7 +129,7 @@ TEST(MapBodies, what_cannot_be_free_stays_where_it_is_and_says_so) {
     stays(floor + entity("func_door", key("free", "1") + key("angle", "90"), kCube),
           "only a separate thing can be free to move");
     stays(floor + entity("trigger_multiple", key("free", "1"), kCube), "only a separate thing can be free to move");
-    // A patch has a density and no volume.
+    // A patch has a density but no volume.
     const std::string patch =
         "{\npatchDef2\n{\nplain\n( 3 3 0 0 0 )\n(\n"
         "( ( 0 0 0 0 0 ) ( 0 32 0 0 0 ) ( 0 64 0 0 0 ) )\n"

@@ -1,4 +1,4 @@
-// Every case that real editors, other games and accidents put into a .map file.
+// Every case that real editors, other games and accidents may leave in a .map file.
 #include "tests/support/map_text.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/readers/reading.h"
@@ -51,7 +51,7 @@ TEST(MapEdgeCases, all_line_endings_tabs_and_a_byte_order_mark_count_lines_right
     EXPECT_EQ(no_newline.scene.report.warnings_in_all, 1);
 }
 
-// Cutting takes the square of the number of faces: 12,000 of one brush held up the program's end for 18 s.
+// Cutting takes the square of the number of faces: one brush with 12,000 faces delayed the program's end by 18 s.
 TEST(MapEdgeCases, a_brush_of_more_than_a_thousand_faces_is_left_out_and_said) {
     const auto with_faces = [](int count) {
         std::string brush = kOther.substr(0, kOther.rfind('}'));
@@ -147,7 +147,7 @@ TEST(MapEdgeCases, open_empty_and_inside_out_brushes_are_named_by_line_and_the_r
     for (std::size_t at = 0; at < kCube.size();) {
         const std::size_t end = kCube.find('\n', at) + 1;
         std::string row = kCube.substr(at, end - at);
-        if (row[0] == '(') {  // the first two points change places
+        if (row[0] == '(') {  // swaps the first two points
             const std::size_t first = row.find(')') + 2, second = row.find(')', first) + 2;
             row = row.substr(first, second - first) + row.substr(0, first) + row.substr(second);
         }
@@ -220,7 +220,7 @@ TEST(MapEdgeCases, a_missing_brace_costs_at_most_one_brush) {
                 ElementsAre(HasSubstr("the file ends inside the entity that begins in line 1. A "
                                       "closing brace is missing. Everything that was complete was kept.")));
     std::string open = whole;
-    open.erase(open.find("}\n"), 2);  // the first brush's
+    open.erase(open.find("}\n"), 2);  // removes the brace of the first brush
     const Reading reading = read(open);
     EXPECT_EQ(reading.scene.solids.size(), 3U);
     EXPECT_THAT(reading.said, ElementsAre(HasSubstr("the brush that begins in line 3 has no "
@@ -345,7 +345,7 @@ TEST(MapEdgeCases, guessing_can_be_switched_off_without_changing_the_walls) {
 TEST(MapEdgeCases, feels_brushes_once_that_are_drawn_in_one_place_again_and_says_so) {
     const std::string wall = box_brush(0, 0, 0, 128, 16, 96, "brick1"),
                       other = box_brush(0, 0, 0, 128, 16, 97, "brick1");
-    std::string turned = wall;  // the same faces, drawn in another order and painted otherwise
+    std::string turned = wall;  // the same faces in another order and with another texture
     const std::size_t first = turned.find('('), second = turned.find('\n', first) + 1;
     turned.insert(turned.rfind('}'), turned.substr(first, second - first));
     turned.erase(first, second - first);

@@ -1,5 +1,5 @@
-// Forces that hang in space, as a map gives them: every key takes effect, what cannot be is refused by name, and the
-// rest loads.
+// Forces in space, as a map defines them: every key takes effect, impossible values are refused by name, and the rest
+// loads.
 #include "tests/support/map_text.h"
 #include "tests/unit/readers/reading.h"
 

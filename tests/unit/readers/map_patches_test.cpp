@@ -1,4 +1,5 @@
-// Curved patches and brushDef in a map: read, cut into triangles, told; damage costs the patch, not the map.
+// Curved patches and brushDef in a map are read, cut into triangles and reported. Damage costs only the patch, not the
+// map.
 #include "tests/support/map_text.h"
 #include "tests/unit/readers/reading.h"
 
@@ -71,9 +72,9 @@ TEST(MapPatches, become_triangles_within_a_millimetre_and_are_told_with_their_er
     EXPECT_EQ(reading.scene.material(arch.material).name, "brick");
     EXPECT_NEAR(arch.bounds_m.max_m.z, 2.0, 1e-12);
     EXPECT_NEAR(arch.bounds_m.max_m.y, 4.0, 1e-12);
-    // A parabola from (2, 0) to (0, 2) with (2, 2) as its middle point: 3.246 m long, 4 m deep.
+    // A parabola from (2, 0) to (0, 2) with the control point (2, 2): 3.246 m long, 4 m deep.
     EXPECT_NEAR(arch.area_m2, 4.0 * 3.2465, 0.02);
-    // Twice the accuracy and a tenth: more triangles.
+    // Twice the accuracy, and a tenth of the error: more triangles.
     const auto count = [](const char* error) {
         return read(patch(), key("curve_error", error)).scene.triangles.size();
     };
@@ -171,7 +172,7 @@ TEST(MapPatches, brushes_written_as_brushDef_are_those_of_the_plain_form) {
         EXPECT_EQ(a.scene.solids[1].shape.planes[i].offset_m, b.scene.solids[1].shape.planes[i].offset_m);
     }
     EXPECT_EQ(b.scene.material(b.scene.solids[1].face_materials[0]).name, "wood");
-    // Nothing else is lost where one lacks its second brace or its texture's numbers.
+    // Nothing else is lost if a brush lacks its second brace or the numbers of its texture.
     EXPECT_EQ(
         read("{\nbrushDef\n{\n( 0 0 0 ) ( 1 0 0 ) ( 0 1 0 ) ( ( 1 0 ) x 0 0 0\n}\n}\n" + plain).scene.solids.size(),
         2U);

@@ -45,7 +45,7 @@ TEST(MapShapes, dynamic_things_take_their_sizes_from_the_box_around_them) {
     const Reading box = read(key("cs_name", "dynamic_box"), kCube, "thing");
     EXPECT_TRUE(std::holds_alternative<std::monostate>(box.scene.solids.at(1).round));
     EXPECT_EQ(box.scene.solids[1].shape.planes.size(), 6U);
-    // Several brushes are one shape; of a box too.
+    // Several brushes make one shape, also a box.
     const std::string two = box_brush(64, 64, 0, 96, 96, 16) + box_brush(64, 64, 16, 96, 96, 32);
     for (const char* name : {"dynamic_box", "dynamic_sphere"})
         EXPECT_EQ(read(key("cs_name", name), two, "thing").scene.solids.size(), 2U) << name;

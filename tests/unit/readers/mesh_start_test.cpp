@@ -1,5 +1,5 @@
-// Meshes without a start: one begins on a floor where a body has room, never on a table, within a wall or beside it
-// all.
+// Meshes without a start: the start is put on a floor where a walker has room, never on a table, inside a wall or
+// outside everything.
 #include "worlds/readers/mesh_start.h"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 namespace handrail {
 namespace mesh_start_test {
 
-// Quads as an OBJ file has them, sheets all.
+// Quads as in an OBJ file; all are sheets.
 struct Sheets {
     std::string obj;
     int corners = 0;
@@ -91,7 +91,7 @@ TEST(MeshStart, is_nowhere_on_a_table_alone_or_on_walls_without_a_floor) {
     EXPECT_FALSE(place_to_stand(Scene()));
 }
 
-// The body's box holds no point of any sheet, which is looked for by many points of each.
+// The walker's box contains no point of any sheet, tested with many points of each.
 TEST(MeshStart, of_random_rooms_has_room_for_a_body_near_the_origin_and_far_off) {
     std::mt19937 random(3);
     const auto real = [&](double low, double high) {

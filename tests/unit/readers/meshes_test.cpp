@@ -1,4 +1,4 @@
-// glTF, PLY and STL: axes, units, names, what is solid, and what is wrong with damaged ones.
+// glTF, PLY and STL: axes, units, names, which parts are solid, and the faults of damaged files.
 #include <cstring>
 #include <random>
 
@@ -18,7 +18,7 @@ std::string seed(const std::string& path) {
 }
 
 TEST(ReadGltf, turns_y_up_to_z_up_and_places_things_as_the_file_says) {
-    // A cube of 1 m, twice as wide, moved 1 m east and 2 m along the file's z, which is south.
+    // A cube of 1 m, twice as wide, moved 1 m east and 2 m along the file's z, which points south.
     const Result<Scene> scene = read_gltf(seed("gltf/seeds/table.glb"), "table.glb");
     ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
     EXPECT_EQ(scene->report.format, "gltf");
@@ -56,7 +56,7 @@ TEST(ReadGltf, reads_a_description_with_its_numbers_in_it_or_beside_it) {
     EXPECT_THAT(none.error().message, HasSubstr("table.bin"));
 }
 
-// Numbers as base64.
+// Encodes numbers as base64.
 std::string base64(const std::string& bytes) {
     constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string text;
@@ -69,7 +69,7 @@ std::string base64(const std::string& bytes) {
     return text;
 }
 
-// One triangle of 0 0 0, 2 0 0 and 0 2 0 units, each number `type`, with more in the node and the file.
+// One triangle of 0 0 0, 2 0 0 and 0 2 0 units with numbers of the given type, and more text in the node and the file.
 template <class T>
 std::string triangle_gltf(int type, T unit, bool normalized, const std::string& in_node, const std::string& required,
                           const std::string& more_bytes = {}, const std::string& more_accessors = {}) {
@@ -145,7 +145,7 @@ TEST(ReadStl, takes_its_words_in_any_case) {
     }
 }
 
-// Parts of one STL in words: a block of these sides.
+// A part of a text STL: a block of these sides.
 std::string block(const std::string& name, double low, double high) {
     std::string text = "solid " + name + "\n";
     const auto at = [&](int corner, int axis) { return corner >> axis & 1 ? high : low; };
@@ -191,7 +191,7 @@ bool in_a_solid(const Scene& scene, const Vec3& at_m, double grow_m = 0.0) {
                        [&](const Solid& solid) { return contains(solid.shape, at_m, grow_m); });
 }
 
-// A table, a horseshoe of counters and a hollow chest in a room that is seen from inside, each turned its own way.
+// A table, a horseshoe of counters and a hollow chest, each turned differently, in a room that is seen from inside.
 struct Furnished {
     std::vector<std::pair<std::string, test::BlockMesh>> things;
 
@@ -250,7 +250,7 @@ TEST(Meshes, that_are_closed_are_solid_where_a_ray_says_they_are_inside_whatever
             ASSERT_EQ(in_a_solid(*scene, at), inside == 1) << at.x << " " << at.y << " " << at.z;
         }
         for (std::size_t t = 1; t < 4; ++t) EXPECT_GT(met[t], 20) << furnished.things[t].first;
-        // Each thing shows as much as its skin is large: no cut through the inside is a surface.
+        // The visible area of each thing is that of its skin: no inner cut is a surface.
         for (std::size_t t = 1; t < 4; ++t) {
             const test::BlockMesh& mesh = furnished.things[t].second;
             double area_m2 = 0.0;
@@ -271,7 +271,7 @@ TEST(Meshes, that_are_closed_are_solid_where_a_ray_says_they_are_inside_whatever
 }
 
 TEST(ReadStl, finds_the_things_in_one_mesh_and_the_start_in_a_house_with_walls) {
-    // Walls 0.5 m thick round 6 by 4 m, with a way out, as one closed mesh: one stands between them, not in them.
+    // Walls 0.5 m thick around 6 by 4 m, with an exit, as one closed mesh: the start is between them, not inside one.
     std::set<test::Block> blocks;
     for (int x = 0; x < 14; ++x)
         for (int y = 0; y < 10; ++y) {

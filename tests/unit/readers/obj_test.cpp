@@ -48,8 +48,7 @@ TEST(ReadObj, takes_the_side_from_which_faces_are_touched_from_a_comment) {  // 
 }
 
 TEST(ReadObj, cuts_concave_polygons_into_ears) {
-    // An arrow head: 3 units of area, and no triangle may cover the notch around
-    // (1, 0.5).
+    // An arrow head with an area of 3 units; no triangle may cover the notch around (1, 0.5).
     const Reading reading = read("v 0 0 0\nv 1 1 0\nv 2 0 0\nv 1 4 0\nf 1 2 3 4\n");
     EXPECT_EQ(reading.scene.triangles.size(), 2U);
     EXPECT_DOUBLE_EQ(area(reading.scene), 3.0);
@@ -135,7 +134,7 @@ TEST(ReadObj, names_features_by_object_and_group_and_surfaces_by_material) {
     EXPECT_EQ(read(kSquare + "usemtl t_brick_2\nf 1 2 3\n", plain).scene.materials.size(), 1U);
 }
 
-// Whatever comes out must hold together: a Scene, or a sentence.
+// The result must be valid: a valid Scene, or a sentence.
 void expect_whole(const Result<Scene>& scene) {
     EXPECT_TRUE(scene ? validate(*scene).has_value() : !scene.error().message.empty());
 }

@@ -1,5 +1,4 @@
-// Furniture placed by one key: it stands where it is put, is turned to where it faces, is called and feels as what it
-// is.
+// Furniture placed by one key: it is at the stated place, faces the stated way, and has its own name and touch.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -52,7 +51,7 @@ TEST(Prefabs, stand_where_they_are_put_facing_where_they_are_turned_each_of_its_
             const std::vector<Solid> solids = solids_of(scene, *feature);
             ASSERT_EQ(solids.size(), prefab.parts.size());
             EXPECT_EQ(scene.report.warnings.size(), 0U);
-            // The map's angle is counter-clockwise from east; the front is +y of the piece.
+            // The map's angle is counter-clockwise from east; the front of the piece is its +y.
             const double turn = radians_from_degrees(angle_deg - 90.0);
             const auto placed = [&](const Vec3& p) {
                 return Vec3(1.0 + p.x * std::cos(turn) - p.y * std::sin(turn),
@@ -62,7 +61,7 @@ TEST(Prefabs, stand_where_they_are_put_facing_where_they_are_turned_each_of_its_
                 const Aabb& box = prefab.parts[i].box_m;
                 const Vec3 size = box.size_m();
                 EXPECT_NEAR(solids[i].shape.bounds_m.size_m().z, size.z, 1e-6);
-                // Just within and just without at each side.
+                // Just inside and just outside at each side.
                 for (const Vec3& side :
                      {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
                     EXPECT_TRUE(contains(solids[i].shape, placed(box.centre_m() + side * (0.5 * size - 1e-4))));

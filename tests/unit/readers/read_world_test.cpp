@@ -48,7 +48,7 @@ TEST(ReadWorld, recognises_files_given_by_mistake_and_says_what_to_do) {
     EXPECT_EQ(sentence_for("a.map", ""), "a.map: This file is empty.");
 }
 
-// Faces with as many corners as are read, so that cutting them into triangles takes half a minute.
+// Faces with the greatest number of corners that is read, so that cutting them into triangles takes half a minute.
 std::string endless_faces() {
     constexpr int kCorners = 4096, kFaces = 1000;
     std::string text, face = "f";
@@ -88,7 +88,7 @@ TEST(ReadWorld, of_a_map_ends_at_each_step_where_it_is_stopped) {
     options.progress = [&](double fraction) { steps.insert(fraction); };
     ASSERT_TRUE(read_quake_map(map, "a.map", options));
     steps.erase(1.0);
-    steps.erase(0.9);  // what is left then is short, and the Scene is whole
+    steps.erase(0.9);  // the remaining work is short, and the Scene is complete
     ASSERT_GE(steps.size(), 2U);
     for (const double step : steps) {
         std::stop_source stop;

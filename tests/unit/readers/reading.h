@@ -1,5 +1,4 @@
-// A Scene as the tests of readers look at it, with the warnings as they are
-// heard.
+// A Scene as the readers' tests check it, with its warnings as they are spoken.
 #pragma once
 
 #include <string>
@@ -16,7 +15,7 @@ struct Reading {
     std::vector<std::string> said;
 };
 
-// Expects a Scene that holds together; an empty one where reading failed.
+// Expects a valid Scene; returns an empty one if reading failed.
 inline Reading reading_of(Result<Scene> scene) {
     EXPECT_TRUE(scene.has_value()) << (scene ? "" : scene.error().sentence());
     if (!scene) return {};

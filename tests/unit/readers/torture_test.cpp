@@ -1,4 +1,4 @@
-// Files no editor writes: the reader must end, in time, with a Scene that holds together or with a sentence.
+// Files that no editor writes: the reader must end in time, with a valid Scene or with a sentence.
 #include <atomic>
 #include <cstdlib>
 #include <random>
@@ -17,7 +17,7 @@ namespace torture_test {
 using test::box_brush;
 using test::entity;
 
-// Reads, and checks what came out; returns the number of solids.
+// Reads the file and checks the result. Returns the number of solids.
 std::size_t survive(std::string_view bytes) {
     const Result<Scene> scene = read_quake_map(bytes, "torture.map");
     if (!scene) {
@@ -48,8 +48,8 @@ TEST(Torture, a_map_cut_at_every_byte) {
 }
 
 TEST(Torture, whole_maps_cut_at_every_97th_byte) {
-    // Every place of the small one; of the larger ones places spread over the file. All of them take minutes of
-    // processor time, shared among the processors; HANDRAIL_EVERY_CUT=1 asks for that.
+    // Cuts the small map at every place, and the larger ones at places spread over the file. Cutting at every place
+    // takes minutes of processor time, shared among the processors; HANDRAIL_EVERY_CUT=1 requests that.
     const bool every = std::getenv("HANDRAIL_EVERY_CUT") != nullptr;
     const auto maps = test::project_root() / "worlds/maps";
     for (const auto& path :
@@ -134,7 +134,7 @@ TEST(Torture, random_bytes_and_random_tokens) {
 }
 
 TEST(Torture, random_planes_through_a_small_grid) {
-    // Needles, wedges, repeated and opposite planes, empty and open brushes, by the thousand and on top of each other.
+    // Thousands of needles, wedges, repeated and opposite planes, and empty and open brushes, on top of each other.
     std::mt19937 random(2);
     for (int round = 0; round < test::scaled(60); ++round) {
         std::string brushes = box_brush(0, 0, 0, 8, 8, 8);

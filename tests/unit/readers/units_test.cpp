@@ -1,4 +1,4 @@
-// What a unit is long where the file does not say.
+// The length of a unit if the file does not state it.
 #include "worlds/readers/units.h"
 
 #include <gmock/gmock.h>
@@ -11,7 +11,7 @@ namespace units_test {
 
 using testing::HasSubstr;
 
-// A single floor of that many units.
+// A single floor with these sizes in units.
 std::string floor_of(double wide, double deep) {
     return fmt::format("v 0 0 0\nv {0} 0 0\nv {0} {1} 0\nv 0 {1} 0\nf 1 2 3 4\n", wide, deep);
 }
@@ -44,7 +44,7 @@ TEST(Units, are_asked_about_where_the_world_would_be_wider_than_two_kilometres_o
     EXPECT_EQ(first_warning(60'000, 40'000, known), "");
 }
 
-// A closed box of that many units, as `g name`.
+// A closed box with these corners in units, as `g name`.
 std::string box_of(const std::string& name, const Vec3& min, const Vec3& max) {
     std::string text = "g " + name + "\n";
     for (int i = 0; i < 8; ++i)

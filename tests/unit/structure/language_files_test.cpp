@@ -148,7 +148,7 @@ const std::vector<std::string> kMadeOfNames{
     "kind.",
     "material.",
     "effect.",
-    // Values of OpenStreetMap's tags and IMDF's categories.
+    // Values of OpenStreetMap's tags and of IMDF's categories.
     "osm_kind.",
     "osm_fact.",
     "imdf_kind.",

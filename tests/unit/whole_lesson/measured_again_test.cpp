@@ -20,7 +20,7 @@ namespace measured_again_test {
 
 namespace fs = std::filesystem;
 
-// Plain rooms, so that walls are four lines.
+// Plain rooms, so that the walls are four lines.
 constexpr const char* kLibrary =
     "Building: Town library.\n"
     "Walls: 0.2 metres thick.\n\n"

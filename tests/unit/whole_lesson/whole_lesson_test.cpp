@@ -418,7 +418,7 @@ TEST_F(WholeLesson, is_taught_in_a_house_that_architects_drew_from_its_making_to
            .base_has_walls = false});
 }
 
-// Five storeys of a faculty, from its main entrance, with another entrance round the corner.
+// Five storeys of a faculty, from its main entrance; another entrance is around the corner.
 TEST_F(WholeLesson, is_taught_in_a_faculty_of_498_rooms_that_was_mapped_by_volunteers) {
     if (kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the lesson in our school is enough";
     const auto file = test::real_world("apb-tu-dresden.osm");

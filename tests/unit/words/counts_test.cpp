@@ -1,4 +1,5 @@
-// Worlds written in words and read again have as many rooms, doors, windows, stairs and pieces of furniture.
+// Worlds written in words and read again have the same numbers of rooms, doors, windows, stairs and pieces of
+// furniture.
 #include <gmock/gmock.h>
 
 #include <map>
@@ -29,8 +30,8 @@ Counts counts_of(const Scene& scene) {
             static_cast<std::size_t>(stated.stairs), stated.furnishings.size()};
 }
 
-// Of a map, which counts nothing: its rooms as they are found, stairs as a room on each of their storeys; things by
-// their names.
+// Counts for a map, which states no counts: its rooms as they are found, stairs as a room on each of their storeys, and
+// things by their names.
 Counts counts_of_map(const Scene& scene, const WordsHouse& house) {
     Counts counts;
     for (const WordsHouse::Room& room : house.rooms) {
@@ -40,7 +41,7 @@ Counts counts_of_map(const Scene& scene, const WordsHouse& house) {
     counts.doors = static_cast<std::size_t>(scene.report.doors);
     for (const Feature& feature : scene.features) {
         const bool window = feature.name.ends_with("indow");
-        const bool of_stairs = feature.name.starts_with("Stair");  // which are a room
+        const bool of_stairs = feature.name.starts_with("Stair");  // stairs count as a room
         if (feature.kind != FeatureKind::Object || feature.made_name || feature.name.empty() || of_stairs) continue;
         ++(window ? counts.windows : counts.furniture);
     }
@@ -89,7 +90,7 @@ TEST(CountsInWords, come_back_of_the_duplex) { expect_real_counts_come_back("dup
 TEST(CountsInWords, come_back_of_the_institute) { expect_real_counts_come_back("institute.ifczip"); }
 TEST(CountsInWords, come_back_of_the_fzk_house) { expect_real_counts_come_back("fzk-haus.ifc"); }
 
-// Panes in a rectangle and in an outline of more corners: as wide, as high and where they were.
+// Panes in a rectangle, and in an outline with more corners, keep their width, height and place.
 TEST(WindowsInWords, come_back_in_both_languages) {
     const std::string text =
         "Building: House.\n\nRoom: Hall, 6 by 4 metres. Door outside in the south wall.\n"
@@ -114,7 +115,7 @@ TEST(WindowsInWords, come_back_in_both_languages) {
     }
 }
 
-// Of the floor of each room, of things, and of the walls, which all have the most frequent.
+// Materials of each room's floor, of things, and of the walls, which all get the most frequent one.
 TEST(MaterialsInWords, come_back_in_both_languages) {
     const Scene scene = test::read_rooms(
         "Building: House.\nWalls: 0.2 metres thick, made of brick.\n\n"

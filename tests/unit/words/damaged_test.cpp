@@ -1,4 +1,4 @@
-// Whatever a text holds, it becomes a world or one sentence.
+// Whatever a text contains, reading it gives a world or one sentence.
 #include <random>
 
 #include "tests/support/project_root.h"

@@ -1,4 +1,4 @@
-// The bundled house in five forms: what of its rooms, doors and distances each of them carries, to 5 cm.
+// The bundled house in five forms: which of its rooms, doors and distances each form preserves, to 5 cm.
 #include <gmock/gmock.h>
 
 #include <fmt/format.h>
@@ -15,14 +15,13 @@ namespace words_house_forms_test {
 
 constexpr double kSame_m = 0.05 + 1e-9, kHalfWall_m = 0.1;
 
-// A room on stairs is one for each storey in some forms, and one for all in others: what it is called without its
-// storey.
+// The name of a room without its storey. Stairs are one room per storey in some forms, and one for all in others.
 std::string without_storey(const std::string& name) { return name.substr(0, name.find(", ")); }
 
 struct Seen {
     std::shared_ptr<Navigation> ways;
     RoomGraph graph;
-    Vec3 shift_m{0.0};  // of the form against the house
+    Vec3 shift_m{0.0};  // shift of the form relative to the house
 
     std::string room_at_m(const Vec3& place) const {
         const std::optional<Vec3> feet = ways->nearest_place(place + shift_m);
@@ -53,18 +52,19 @@ Seen seen_in(const Scene& scene) {
     return seen;
 }
 
-// Of what there is in the house, how much a form has too, and by how much the rest is off at most.
+// How much of the house a form preserves, and the largest deviation of the rest.
 struct Carried {
-    int rooms = 0, all_rooms = 0;                         // that lie where they lay and are called as they were
-    int doors = 0, all_doors = 0;                         // between the same two
-    double along_m = 0.0, across_m = 0.0, width_m = 0.0;  // places of doors: along their walls, and through them
-    int ways = 0, all_ways = 0;  // between middles of rooms of one storey, within 5 cm; then from one to another
+    int rooms = 0, all_rooms = 0;                         // rooms with the same place and name
+    int doors = 0, all_doors = 0;                         // doors between the same two rooms
+    double along_m = 0.0, across_m = 0.0, width_m = 0.0;  // places of doors: along their walls, and across them
+    int ways = 0, all_ways = 0;  // routes between the middles of rooms on one storey, within 5 cm; then between storeys
     int far = 0, all_far = 0;
-    double longer_m = 0.0, shorter_m = 0.0;  // ways on one storey, at most
+    double longer_m = 0.0, shorter_m = 0.0;  // largest differences of routes on one storey
     double far_shorter_m = 0.0;
 };
 
-// By how much a way may differ and still count as the same: shorter on a storey, and either way to another one.
+// The largest difference with which a route still counts as the same: shorter on one storey, and in both directions
+// between storeys.
 struct Apart {
     double level_m = kSame_m, far_m = kSame_m;
 };
@@ -113,7 +113,7 @@ Carried carried(const Seen& house, const Seen& form, const Apart& apart = {}) {
     return found;
 }
 
-// Outlines that were found to 5 cm, put where walls have their middles.
+// Outlines that were found to 5 cm are moved to the middles of walls.
 WordsHouse on_the_middles_of_walls(WordsHouse house, const Scene& scene) {
     std::array<std::vector<double>, 2> middles;
     for (const Solid& solid : scene.solids) {
@@ -132,7 +132,7 @@ WordsHouse on_the_middles_of_walls(WordsHouse house, const Scene& scene) {
                     for (const double middle : middles[static_cast<std::size_t>(axis)])
                         if (std::abs(middle - before) < least) least = std::abs(middle - before), p[axis] = middle;
                 }
-    // Leaves hang to one side in their walls, where other forms know a wall's middle alone.
+    // Leaves are at one side of their walls, but other forms know only the middle of a wall.
     for (WordsHouse::Door& door : house.doors) {
         const Vec2 hung = door.at_m;
         double least_m = 0.15;
@@ -149,7 +149,7 @@ WordsHouse on_the_middles_of_walls(WordsHouse house, const Scene& scene) {
     return house;
 }
 
-// The house without what stands in it: things that are no water.
+// The house without furniture: only things that are water remain.
 std::string bare_house() {
     const std::string text = test::content_of(test::bundled_world("house.map"));
     std::string kept, entity;
@@ -193,7 +193,7 @@ TEST(HouseForms, carry_what_each_can) {
             "{:.3f} m shorter at most\n",
             name, c.rooms, c.all_rooms, c.doors, c.all_doors, c.along_m, c.across_m, c.width_m, c.ways, c.all_ways,
             c.longer_m, c.shorter_m, c.far, c.all_far, c.far_shorter_m);
-        // Whatever doors a form has are where they were, and no way is shorter than it was.
+        // Each door of a form is where it was, and no route is shorter than before.
         EXPECT_LE(c.along_m, kSame_m) << name;
         EXPECT_LE(c.width_m, kSame_m) << name;
         EXPECT_LE(c.shorter_m, apart.level_m) << name;
@@ -207,9 +207,11 @@ TEST(HouseForms, carry_what_each_can) {
     EXPECT_EQ(itself.rooms + itself.doors + itself.ways + itself.far,
               itself.all_rooms + itself.all_doors + itself.all_ways + itself.all_far);
 
-    // Its stairs are stated, and those are met on a narrow foot: routes lead past and over them more closely.
+    // Its stairs are stated, and stated stairs are checked with a narrow foot, so routes pass them and lead over them
+    // more closely.
     constexpr Apart kByStairs{0.25, 1.1};
-    // An architect's model carries all, but that a pond is no space with a floor: it is told as the steps into it.
+    // An architect's model preserves everything, except that a pond is no space with a floor: it becomes the steps that
+    // lead into it.
     for (const bool millimetres : {false, true}) {
         const Carried ifc = tell(millimetres ? "IFC in millimetres" : "IFC",
                                  read_ifc(test::IfcOf(*scene, drawn, millimetres).text(), "house.ifc"), kByStairs);
@@ -219,16 +221,15 @@ TEST(HouseForms, carry_what_each_can) {
         EXPECT_EQ(ifc.ways, ifc.all_ways);
         EXPECT_EQ(ifc.far, ifc.all_far);
     }
-    // A mesh names nothing and has no doors; all distances are there.
+    // A mesh has no names and no doors, but all distances are preserved.
     const Carried mesh = tell("mesh", read_gltf(test::glb_of(*scene), "house.glb"));
     EXPECT_EQ(mesh.rooms, 0);
     EXPECT_EQ(mesh.doors, 0);
     EXPECT_EQ(mesh.ways, mesh.all_ways);
     EXPECT_EQ(mesh.far, mesh.all_far);
-    // Plans and words shut stairs into a room of their own, so that ways beside them lead round it, and make new ones,
-    // so that no way from storey to storey is as long as it was. Words sink the pond, which is then the steps into it,
-    // as in the model; nobody gets into that of a plan. Their doors are in the middle of walls, where leaves hang to
-    // one side.
+    // Plans and words enclose stairs in a separate room, so routes next to them lead around it. They make new stairs,
+    // so no route between storeys keeps its length. Words sink the pond, which then becomes the steps into it, as in
+    // the model; in a plan nobody gets into it. Their doors are in the middle of walls, while leaves are at one side.
     const Carried words = tell("words", read_words(text_of(drawn, *scene, WordLanguage::English), "house.rooms"));
     EXPECT_GE(words.rooms, words.all_rooms - 1);
     EXPECT_EQ(words.doors, words.all_doors);
@@ -241,7 +242,7 @@ TEST(HouseForms, carry_what_each_can) {
     EXPECT_GE(osm.ways, 24);
 }
 
-// A house with stairs as words and plans lay them, so that each form can carry all of it.
+// A house whose stairs are laid out as words and plans do it, so that each form can preserve all of it.
 TEST(HouseForms, of_a_house_with_two_storeys_are_equal_in_rooms_doors_and_ways_over_the_stairs) {
     if (test::kThreadSanitizer) GTEST_SKIP() << "unit_osm starts the threads that read OpenStreetMap";
     const std::string text =

@@ -1,4 +1,4 @@
-// One building written in other forms than its own, for tests that hold these against each other.
+// Writes a building in other forms than its own, for tests that compare them.
 #pragma once
 
 #include <fmt/format.h>
@@ -25,10 +25,10 @@ inline void append(std::string& bytes, Value value) {
     bytes.append(raw.data(), raw.size());
 }
 
-// Walls as brushes, leaves as doors, and the names of rooms where they are: those that the file states unless others
-// are given.
+// Walls become brushes, leaves become doors, and names of rooms are put in place: those that the file states, unless
+// others are given.
 inline std::string map_of(const Scene& scene, std::vector<RoomName> names = {}) {
-    constexpr double kUnits = 32.0;  // in a metre
+    constexpr double kUnits = 32.0;  // units per metre
     std::string walls, rest;
     for (const Solid& solid : scene.solids) {
         std::string brush = "{\n";
@@ -61,7 +61,7 @@ inline std::string map_of(const Scene& scene, std::vector<RoomName> names = {}) 
     return entity("worldspawn", key("message", "House") + key("building", "1"), walls) + rest;
 }
 
-// Boxes as meshes of twelve triangles, y up; a mesh knows no doors, so leaves are left out.
+// Boxes become meshes of twelve triangles with y up. A mesh knows no doors, so leaves are left out.
 inline std::string glb_of(const Scene& scene) {
     std::string points, nodes, meshes, accessors, views;
     int count = 0;
@@ -108,7 +108,7 @@ inline std::string glb_of(const Scene& scene) {
     return glb;
 }
 
-// Rooms as far as the middle of walls: half of what is between two of them, else half an outer wall.
+// Rooms extended to the middle of walls: half the gap between two rooms, otherwise half an outer wall.
 inline WordsHouse to_the_middle_of_walls(WordsHouse house) {
     constexpr double kOuterWall_m = 0.2, kThickest_m = 0.5;
     const WordsHouse before = house;
@@ -144,8 +144,8 @@ inline std::string osm_of(const WordsHouse& house) {
         door_nodes.push_back(node(
             door.at_m, fmt::format("<tag k='door' v='{}'/><tag k='width' v='{}'/>{}", door.opening ? "no" : "hinged",
                                    door.width_m, door.rooms.size() == 1 ? "<tag k='entrance' v='main'/>" : "")));
-    // Its corners, and between them the doors on its edges; where another room of a storey has a corner this outline
-    // has one too, as a mapper draws it.
+    // Its corners and, between them, the doors on its edges. If another room of the storey has a corner on this
+    // outline, the outline gets one there too, as mappers draw it.
     const auto refs_of = [&](const std::vector<Vec2>& ring, std::size_t r) {
         const WordsHouse::Room& room = house.rooms[r];
         std::string refs;
@@ -200,8 +200,8 @@ inline std::string osm_of(const WordsHouse& house) {
     return "<osm version='0.6'>\n" + nodes + ways + relations + "</osm>\n";
 }
 
-// Everything solid as closed faces, leaves as doors of their size, rooms as spaces over their outlines. Lengths in
-// metres or in millimetres.
+// Everything solid becomes closed faces, leaves become doors of their size, and rooms become spaces over their
+// outlines. Lengths are in metres or millimetres.
 class IfcOf {
 public:
     IfcOf(const Scene& scene, const WordsHouse& house, bool millimetres)
@@ -278,7 +278,7 @@ private:
         const Aabb& box = solid.shape.bounds_m;
         const Feature* feature = scene_.find(solid.feature);
         const std::string name = feature ? feature->name : "part";
-        std::string spoken;  // an apostrophe is written twice
+        std::string spoken;  // an apostrophe is doubled
         for (const char c : name) spoken += c == '\'' ? std::string("''") : std::string(1, c);
         if (solid.role == SolidRole::Mover) {
             const bool north = box.size_m().y > box.size_m().x;

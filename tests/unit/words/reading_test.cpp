@@ -1,4 +1,4 @@
-// What sentences about rooms become.
+// The scenes that sentences about rooms produce.
 #include <gmock/gmock.h>
 
 #include <sstream>
@@ -230,7 +230,7 @@ TEST(RoomsInWords, windows_editors_and_latin_letters_are_read) {
     EXPECT_EQ(test::box_of(*test::room_of(scene, "Küche")).first.y, 6.0);
 }
 
-// What stands in a guide between those words, as a text to be read.
+// The example between these words in a guide, as a text to read.
 std::string example_of(const std::string& page, const std::string& begin, const std::string& end) {
     const std::string guide = test::content_of(test::project_root() / "docs" / page);
     const std::size_t from = guide.find(begin), to = guide.find(end, from);

@@ -1,4 +1,4 @@
-// Ways to say things that people use, and what is reported of them.
+// Expressions that people use, and what is reported about them.
 #include <gmock/gmock.h>
 
 #include "tests/unit/words/words_text.h"
@@ -24,7 +24,7 @@ bool overlap_flat(const Aabb& a, const Aabb& b) {
            b.min_m.y < a.max_m.y - 1e-6;
 }
 
-// How near the thing comes to the middle of a door.
+// The distance of the thing from the middle of the nearest door.
 double before_door(const Scene& scene, const Aabb& thing) {
     double nearest = 1e300;
     for (const StatedPortal& portal : scene.stated->portals) {
@@ -50,7 +50,7 @@ TEST(SayingsInWords, german_genitives_name_rooms_and_things) {
     EXPECT_THAT(test::joins_of(scene), ::testing::Contains("door Großer Saal | Zimmer des Hausmeisters"));
 }
 
-// One door is in the middle of each wall, where a thing against that wall would stand.
+// Each wall has a door in its middle, where a thing against that wall would otherwise be placed.
 TEST(SayingsInWords, things_without_a_place_keep_doors_free) {
     const Scene scene = test::read_rooms(
         "Building: House.\n\nHall, 7 by 5 metres. Door outside in the south wall. Door outside in the north wall.\n"
@@ -82,7 +82,7 @@ TEST(SayingsInWords, two_chairs_are_two) {
         for (std::size_t i = 0; i < 8; ++i)
             for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(overlap_flat(boxed(scene, i), boxed(scene, k))) << i << k;
     }
-    // A name that begins with a number is one thing.
+    // A name that begins with a number means one thing.
     const Scene graces = test::read_rooms(
         "Building: House.\n\nHall, 6 by 5 metres. Door outside.\nThree Graces, 1 by 1 by 2 metres, in the middle.\n");
     EXPECT_EQ(graces.stated->furnishings.size(), 1U);
@@ -120,7 +120,7 @@ TEST(SayingsInWords, what_became_an_unknown_thing_is_reported) {
         HasSubstr("Wnidow is not a kind of thing that Handrail knows. It was put there as a plain thing of 0.6 by"));
 }
 
-// Pieces of an outline that lie against each other are one room, without a wall between them.
+// Adjacent pieces of an outline make one room, without a wall between them.
 TEST(OutlinesInWords, of_pieces_side_by_side_are_one) {
     const Scene scene = test::read_rooms(
         "Building: House.\n\nRoom: Foyer, corners 0 0, 3 0, 3 6, 0 6, and corners 3 0, 5 0, 5 2, 3 2, hole 1 4, 2 4, 2 "
@@ -137,7 +137,7 @@ TEST(OutlinesInWords, of_pieces_side_by_side_are_one) {
     }
 }
 
-// Up and down by stairs that are in no room of their own: straight ones, and such as come back.
+// Up and down by stairs that are in no separate room, both straight and returning ones.
 TEST(StairsInWords, from_one_room_to_another_are_walked_and_written_again) {
     const char* texts[] = {
         "Building: House.\n\nStorey: Ground, 3 metres high.\n\nHall, 6 by 8 metres. Door outside in the south wall.\n"
@@ -154,7 +154,7 @@ TEST(StairsInWords, from_one_room_to_another_are_walked_and_written_again) {
         const Result<WalkSpace> space = make_walk_space(scene, walk_body(scene, 0.25, 1.8, 0.25));
         ASSERT_TRUE(space.has_value()) << space.error().sentence();
         const RoomGraph graph = make_rooms(scene, *space);
-        // From the foot to the top on floors alone: one piece of walkable ground.
+        // From foot to top only on floors: one piece of walkable ground.
         std::set<std::string> reached;
         std::vector<std::uint32_t> open;
         std::vector<bool> seen(space->spans.size(), false);

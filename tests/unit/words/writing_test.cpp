@@ -13,7 +13,7 @@
 namespace handrail {
 namespace words_writing_test {
 
-// A building of rooms side by side, some with corners cut out, on up to three storeys, with doors, openings, stairs,
+// A building of adjacent rooms on up to three storeys, some with corners cut out. It has doors, openings, stairs,
 // things and names that need quotation marks.
 std::string random_building(std::mt19937& random) {
     const auto upto = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
@@ -46,7 +46,7 @@ std::string random_building(std::mt19937& random) {
                 const auto north = [](int cm) {
                     return std::to_string(cm < 0 ? -cm : cm) + " cm " + (cm < 0 ? "south" : "north");
                 };
-                // An L where nothing hangs on it.
+                // Makes an L-shaped room if nothing depends on the corner.
                 const bool cut = upto(5) == 0 && y == rows - 1 && s == storeys - 1;
                 if (cut)
                     text += ", corners " + std::to_string(x_cm) + " " + std::to_string(y_cm) + ", " +
@@ -60,7 +60,8 @@ std::string random_building(std::mt19937& random) {
                             north(y_cm);
                 if (upto(7) == 0) text += upto(2) == 0 ? ", raised by 35 centimetres" : ", sunk by 0.5 metres";
                 text += upto(3) == 0 ? ", wooden floor.\n" : ".\n";
-                // Edges to step down, also in rooms of which nothing is said, and platforms to the storey above.
+                // Edges to step down, also in rooms about which nothing else is said, and platforms to the storey
+                // above.
                 if (x + 1 < columns && upto(6) == 0)
                     text += "Drop of 0.4 metres from " + name(s, x, y) + " to " + name(s, x + 1, y) + ".\n";
                 if (s + 1 < storeys && upto(4) == 0)
@@ -103,7 +104,7 @@ void expect_same_building(const Scene& before, const Scene& after, const std::st
         EXPECT_NEAR(again.floor_m, room.floor_m, 1e-3) << room.name << text;
         EXPECT_LT(glm::length(test::box_of(again).first - test::box_of(room).first), 1e-3) << room.name << text;
     }
-    // Each door where it was.
+    // Each door is where it was.
     for (const StatedPortal& portal : before.stated->portals) {
         double nearest = 1e9;
         for (const StatedPortal& other : after.stated->portals)
@@ -130,7 +131,7 @@ TEST(WrittenInWords, random_buildings_come_back_with_the_same_rooms_and_doors_in
     }
 }
 
-// The rooms by name with what joins them; stairs, which are a room on each storey where they are written, are one.
+// The rooms by name and what joins them. Written stairs are a room on each storey; here they count as one.
 struct Graph {
     std::set<std::string> rooms;
     std::multiset<std::string> joins;
@@ -171,7 +172,7 @@ void expect_map_comes_back(const std::string& map) {
     }
 }
 
-// What is read of a drop and a lift is walked: down and not up again, and up and down by the platform.
+// The drop and the lift that were read can be used: down the drop and not up again, and both ways by the platform.
 TEST(WrittenInWords, a_drop_and_a_lift_are_ways_in_both_languages) {
     const char* texts[] = {
         "Building: Stage.\n\nStorey: Ground, 3 metres high.\n\n"
@@ -207,7 +208,7 @@ TEST(WrittenInWords, a_drop_and_a_lift_are_ways_in_both_languages) {
         }
         EXPECT_EQ(lifts, 1) << text;
         EXPECT_EQ(openings, 1) << "where the edge is";
-        // Half a metre down, and nobody walks up again there.
+        // Half a metre down; nobody can walk up again there.
         int drops = 0;
         for (const WalkLink& link : space->links)
             if (link.kind == PassageKind::Drop) {
@@ -220,7 +221,7 @@ TEST(WrittenInWords, a_drop_and_a_lift_are_ways_in_both_languages) {
         const Vec3 above(4.0, 2.0, 0.0), below(6.0, 2.0, -0.5);
         EXPECT_FALSE(space->straight(above, below));
         EXPECT_FALSE(space->straight(below, above));
-        // And both are written again.
+        // Both are also written again.
         for (const WordLanguage language : {WordLanguage::English, WordLanguage::German}) {
             const bool german = language == WordLanguage::German;
             const std::string written = text_of(stated_house(scene, language), scene, language);
