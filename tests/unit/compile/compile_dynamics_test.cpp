@@ -1,4 +1,4 @@
-// A Scene's placed models as bodies: which are free, which are driven, what they weigh.
+// The placed models of a Scene as bodies: which are free, which are driven, and what they weigh.
 #include "haptic/compile/compile_dynamics.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ Solid solid_of(const DynamicsPiece& piece, FeatureId feature) {
     return solid;
 }
 
-// A floor, a pool over it, and three crates of 0.4 m, the last one twice as large.
+// A floor, a pool above it, and three crates of 0.4 m; the last is twice as large.
 Scene crates() {
     Scene scene;
     scene.materials.resize(1);
@@ -58,7 +58,7 @@ TEST(CompileDynamics, makes_bodies_of_what_is_free_and_lets_the_rest_be_driven) 
     EXPECT_NEAR(made->bodies[0].inertia_kg_m2.x, 4.0 * 2 * 0.16 / 12.0, 1e-12);
     EXPECT_NEAR(made->bodies[1].inertia_kg_m2.x, report.mass_kg[1] * 2 * 0.64 / 12.0, 1e-9);
     EXPECT_NEAR(made->bodies[0].start.position_m.z, 0.5 - 100.0, 1e-12) << "local to the origin";
-    // Where the body stands is where the hand feels it.
+    // The body is where the hand feels it.
     const auto felt = compile_haptic(scene, MaterialSource::KeysOnly);
     const Placement thing = thing_of(made->bodies[1], made->bodies[1].start);
     EXPECT_LT(glm::length(thing.position_m + made->origin_m - felt->bodies[2].start.position_m), 1e-12);

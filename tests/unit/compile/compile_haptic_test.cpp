@@ -61,7 +61,7 @@ TEST(CompileHaptic, keeps_the_side_from_which_sheets_are_touched_also_where_they
 }
 
 TEST(CompileHaptic, lays_textures_and_shading_on_what_moves_as_on_what_stands) {
-    // A slightly bent sheet, thin along x: four facets round an axis.
+    // A slightly bent sheet, thin along x, with four facets around an axis.
     auto model = std::make_shared<Scene>();
     model->materials.resize(1);
     const auto at = [](int k, double z) { return Vec3(0.1 * std::cos(0.1 * k), 0.1 * std::sin(0.1 * k), z); };
@@ -87,7 +87,7 @@ TEST(CompileHaptic, lays_textures_and_shading_on_what_moves_as_on_what_stands) {
     EXPECT_EQ(replayed->bodies[0].shape->shading.highest_m, 0.0) << "a replay meets the facets";
     ASSERT_EQ(felt->relief_axis.size(), 1U);
     EXPECT_EQ(felt->relief_axis[0], 0) << "along its own x";
-    // The pattern goes with it: where the body is does not matter to what is felt over one place of it.
+    // The pattern moves with the body, so the body's place does not change what is felt at a point of it.
     const auto press = [&](const Vec3& moved_m) {
         TouchState state;
         TouchTuning tuning;

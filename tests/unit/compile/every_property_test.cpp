@@ -1,4 +1,4 @@
-// The map that holds every property a world can give: each is read without a warning, and each is felt.
+// The map with every property that a world can have: each is read without a warning and can be felt.
 #include <optional>
 
 #include "haptic/compile/compile_haptic.h"
@@ -26,8 +26,8 @@ protected:
         scene.reset();
     }
 
-    // The force on a hand that has been at a place for a while, then has moved on by a step per tick for some ticks. As
-    // `touch` feels it: scale 1.
+    // The force on a hand that has rested at a place and then moved by a step per tick for some ticks. As the `touch`
+    // command computes it, at scale 1.
     static Vec3 felt(const Vec3& at_m, int rest_ticks = 1, const Vec3& step_m = Vec3(0.0), int move_ticks = 0) {
         TouchState state;
         TouchResult r;
@@ -84,7 +84,7 @@ TEST_F(EveryProperty, each_effect_is_felt_as_its_keys_say) {
 }
 
 TEST_F(EveryProperty, soft_sides_give_way_as_their_keys_say) {
-    // Cushion, top at 1 m, soft to 0.4 m: a quarter of 1,000 N/m at once; held, it gives way to about two thirds.
+    // Cushion, top at 1 m, soft to 0.4 m: at once a quarter of 1,000 N/m; held, the force relaxes to about two thirds.
     const double radius = TouchTuning{}.radius_m;
     EXPECT_NEAR(felt({17, 3, 1.0 + radius - 0.004}).z, 250.0 * 0.004, 0.02);
     EXPECT_NEAR(felt({17, 3, 1.0 + radius - 0.004}, 5000).z, 250.0 * 0.004 * 0.64, 0.1);

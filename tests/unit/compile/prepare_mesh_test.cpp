@@ -1,5 +1,5 @@
-// Meshes made ready for touch: what is joined covers what was there, what is dropped is covered by others, what is
-// coarser is as near as it says. Random triangulations of planes, boxes, prisms and terrain, turned, moved and
+// Meshes prepared for touch. Joined triangles cover what was there, dropped ones are covered by others, and a
+// simplified mesh is as near as stated. Random triangulations of planes, boxes, prisms and terrain, rotated, moved and
 // shuffled.
 #include "haptic/compile/prepare_mesh.h"
 
@@ -19,12 +19,12 @@ constexpr std::uint32_t kSeed = 20241109;
 
 double between(std::mt19937& random, double low, double high) { return low + (high - low) * unit(random); }
 
-using Soup = std::vector<Vec3>;  // three corners for each triangle
+using Soup = std::vector<Vec3>;  // three corners per triangle
 
 void triangle(Soup& soup, const Vec3& a, const Vec3& b, const Vec3& c) { soup.insert(soup.end(), {a, b, c}); }
 
-// A sheet of n by m cells with random inner points, each cell cut along a random diagonal; `holes` of the cells are
-// missing. Height by a function.
+// A sheet of n by m cells with random inner points; each cell is cut along a random diagonal, and `holes` of them are
+// missing. A function gives the height.
 template <class Height>
 void grid(Soup& soup, std::mt19937& random, int n, int m, int holes, const Height& height) {
     std::vector<Vec3> points;
@@ -76,7 +76,7 @@ void box(Soup& soup, const Vec3& low, const Vec3& high) {
     }
 }
 
-// Shuffled, each triangle with another first corner, moved as a whole.
+// Shuffles the triangles, changes the first corner of each, and moves the whole.
 Soup stirred(const Soup& soup, std::mt19937& random, const Motion& motion) {
     std::vector<std::size_t> order(soup.size() / 3);
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -93,7 +93,7 @@ PreparedMesh prepared(const Soup& soup, const MeshOptions& options = {}) {
     return prepare_mesh(soup, std::vector<std::uint32_t>(soup.size() / 3, 7), options);
 }
 
-// Sheets as the judge of touch sees them, without a hierarchy: polygons as fans.
+// The sheets as the touch judge sees them, without a hierarchy: polygons become fans.
 Soup sheets_of(const PreparedMesh& prepared_mesh) {
     Soup sheets;
     for (const Corners& t : prepared_mesh.mesh.triangles)
@@ -112,13 +112,13 @@ double distance_to(const Soup& soup, const Vec3& p) {
     return static_cast<double>(nearest);
 }
 
-// The greatest distance of random points of one soup from another.
+// The greatest distance of random points on one soup from another.
 double farthest(const Soup& from, const Soup& to, std::mt19937& random, int samples) {
     double most = 0.0;
     for (int i = 0; i < samples; ++i) {
         const std::size_t t = 3 * (random() % (from.size() / 3));
         double u = unit(random), v = unit(random);
-        if (i % 5 == 0) u = 0.0;  // on an edge
+        if (i % 5 == 0) u = 0.0;  // a point on an edge
         if (u + v > 1.0) u = 1.0 - u, v = 1.0 - v;
         most = std::max(most, distance_to(to, from[t] * (1.0 - u - v) + from[t + 1] * u + from[t + 2] * v));
     }
@@ -152,7 +152,7 @@ struct Family {
     const char* name;
     Soup soup;
     double bound_m;
-    std::size_t most_pieces;  // polygons and triangles together
+    std::size_t most_pieces;  // polygons and triangles counted together
 };
 
 std::vector<Family> families(std::mt19937& random) {
@@ -225,7 +225,7 @@ TEST(PrepareMesh, joins_only_triangles_of_one_surface) {
     Soup soup;
     grid(soup, random, 10, 2, 0, [](const Vec2&) { return 0.0; });
     std::vector<std::uint32_t> surfaces;
-    for (std::size_t t = 0; t < soup.size() / 3; ++t) surfaces.push_back(t < 20 ? 1 : 2);  // two rows
+    for (std::size_t t = 0; t < soup.size() / 3; ++t) surfaces.push_back(t < 20 ? 1 : 2);  // makes two rows
     const PreparedMesh mesh = prepare_mesh(soup, surfaces, {});
     EXPECT_TRUE(mesh.mesh.triangles.empty() || mesh.surfaces.size() == mesh.mesh.triangles.size());
     for (std::size_t i = 0; i < mesh.polygons.size(); ++i) {
@@ -251,7 +251,7 @@ TEST(PrepareMesh, welds_like_a_comparison_of_all_with_all) {
             }
             MeshReport report;
             const TriangleMesh mesh = weld_corners(soup, tolerance, report);
-            // The twin: each corner becomes the nearest of the points kept so far that is near enough, else it is kept.
+            // The comparison: each corner is merged with the nearest kept point that is near enough, or else is kept.
             std::vector<Vec3> kept;
             for (std::size_t i = 0; i < soup.size(); ++i) {
                 std::size_t nearest = kept.size();
@@ -263,7 +263,7 @@ TEST(PrepareMesh, welds_like_a_comparison_of_all_with_all) {
                         nearest = k;
                     }
                 if (nearest == kept.size()) kept.push_back(soup[i]);
-                // A place that was met before keeps its answer, though a nearer point may have come since.
+                // A place that was seen before keeps its answer, even if a nearer point has come since.
                 const Vec3 got = mesh.points_m[mesh.triangles[i / 3][i % 3]];
                 ASSERT_LE(glm::length(got - soup[i]), tolerance) << "seed " << kSeed << " round " << round;
                 ASSERT_LE(glm::length(got - kept[nearest]), 2.0 * tolerance);
@@ -276,11 +276,11 @@ TEST(PrepareMesh, welds_like_a_comparison_of_all_with_all) {
 TEST(PrepareMesh, drops_triangles_without_area_only_where_neighbours_cover_them) {
     Soup soup;
     triangle(soup, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-    triangle(soup, {0, 0, 0}, {0.4, 0, 0}, {1, 0, 0});  // lies on the edge of the first
-    triangle(soup, {1, 0, 0}, {1, 0, 0}, {1, 0, 0});    // a corner of it
-    triangle(soup, {2, 0, 0}, {2, 0, 0}, {2, 0, 0});    // a point alone
-    triangle(soup, {0, 0, 0}, {0, 0, 0.5}, {0, 0, 1});  // an edge alone
-    triangle(soup, {0, 1, 0}, {0, 0, 0}, {1, 0, 0});    // the first again
+    triangle(soup, {0, 0, 0}, {0.4, 0, 0}, {1, 0, 0});  // degenerate, on the edge of the first
+    triangle(soup, {1, 0, 0}, {1, 0, 0}, {1, 0, 0});    // a single point on a corner of it
+    triangle(soup, {2, 0, 0}, {2, 0, 0}, {2, 0, 0});    // an isolated point
+    triangle(soup, {0, 0, 0}, {0, 0, 0.5}, {0, 0, 1});  // an isolated edge
+    triangle(soup, {0, 1, 0}, {0, 0, 0}, {1, 0, 0});    // the first triangle again
     const PreparedMesh tidied = prepared(soup, {.merge = false});
     EXPECT_EQ(tidied.report.without_area, 2U);
     EXPECT_EQ(tidied.report.repeated, 1U);
@@ -291,7 +291,7 @@ TEST(PrepareMesh, drops_triangles_without_area_only_where_neighbours_cover_them)
     EXPECT_TRUE(all.report.sentences().empty());
 }
 
-// Three sheets at one edge, two that only share a corner, the same face twice, the same face turned over: nothing of it
+// Three sheets at one edge, two that share only a corner, the same face twice, and the same face reversed. None of them
 // may be lost.
 Soup untidy() {
     Soup soup;
@@ -366,7 +366,7 @@ TEST(PrepareMesh, leaves_touch_within_a_micrometre_of_the_mesh_as_filed) {
         TouchState raw_state, merged_state;
         TouchTuning tuning;
         long compared = 0, touching = 0;
-        // Down on a random place of the surface and along it, pressed 2 mm deep.
+        // Comes down on a random place of the surface and moves along it, pressed 2 mm deep.
         for (int press = 0; press < scaled(12); ++press) {
             const std::size_t t = 3 * (random() % (soup.size() / 3));
             const Vec3 normal = glm::normalize(glm::cross(soup[t + 1] - soup[t], soup[t + 2] - soup[t]));
@@ -380,7 +380,7 @@ TEST(PrepareMesh, leaves_touch_within_a_micrometre_of_the_mesh_as_filed) {
                 const TouchResult a = touch_tick(raw_state, *raw, tuning, goal, 1e-3),
                                   b = touch_tick(merged_state, *merged, tuning, goal, 1e-3);
                 same = same && a.contacts.converged &&
-                       !a.contacts.capped;  // a ball that triangles stopped early may stand elsewhere from then on
+                       !a.contacts.capped;  // a proxy that the cap stopped may be elsewhere from then on
                 if (!same) break;
                 ++compared;
                 touching += b.contacts.count > 0;
@@ -392,7 +392,7 @@ TEST(PrepareMesh, leaves_touch_within_a_micrometre_of_the_mesh_as_filed) {
     }
 }
 
-// Slivers of aspect 1e3 to 1e7 in a plane, as the hard case of that name has them: joined, they are the plane.
+// Slivers of aspect 1e3 to 1e7 in a plane, as in the hard case of that name; joined, they make the plane.
 TEST(PrepareMesh, makes_a_plane_of_slivers_feel_like_a_plane) {
     constexpr double b = 0.1, r = 0.005;
     for (const double aspect : {1e3, 1e5, 1e7})

@@ -1,5 +1,5 @@
-// Exact shapes from the scene to the hand: each becomes the obstacle it is, and moved, turned and scaled it feels as it
-// did, moved, turned and scaled.
+// Exact shapes from the scene to the hand. Each becomes the matching obstacle and, moved, rotated and scaled, feels
+// correspondingly.
 #include <random>
 
 #include "haptic/compile/compile_haptic.h"
@@ -45,10 +45,10 @@ TEST(CompileHaptic, makes_every_exact_shape_the_obstacle_it_is_standing_or_as_a_
         << "a turned box is a brush";
 }
 
-// Force and ball of a hand path, for a shape that stands somewhere, turned back into the shape's own frame.
+// Force and proxy along a hand path, for a placed shape, turned back into the shape's own frame.
 TEST(CompileHaptic, moved_turned_and_scaled_shapes_push_as_they_did_moved_turned_and_scaled) {
     const std::uint32_t seed0 = test::seed_of_run();
-    std::size_t touched = 0;  // in all rounds: a single way may miss a thin shape
+    std::size_t touched = 0;  // over all rounds, since a single path may miss a thin shape
     for (int round = 0; round < scaled(20); ++round) {
         std::mt19937 random(seed0 + static_cast<std::uint32_t>(round));
         const auto kind = static_cast<PrimitiveKind>(round % 5);
@@ -63,7 +63,7 @@ TEST(CompileHaptic, moved_turned_and_scaled_shapes_push_as_they_did_moved_turned
         for (int i = 0; i < 12; ++i) way.emplace_back(0.06 * part(), 0.06 * part(), 0.06 * part());
         way.emplace_back(0, 0, 0.09);
         const std::vector<Vec3> goals = hand_path(way, 0.2);
-        // The hand is scaled with the world, so that both make the same way.
+        // The hand is scaled with the world, so that both follow the same path.
         TouchTuning tuning, scaled_tuning;
         tuning.slide_cap_hand_m = scaled_tuning.slide_cap_hand_m = 1.0;
         tuning.default_friction_static = tuning.default_friction_kinetic = scaled_tuning.default_friction_static =
@@ -86,8 +86,8 @@ TEST(CompileHaptic, moved_turned_and_scaled_shapes_push_as_they_did_moved_turned
             differ += difference_n > 1e-5 ? 1 : 0;
             worst_m = std::max(worst_m, glm::length(frame.to_own(other.proxy_m) - one.proxy_m));
         }
-        // Rounds end at 1e-8 m of the world, and friction carries that along; a rim or tip, and a hand about to slip
-        // off, multiply it.
+        // Iterations end at 1e-8 m of the world, and friction preserves that error. A rim or tip, and a hand about to
+        // slip off, multiply it.
         const bool edges = kind != PrimitiveKind::Sphere && kind != PrimitiveKind::Capsule;
         EXPECT_LE(worst_n, 0.1) << "seed " << seed0 + static_cast<std::uint32_t>(round) << " kind "
                                 << static_cast<int>(kind);

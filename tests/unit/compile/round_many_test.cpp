@@ -1,4 +1,4 @@
-// How much rounding a scene is worth: not beyond a stated number of solids, and not when nobody wants it any more.
+// The limits of rounding a scene: not beyond a stated number of solids, and not after cancellation.
 #include <gmock/gmock.h>
 
 #include "haptic/compile/compile_haptic.h"

@@ -14,12 +14,12 @@
 namespace handrail {
 namespace simplify_scene_test {
 
-constexpr double kBuilding = 254.0;  // a gap is felt from 1.6256 m on, a thing from 0.8128 m
+constexpr double kBuilding = 254.0;  // a gap can be felt from 1.6256 m on, a thing from 0.8128 m
 
 SimplifyOptions at_scale(double scale) { return {scale, {}, {}}; }
 
-// Two rooms of 8 by 6 metres, one south and one north of a wall of 0.2 m, with a doorway of 0.9 m and a door in it.
-// Lintel at 2.1 m, ceiling at 2.6 m.
+// Two rooms of 8 by 6 metres, south and north of a wall of 0.2 m. The wall has a doorway of 0.9 m with a door. Lintel
+// at 2.1 m, ceiling at 2.6 m.
 struct TwoRooms {
     explicit TwoRooms(double door_low_m = 3.5, const Vec3& at_m = Vec3(0.0), bool with_door = true)
         : low_m(door_low_m), zero_m(at_m) {
@@ -62,7 +62,7 @@ bool is_solid(const Scene& scene, const Vec3& p, bool with_leaves = true) {
     });
 }
 
-// Doors, openings without one, and many small things, of which each is looked at more than once.
+// Doors, openings without doors, and many small things, each of which is checked more than once.
 TEST(SimplifyScene, looks_at_nothing_more_once_it_is_not_wanted_wherever_that_comes) {
     TwoRooms rooms;
     for (int i = 0; i < 30; ++i)
@@ -142,7 +142,7 @@ TEST(SimplifyScene, leaves_out_what_is_under_an_eighth_of_an_inch_and_not_wanted
         EXPECT_FALSE(is_solid(felt, rooms.scene().features[out.value].bounds_m.centre_m()));
     for (const FeatureId in : {shelf, fountain, clue, marked, ticks, button})
         EXPECT_TRUE(is_solid(felt, rooms.scene().features[in.value].bounds_m.centre_m()));
-    // 0.3 m at 1:60 are 5 mm of the hand.
+    // At 1:60, 0.3 m are 5 mm of hand movement.
     EXPECT_EQ(plan_simplification(rooms.scene(), at_scale(60.0)).left_out, std::vector<FeatureId>{pole});
 }
 
@@ -161,7 +161,7 @@ TEST(SimplifyScene, leaves_no_hole_in_a_wall_where_a_window_or_a_piece_of_the_wa
     rooms.wall({6, 6, 0}, {6.5, 6.2, 1.0});
     rooms.wall({6, 6, 1.6}, {6.5, 6.2, 2.6});
     const FeatureId window = rooms.thing({6, 6.05, 1.0}, {6.5, 6.1, 1.6}, "Window");
-    // Beside the east wall, and in a corner.
+    // Next to the east wall, and in a corner.
     const FeatureId bin = rooms.thing({7.6, 3, 0}, {8, 3.4, 0.5}, "Bin"),
                     stand = rooms.thing({7.6, 0, 0}, {8, 0.4, 0.5}, "Stand");
     const FeatureId stub = rooms.wall({1.0, 6.2, 0}, {1.4, 6.6, 2.6}, FeatureKind::Object),
@@ -173,7 +173,7 @@ TEST(SimplifyScene, leaves_no_hole_in_a_wall_where_a_window_or_a_piece_of_the_wa
 }
 
 TEST(SimplifyScene, stops_at_a_wall_that_stands_across_and_widens_the_other_way) {
-    // A third room in the north-west: its wall meets the doorway's wall 0.1 m west of the doorway.
+    // A third room in the north-west; its wall meets the doorway's wall 0.1 m west of the doorway.
     TwoRooms rooms;
     rooms.wall({3.2, 6.2, 0}, {3.4, 12.2, 2.6});
     const Simplification plan = plan_simplification(rooms.scene(), at_scale(kBuilding));
@@ -197,7 +197,7 @@ TEST(SimplifyScene, says_what_stays_narrow_between_two_walls_that_stand_across) 
 
 TEST(SimplifyScene, does_not_cut_into_what_is_a_thing_of_its_own) {
     TwoRooms rooms;
-    rooms.thing({4.6, 6, 0}, {5.8, 6.2, 2.0}, "Window");  // stands in the wall
+    rooms.thing({4.6, 6, 0}, {5.8, 6.2, 2.0}, "Window");  // it is inside the wall
     const Simplification plan = plan_simplification(rooms.scene(), at_scale(kBuilding));
     ASSERT_EQ(plan.openings.size(), 1U);
     EXPECT_NEAR(plan.openings[0].felt_high_m, 4.6, 1e-9);
@@ -206,7 +206,7 @@ TEST(SimplifyScene, does_not_cut_into_what_is_a_thing_of_its_own) {
 
 TEST(SimplifyScene, keeps_a_piece_of_wall_between_two_doorways) {
     TwoRooms rooms(3.5);
-    // Another doorway from 5.0 to 5.9 in the same wall.
+    // Another doorway, from 5.0 to 5.9, in the same wall.
     std::erase_if(rooms.scene().solids,
                   [](const Solid& s) { return s.shape.bounds_m.min_m.x == 4.4 && s.shape.bounds_m.min_m.y == 6.0; });
     rooms.wall({4.4, 6, 0}, {5.4, 6.2, 2.6});
@@ -281,7 +281,7 @@ TEST(SimplifyScene, widens_a_doorway_under_which_the_floor_has_a_hole) {
     EXPECT_EQ(plan.openings[0].floor_m, 0.0);
 }
 
-// The same building turned about the upright.
+// The same building rotated about the vertical axis.
 Scene turned(Scene scene, double angle_rad) {
     const double c = std::cos(angle_rad), k = std::sin(angle_rad);
     const auto turn = [&](const Vec3& p) { return Vec3(c * p.x - k * p.y, k * p.x + c * p.y, p.z); };
@@ -361,7 +361,7 @@ TEST(SimplifyScene, takes_two_leaves_in_one_doorway_for_one) {
     EXPECT_NEAR(leaf(east).max_m.x - leaf(west).min_m.x, 0.0064 * kBuilding, 1e-9);
 }
 
-// Brute force: places at random over the building.
+// Brute force: random places all over the building.
 TEST(SimplifyScene, changes_nothing_but_what_is_in_a_cut_a_leaf_or_left_out) {
     const std::uint32_t seed = test::seed_of_run();
     SCOPED_TRACE(seed);

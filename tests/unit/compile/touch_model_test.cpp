@@ -1,4 +1,4 @@
-// What a world is made of for the hand, counted and said in every language.
+// What a world consists of for the hand, counted and described in every language.
 #include "haptic/compile/touch_model.h"
 
 #include <set>

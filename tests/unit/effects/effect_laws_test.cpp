@@ -313,7 +313,7 @@ TEST(EffectLaws, fly_paper_holds_until_it_tears_and_then_holds_again) {
     touch_tick(state, *scene, {}, Vec3(0.0), kTick_s);
     double largest = 0.0;
     Vec3 force(0.0);
-    for (int i = 1; i <= 48; ++i) {  // 4.8 mm at 400 N/m: 1.92 N
+    for (int i = 1; i <= 48; ++i) {  // 4.8 mm at 400 N/m, so 1.92 N
         force = touch_tick(state, *scene, {}, Vec3(1e-4 * i, 0, 0), kTick_s).force_n;
         EXPECT_NEAR(force.x, -400.0 * 1e-4 * i, 1e-9);
     }

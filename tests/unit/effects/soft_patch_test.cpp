@@ -329,7 +329,7 @@ TEST(SoftPatch, feels_the_same_far_away_and_turned) {
 
 TEST(SoftPatch, is_soft_only_where_its_face_is) {
     SoftPatch patch = patch_of(false);
-    patch.outline_m = {{0, 0, 0}, {0.2, 0, 0}, {0, 0.16, 0}};  // a triangle: half of the rectangle
+    patch.outline_m = {{0, 0, 0}, {0.2, 0, 0}, {0, 0.16, 0}};  // a triangle with half the rectangle's area
     const auto scene = scene_of(patch);
     const auto at = [&](double x, double y) {
         TouchState state;

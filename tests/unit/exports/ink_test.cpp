@@ -1,4 +1,4 @@
-// Distances on a picture of the page, what is too near, what is too thick, and lines around it.
+// Distances in a picture of the page: what is too near, what is too thick, and lines around it.
 #include "worlds/exports/ink.h"
 
 #include <gtest/gtest.h>
@@ -72,18 +72,18 @@ TEST(CheckGaps, finds_what_is_too_near_and_leaves_what_is_far_enough) {
 }
 
 TEST(CheckGaps, finds_slits_within_one_part_and_leaves_its_corners) {
-    // Two lines of one part, joined by a third: a gap of 2 mm between them, then of 4 mm.
+    // Two lines of one part, joined by a third: first with a gap of 2 mm between them, then of 4 mm.
     EXPECT_FALSE(check_gaps(page_of({{box(5, 5, 20, 7)}, {box(5, 9, 20, 11)}, {box(3, 5, 5, 11)}}, true), 3.0)
                      .narrow_mm.empty());
     EXPECT_TRUE(check_gaps(page_of({{box(5, 5, 20, 7)}, {box(5, 11, 20, 13)}, {box(3, 5, 5, 13)}}, true), 3.0)
                     .narrow_mm.empty());
-    // A door of 2 mm in a wall, then of 4 mm.
+    // A door of 2 mm in a wall, then one of 4 mm.
     EXPECT_FALSE(check_gaps(page_of({{box(3, 5, 10, 7)}, {box(12, 5, 20, 7)}}, true), 3.0).narrow_mm.empty());
     EXPECT_TRUE(check_gaps(page_of({{box(3, 5, 10, 7)}, {box(14, 5, 20, 7)}}, true), 3.0).narrow_mm.empty());
-    // A pit that nothing goes into, and one of 4 mm.
+    // A pit too small for anything, and one of 4 mm.
     EXPECT_FALSE(check_gaps(page_of({{box(3, 3, 20, 20), box(8, 8, 10, 10)}}), 3.0).narrow_mm.empty());
     EXPECT_TRUE(check_gaps(page_of({{box(3, 3, 20, 20), box(8, 8, 12, 12)}}), 3.0).narrow_mm.empty());
-    // Corners of any angle that walls have.
+    // Corners of every angle that walls have.
     for (const double turn : {0.8, 1.2, 1.6, 2.4}) {
         const Vec2 way(std::cos(turn), std::sin(turn)), side(-way.y, way.x);
         const Vec2 at(12, 8);

@@ -1,4 +1,4 @@
-// On a sheet two rooms are open to each other where the route graph has a way through, and nowhere else.
+// On a sheet, two rooms are open to each other where the route graph has a passage, and nowhere else.
 #include "worlds/exports/openings.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace openings_test {
 
 const WallLook kLook{kWallLine_mm, kLeastGap_mm + 0.2, kLeastSymbol_mm + 0.2, 4.0};
 
-// As on one of several sheets at 1 to 200. Neighbouring ones share a strip, so its rim is looked at on another.
+// As one of several sheets at 1 to 200. Neighbours share a strip, so the rim of a sheet is checked on its neighbour.
 constexpr double kPerMetre_mm = 5.0, kSheet_mm = 400.0, kRim_mm = 30.0;
 struct Drawn {
     explicit Drawn(const Storey& storey) : Drawn(storey, storey.min_m, storey.max_m) {}
@@ -45,7 +45,7 @@ TEST(Openings, are_found_where_a_wall_lacks_and_where_a_door_is_closed) {
     const OpeningCheck found = check_openings(shut.walls.ink, closed, shut.on_paper);
     ASSERT_EQ(found.lacking.size(), 1U);
     EXPECT_EQ(found.lacking[0].rooms, (std::array<std::uint32_t, 2>{0, 1}));
-    // And mended.
+    // And then mended.
     EXPECT_EQ(mend_openings(shut.walls.ink, closed, shut.on_paper, kLook).opened, 1U);
     EXPECT_TRUE(check_openings(shut.walls.ink, closed, shut.on_paper).lacking.empty());
     EXPECT_EQ(mend_openings(leaks.walls.ink, open, leaks.on_paper, kLook).closed.size(), 1U);
@@ -60,7 +60,7 @@ TEST(Openings, at_the_sides_of_a_flight_are_left_to_its_lines) {
     EXPECT_TRUE(check_openings(drawn.walls.ink, open, drawn.on_paper).leaking.empty());
 }
 
-// What is too small to be drawn at 1 to 200 comes out on a sheet of a larger scale.
+// Openings too small to be drawn at 1 to 200 appear on a sheet of a larger scale.
 bool is_right_at_a_larger_scale(const Storey& storey, const std::array<std::uint32_t, 2>& rooms, const Vec2& at) {
     constexpr double kAround_m = 8.0, kLooked_m = 4.0, kLarge_mm = 20.0;
     Drawn drawn(storey, glm::max(storey.min_m, at - Vec2(kAround_m)), glm::min(storey.max_m, at + Vec2(kAround_m)),

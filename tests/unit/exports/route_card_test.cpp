@@ -1,4 +1,4 @@
-// Ways on cards: lines, pages and what stands in them.
+// Directions on cards: lines, pages and contents.
 #include "worlds/exports/route_card.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Plates of every storey that we have are closed solids, by our own check and by admesh where it is installed.
+// Plates of all storeys of our worlds are closed solids, by our own check and by admesh if it is installed.
 #include "worlds/exports/storey_stl.h"
 
 #include <gtest/gtest.h>
@@ -66,8 +66,8 @@ TEST(Triangulated, covers_random_areas_of_many_holes) {
 TEST(PlateWith, is_closed_round_rooms_within_walls_and_has_the_volume_of_its_parts) {
     std::vector<RaisedArea> raised;
     raised.push_back({{box(1000, 1000, 9000, 9000), {box(2000, 2000, 8000, 8000, true)}}, 4000});  // a closed room
-    raised.push_back({{box(3000, 3000, 4000, 4000), {}}, 1000});                                   // a thing in it
-    raised.push_back({{box(9300, 9300, 9600, 9600), {}}, 500});                                    // one outside
+    raised.push_back({{box(3000, 3000, 4000, 4000), {}}, 1000});  // a thing in the room
+    raised.push_back({{box(9300, 9300, 9600, 9600), {}}, 500});   // a thing outside
     const auto solid = plate_with(10000, 10000, 2000, raised);
     ASSERT_TRUE(solid);
     const SolidCheck check = check_solid(*solid);
@@ -111,7 +111,7 @@ TEST(StlOfSolid, holds_every_triangle_in_millimetres_with_its_normal) {
     EXPECT_EQ(highest, 20.0F);
 }
 
-// What admesh finds wrong with a file; empty: nothing, or it is not installed.
+// The faults that admesh finds in a file; empty if there is none, or if admesh is not installed.
 std::string faults_by_admesh(const std::string& stl) {
     if (std::system("command -v admesh >/dev/null 2>&1") != 0) {
         std::cout << "admesh is not installed, so only our own check was made\n";
@@ -165,7 +165,7 @@ TEST(StoreyPlate, has_walls_things_signs_and_an_open_door_at_their_heights) {
     EXPECT_TRUE(plate->signs[0].on_sheet && plate->signs[1].on_sheet);
 }
 
-// Whether a face as high as the walls covers a place.
+// Whether a face at wall height covers a place.
 bool is_wall_at(const StoreyPlate& plate, const Vec2& at_um) {
     return std::any_of(plate.triangles.begin(), plate.triangles.end(), [&](const SolidTriangle& triangle) {
         std::vector<Vec2> corners;
@@ -176,7 +176,7 @@ bool is_wall_at(const StoreyPlate& plate, const Vec2& at_um) {
 }
 
 TEST(StoreyPlate, is_solid_between_the_leaves_of_a_wall) {
-    // The wall between the rooms has two leaves with 0.3 m between them, as far as the doorway.
+    // The wall between the rooms has two skins with 0.3 m between them, up to the doorway.
     Storey storey = two_rooms();
     storey.walls_m.push_back({{6.5, 0.0}, {6.7, 0.0}, {6.7, 1.5}, {6.5, 1.5}});
     storey.walls_m.push_back({{6.2, 1.4}, {6.5, 1.4}, {6.5, 1.5}, {6.2, 1.5}});

@@ -1,4 +1,5 @@
-// Sheets for swell paper of every storey that we have: nothing nearer than a finger parts, nothing lost in silence.
+// Sheets for swell paper of all storeys of our worlds: no lines are nearer than a finger can distinguish, and nothing
+// is lost silently.
 #include "worlds/exports/swell_sheet.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@
 namespace handrail::test {
 namespace swell_sheet_test {
 
-// Every sign is in its room with all its corners, and off the doorways.
+// Every sign is inside its room with all its corners, and off the doorways.
 void stand_in_their_rooms(const Storey& storey, const SwellSheet& sheet, const std::string& what) {
     Ink walls(sheet.plan.width_mm, sheet.plan.height_mm);
     for (const SheetShape& shape : sheet.plan.shapes)
@@ -137,14 +138,14 @@ TEST(SwellSheet, of_two_rooms_has_their_signs_the_table_and_an_open_door) {
     EXPECT_TRUE(sheet->simplified.empty()) << sheet->simplified[0];
     ASSERT_FALSE(sheet->key.empty());
     EXPECT_NE(sheet->plan.text.find("ki  Kitchen."), std::string::npos) << sheet->plan.text;
-    // Of the door 25 mm are free.
+    // 25 mm of the door are free.
     const Ink ink = ink_of(sheet->plan);
     const OnPaper& on_sheet = sheet->on_paper;
     EXPECT_TRUE(black_at(ink, on_sheet({6.1, 1.4})));
     for (const double y : {1.55, 2.0, 2.45}) EXPECT_FALSE(black_at(ink, on_sheet({6.1, y})));
 }
 
-// The braille in the head of a sheet, as BRF has it: its lines with a blank between them.
+// The braille in the head of a sheet in BRF characters, its lines separated by blanks.
 std::string head_of(const SwellSheet& sheet) {
     std::string head;
     for (const double line_mm : {0.0, kBrailleLine_mm}) {
@@ -216,7 +217,7 @@ TEST(SwellSheet, of_an_upper_storey_shows_the_stairs_that_arrive) {
     ASSERT_TRUE(sheet);
     EXPECT_NE(sheet->plan.text.find("Stairs of another storey begin or end in: Landing."), std::string::npos)
         << sheet->plan.text;
-    // Three lines or more across the flight.
+    // Three or more lines across the flight.
     int lines = 0;
     for (const SheetShape& shape : sheet->plan.shapes) {
         Vec2 low(1e9), high(-1e9);
@@ -259,7 +260,7 @@ TEST(SwellSheet, of_a_real_building_has_no_sign_of_a_niche_outside_of_it) {
 
 TEST(SwellSheet, names_a_thing_in_the_room_in_which_it_is_drawn) {
     Storey storey = two_rooms();
-    // Where it stands, next to the wall, no body comes: the nearest floor is that of the kitchen, behind the wall.
+    // No walker gets to this place next to the wall; the nearest floor is that of the kitchen, behind the wall.
     storey.rooms[1].loops_m = {{{7.8, 0.25}, {8.95, 0.25}, {8.95, 3.75}, {7.8, 3.75}},
                                {{6.45, 1.5}, {8.0, 1.5}, {8.0, 2.2}, {6.45, 2.2}}};
     lay_floor(storey);
@@ -327,7 +328,7 @@ TEST(SwellSheets, say_that_one_is_not_enough_and_are_several_that_keep_what_they
         ASSERT_TRUE(sheet.part);
         EXPECT_NE(head_of(sheet).find("SHEET"), std::string::npos) << head_of(sheet);
         EXPECT_EQ(head_of(sheet).front(), ',') << "a capital letter, not what the name of the world left";
-        // Neighbours know each other, and have their marks at the same places of the world.
+        // Neighbouring sheets refer to each other and have their marks at the same places of the world.
         constexpr std::size_t kBack[] = {1, 0, 3, 2};
         for (std::size_t side = 0; side < 4; ++side)
             for (const NextSheet& next : sheet.part->next[side]) {
@@ -348,7 +349,7 @@ TEST(SwellSheets, say_that_one_is_not_enough_and_are_several_that_keep_what_they
 }
 
 TEST(SheetParts, are_cut_between_wings_and_show_no_empty_corner) {
-    // Two wings of 20 by 10 m that a corridor joins, with nothing between them.
+    // Two wings of 20 by 10 m, joined only by a corridor.
     Storey storey;
     storey.world = "Test";
     storey.max_m = {50.0, 40.0};
@@ -394,21 +395,21 @@ TEST(SwellSheet, gives_a_small_room_one_letter_and_says_where_a_smaller_one_lead
         storey.max_m = {wide_m, 30.0};
         return swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
     };
-    // Between walls 3 m: at 1 to 225 these are 13.3 mm, where two cells need 16.3 and one 10.4.
+    // 3 m between walls are 13.3 mm at 1 to 225; two cells need 16.3 and one needs 10.4.
     const Result<SwellSheet> letter = sheet_of(two_rooms(), 57.0);
     ASSERT_TRUE(letter && letter->one_to == 225.0);
     EXPECT_EQ(letter->signs[0].sign, "ki");
     EXPECT_TRUE(letter->signs[1].on_sheet);
     EXPECT_EQ(letter->signs[1].sign, "r");
     EXPECT_NE(letter->plan.text.find("r  Room 12."), std::string::npos) << letter->plan.text;
-    // And at 1 to 275 10.1 mm, for lines are drawn thicker than its walls.
+    // At 1 to 275 only 10.1 mm are left, because lines are drawn thicker than the walls.
     const Result<SwellSheet> none = sheet_of(two_rooms(), 72.0);
     ASSERT_TRUE(none && none->one_to == 275.0);
     EXPECT_EQ(none->signs[1].doors_to, std::vector<std::string>{"Kitchen"});
     EXPECT_NE(none->plan.text.find("Room 12: not labelled on the plan. It leads to: Kitchen."), std::string::npos)
         << none->plan.text;
     EXPECT_TRUE(none->broken.empty()) << none->broken[0];
-    // Of two such rooms nobody knows which is which.
+    // With two such rooms nobody knows which is which.
     Storey both = two_rooms();
     both.rooms.push_back(both.rooms[1]);
     both.rooms[1].loops_m = {{{6.45, 0.25}, {8.95, 0.25}, {8.95, 1.75}, {6.45, 1.75}}};
@@ -451,7 +452,7 @@ TEST(SwellSheets, show_once_more_and_larger_what_is_too_small_for_its_sign) {
         room.area_m2 = 1.0;
         room.loops_m = {{room.min_m, {x + 1.0, y}, room.max_m, {x, y + 1.0}}};
         storey.rooms.push_back(std::move(room));
-        // Cut out of the room around it.
+        // Cuts them out of the surrounding room.
         storey.rooms[0].loops_m.push_back(
             {{x - 0.3, y - 0.3}, {x - 0.3, y + 1.3}, {x + 1.3, y + 1.3}, {x + 1.3, y - 0.3}});
     };
@@ -517,7 +518,7 @@ TEST(SwellSheet, leaves_out_what_has_no_room_by_name) {
     is_fit_for_fingers(storey, *sheet, "with things");
 }
 
-// A wall of another part of the building, far beyond the rooms of the storey, ran through the title.
+// Earlier, a wall of another part of the building, far beyond the rooms of the storey, ran through the title.
 TEST(SwellSheet, draws_no_wall_through_its_title_or_its_foot) {
     Storey storey = two_rooms();
     storey.walls_m.push_back({{3.0, -40.0}, {3.2, -40.0}, {3.2, 60.0}, {3.0, 60.0}});
@@ -645,7 +646,7 @@ TEST(SwellSheet, says_between_which_rooms_it_is_drawn_closed) {
 
 TEST(SwellSheet, says_which_floors_end_without_a_wall) {
     Storey storey = two_rooms();
-    storey.walls_m.erase(storey.walls_m.begin() + 1);  // the north wall
+    storey.walls_m.erase(storey.walls_m.begin() + 1);  // removes the north wall
     const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
     ASSERT_TRUE(sheet);
     EXPECT_TRUE(says(*sheet, "Floors that end without a wall are not outlined in: Kitchen; Room 12."))
@@ -687,7 +688,7 @@ TEST(CalibrationStrip, has_samples_of_every_size_with_their_numbers) {
 
 // --- files
 
-// Tags open and close in order, attributes are quoted, no stray ampersand.
+// Tags open and close in order, attributes are quoted, and there is no stray ampersand.
 void is_xml(const std::string& text) {
     static const std::regex kTag(R"re(<(\?xml[^>]*\?|/?[a-zA-Z]+((\s+[a-zA-Z:_-]+="[^"<]*")*)\s*/?)>)re");
     std::vector<std::string> open;
@@ -737,7 +738,7 @@ TEST(PdfOfSheet, has_every_page_and_its_table_points_at_its_objects) {
     const std::size_t start = pdf.rfind("startxref\n") + 10;
     const std::size_t table = std::stoul(pdf.substr(start));
     ASSERT_EQ(pdf.substr(table, 5), "xref\n");
-    std::size_t line = pdf.find('\n', table + 5) + 1 + 20;  // after the first, which is free
+    std::size_t line = pdf.find('\n', table + 5) + 1 + 20;  // skips the first entry, which is free
     int objects = 0;
     while (pdf.compare(line, 7, "trailer") != 0) {
         const std::size_t place = std::stoul(pdf.substr(line, 10));
@@ -746,7 +747,7 @@ TEST(PdfOfSheet, has_every_page_and_its_table_points_at_its_objects) {
         line += 20;
     }
     EXPECT_EQ(objects, 3 + 2 * static_cast<int>(pages.size()));
-    // Each stream is as long as it says.
+    // Each stream has its stated length.
     static const std::regex kLength("/Length ([0-9]+)>>stream\n");
     for (auto it = std::sregex_iterator(pdf.begin(), pdf.end(), kLength); it != std::sregex_iterator(); ++it) {
         const auto from = static_cast<std::size_t>(it->position() + it->length());

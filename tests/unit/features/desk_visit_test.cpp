@@ -1,4 +1,4 @@
-// The desk without a session: what it asks for stands in the test, over plain state.
+// The desk without a session: the test provides what it needs, as plain state.
 #include "app/core/desk/desk_visit.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// What features tell of as facts, each over plain state alone.
+// The facts that features report as events, each over plain state alone.
 #include <gmock/gmock.h>
 
 #include "app/core/context/touch_events.h"

@@ -1,4 +1,4 @@
-// What the hand feels, where its workspace lies and when it has force, over plain state alone.
+// What the hand feels, where its workspace is and when it has force, over plain state alone.
 #include <gmock/gmock.h>
 
 #include "app/core/hand/forces.h"
@@ -34,17 +34,17 @@ struct WithHand {
         workspace.publish(0.0, PoseChange::Placed);
         feel_at(plain.hands.pose.origin_m);
     }
-    // The servo has told that the hand is there, in the workspace as it lies now.
+    // Makes the servo report that the hand is there, in the present workspace.
     void feel_at(const Vec3& place_m) {
         ToolState& tool = plain.hands.tool;
         tool.ticks = 1;
         tool.waiting_for_hand = false;
         tool.hip_m = tool.proxy_m = place_m;
         tool.workspace_jump = plain.hands.pose.jump;
-        tool.hand_m = (place_m - plain.hands.pose.origin_m) / scale_now();  // while the workspace looks north
+        tool.hand_m = (place_m - plain.hands.pose.origin_m) / scale_now();  // valid while the workspace faces north
     }
     double scale_now() const { return plain.hands.tuning.touch.world_m_per_hand_m; }
-    // Where a hand at that place of the device would be.
+    // The world position of a hand at that place of the device.
     Vec3 world_m(const Vec3& hand_m) const { return plain.hands.pose.origin_m + hand_m * scale_now(); }
 
     test::PlainSession plain;

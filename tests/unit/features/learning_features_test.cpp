@@ -45,7 +45,7 @@ struct Learner : test::PlainSession {
         const std::vector<std::string> words = said();
         return words.size() == 1 ? words.front() : std::string("not one answer");
     }
-    // Along the south wall, as one who trails it does; as a body that walks freely else.
+    // Walks along the south wall, either trailing it or freely.
     void walk_east(bool trails, double& now_s) {
         for (double x = 0.3; x < 9.8; x += 0.1, now_s += 0.1) {
             stand({x, 0.35, 0.0});
@@ -137,7 +137,7 @@ struct Hunter : test::PlainSession {
         rooms.tick(0.0);
         hunt.enter_world();
     }
-    // Where the clock ticks; none: nowhere.
+    // Where the clock ticks; none if it does not tick.
     std::optional<Vec3> clock_m() {
         std::vector<CueRequest> sounding;
         Soundscape ears = soundscape;
@@ -146,7 +146,7 @@ struct Hunter : test::PlainSession {
             if (cue.sound == SoundKind::HiddenClock && cue.loudness > 0.0) return cue.position_m;
         return std::nullopt;
     }
-    // Goes to the clock at that time; what is said there.
+    // Goes to the clock at that time and returns what is said there.
     std::vector<std::string> find_at(double now_s) {
         const Vec3 clock = clock_m().value();
         stand(clock - Vec3(0.0, 0.0, 1.0));

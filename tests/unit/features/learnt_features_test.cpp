@@ -1,4 +1,4 @@
-// What is remembered of learning from session to session, over plain state and a side file of a test's own.
+// What is remembered of learning from session to session, over plain state and a separate side file.
 #include <gmock/gmock.h>
 
 #include <random>
@@ -20,7 +20,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-// A hall of 10 by 6 m with a wall from the south that leaves two metres to the north, and three things.
+// A hall of 10 by 6 m with three things, and a wall from the south that leaves two metres free in the north.
 std::shared_ptr<const Scene> hall() {
     test::SceneBuilder builder;
     const auto wall = [&](const Vec3& min_m, const Vec3& max_m, const std::string& name) {
@@ -234,7 +234,7 @@ TEST_F(Remembered, file_cut_at_every_byte_loses_nothing) {
     for (std::size_t length = 0; length < whole.size(); ++length) {
         folder.write("hall.map.handrail.toml", whole.substr(0, length));
         const SideFile cut = SideFile::of_world(world, {});
-        if (!cut.news().empty()) {  // kept aside, told
+        if (!cut.news().empty()) {  // set aside and reported
             std::filesystem::path aside = file;
             aside += ".damaged";
             EXPECT_EQ(test::content_of(aside), whole.substr(0, length));
@@ -267,7 +267,7 @@ TEST(LearntFile, thinned_out_notes_know_as_much_and_thinning_again_changes_nothi
     thin_out(again, twice);
     EXPECT_EQ(twice.steps_m.size(), once.steps_m.size());
     EXPECT_EQ(twice.touches.size(), once.touches.size());
-    // Each spot of wall that was touched still is, and none beyond.
+    // Each touched spot of wall is still known, and none beyond.
     const auto known = [](const std::vector<TouchNote>& touches, double x) {
         return std::any_of(touches.begin(), touches.end(), [&](const TouchNote& note) {
             return note.normal.y > 0.9 && std::abs(note.point_m.x - x) <= note.reach_m + 1e-9;

@@ -1,4 +1,4 @@
-// Lessons without a session: what they ask for stands in the test, over plain state.
+// Lessons without a session: the test provides what they need, as plain state.
 #include "app/core/lessons/lesson_session.h"
 
 #include <gmock/gmock.h>
@@ -145,7 +145,7 @@ TEST_F(LessonsAlone, meet_a_wall_by_body_and_lead_on_to_what_is_chosen) {
     tick();
     EXPECT_THAT(tick(2.0), ::testing::Not(IsEmpty()));
 
-    // The end of the first minutes, by way of the last step that was kept.
+    // The end of the first minutes, reached from the last step that was saved.
     plain.person.settings.welcome.step = static_cast<int>(first_minutes().steps.size()) - 1;
     lessons.begin_first_minutes("a voice", false, now_s);
     plain.said();

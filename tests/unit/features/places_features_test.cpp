@@ -1,4 +1,4 @@
-// The mark list and kept ways, each over plain state alone.
+// The mark list and kept routes, each over plain state alone.
 #include <gmock/gmock.h>
 
 #include <optional>
@@ -37,7 +37,7 @@ struct Place : test::PlainSession {
         rooms.enter_world(as_read);
         rooms.tick(0.0);
     }
-    // What is said to a line that is typed, or to an item of the open list by its name.
+    // The answer to a typed line, or to choosing an item of the open list by its name.
     std::vector<std::string> line(const std::string& typed) {
         const DialogueReply reply = lists.dialogue.line(typed, context.tick_s);
         EXPECT_TRUE(reply.taken && !reply.denied) << typed << ": " << reply.words;
@@ -204,7 +204,7 @@ TEST(MarkListFeature, tells_once_what_of_the_file_is_no_mark) {
 
 struct Keeper : Place {
     Keeper() { ways.enter_world(0.0); }
-    // From the base 6 m east, and kept under that name.
+    // Walks from the base 6 m east, and keeps the route under that name.
     void keep(const std::string& name) {
         for (double x = 0.0; x <= 6.0; x += 0.25) body.crumbs_m.emplace_back(x, 0.0, 0.0);
         stand({6.0, 0.0, 0.0});

@@ -1,4 +1,4 @@
-// What a session's features look at, as plain state that a test sets up by itself: no session, no servo, no clock.
+// The state on which a session's features work, set up directly by a test: no session, no servo, no clock.
 #pragma once
 
 #include <algorithm>
@@ -36,14 +36,14 @@ struct PlainSession : SessionState {
             return set;
         };
     }
-    // All that was said since this was last asked.
+    // Everything said since the last call.
     std::vector<std::string> said() {
         std::vector<std::string> words;
         for (CueRequest& cue : cues.take())
             if (cue.kind == CueRequestKind::Say) words.push_back(std::move(cue.text));
         return words;
     }
-    // How often that sound was asked for since this or said() was last asked.
+    // How often that sound was requested since the last call of this or of said().
     std::size_t heard(SoundKind kind) {
         const std::vector<CueRequest> asked = cues.take();
         return static_cast<std::size_t>(std::count_if(asked.begin(), asked.end(), [&](const CueRequest& cue) {

@@ -19,7 +19,7 @@ using ::testing::IsEmpty;
 
 constexpr double kTick_s = 1.0 / 60.0;
 
-// A floor of 20 by 20 metres with nothing round it, and a wall across it 3 m north of the base.
+// A floor of 20 by 20 metres with nothing around it, and a wall across it 3 m north of the base.
 std::shared_ptr<const Scene> terrace() {
     test::SceneBuilder builder;
     builder.box({-10.0, -10.0, -0.5}, {10.0, 10.0, 0.0}, "floor");
@@ -44,7 +44,7 @@ struct OnFoot {
         settle();
     }
     void tick() { walking.tick(now_s += kTick_s, kTick_s); }
-    // Until nothing is on its way any more, ten seconds at most.
+    // Waits until nothing is under way, for ten seconds at most.
     void settle() {
         tick();
         for (int i = 0; i < 600 && !walking.idle(); ++i) tick();
@@ -69,7 +69,7 @@ int count_of(const std::vector<CueRequest>& cues, CueRequestKind kind) {
         std::count_if(cues.begin(), cues.end(), [kind](const CueRequest& cue) { return cue.kind == kind; }));
 }
 
-// At the verbosity that leaves materials out it read past the end of the world's features.
+// Earlier, at the verbosity that leaves out materials, it read past the end of the world's features.
 TEST(WalkingFeature, calls_what_has_no_name_of_its_own_a_wall_at_every_verbosity) {
     OnFoot one;
     for (const FeatureId nameless : {kNoFeature, FeatureId{1000}})
@@ -135,7 +135,7 @@ TEST(WalkingFeature, stops_at_an_edge_until_the_key_comes_again) {
     EXPECT_FALSE(one.plain.body.walker->state().on_ground) << "asked for twice";
 }
 
-// Whoever types, while it lives.
+// The person types while this object lives.
 struct ByLines {
     ByLines() { speak_to(ActsBy::Lines); }
     ~ByLines() { speak_to(ActsBy::WindowKeys); }
@@ -143,7 +143,7 @@ struct ByLines {
     ByLines& operator=(const ByLines&) = delete;
 };
 
-// What is said of the steps, and of a step that was blocked when that is all that is read of it.
+// What is said of the steps, and of a blocked step if nothing else was read of it.
 std::vector<std::string> told(OnFoot& one) {
     std::vector<std::string> words;
     for (CueRequest& cue : one.plain.cues.take())
@@ -208,7 +208,7 @@ TEST(WalkingFeature, a_blocked_step_says_on_which_side_it_was_met) {
     };
     EXPECT_EQ(met({0.0, 2.7, 0.0}, 0.0, Command::Forward), "Wall");
     EXPECT_EQ(met({0.0, 2.7, 0.0}, kPi, Command::Back), "Wall, behind");
-    // The gate is four metres east, two metres wide: past its end with one shoulder.
+    // The gate is four metres east and two metres wide; the walker passes its end with one shoulder.
     EXPECT_EQ(met({3.7, 1.2, 0.0}, 0.5 * kPi, Command::Forward), "Gate, right shoulder");
     EXPECT_EQ(met({3.7, -1.2, 0.0}, 0.5 * kPi, Command::Forward), "Gate, left shoulder");
     one.walking.steer({0.0, 1.0, 0.0});
@@ -254,7 +254,7 @@ TEST(WalkingFeature, comes_home_when_it_falls_out_of_the_world) {
     EXPECT_THAT(one.plain.said(), ::testing::Contains(phrase("session.fell_out")));
 }
 
-// A floor far from a base over nothing, or none at all.
+// A floor far from a base that has nothing below it, or no floor at all.
 struct OverNothing : OnFoot {
     using OnFoot::OnFoot;
     int falls_within_a_minute() {

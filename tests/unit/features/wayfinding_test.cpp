@@ -1,4 +1,5 @@
-// Wayfinding over plain state alone: stops, ways by ear and by the hand, beacon and warmer, and the guide over them.
+// Wayfinding over plain state alone: stops, routes by ear and by hand, beacon and "warmer", and the guide that combines
+// them.
 #include <gmock/gmock.h>
 
 #include "app/core/wayfinding/guide.h"
@@ -16,8 +17,8 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-// A yard with a wall across it that ends 6 m east of the base; a bench stands 4 m north of the base, behind the wall,
-// a well 4 m south of it.
+// A yard with a wall across it that ends 6 m east of the base. A bench is 4 m north of the base, behind the wall, and a
+// well 4 m south of it.
 std::shared_ptr<const Scene> yard() {
     test::SceneBuilder builder;
     builder.box({-10.0, -10.0, -0.5}, {10.0, 10.0, 0.0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
@@ -40,7 +41,7 @@ struct Yard : test::PlainSession {
         ADD_FAILURE() << "no " << name;
         return {};
     }
-    // A device whose force may act, its ball so high above the soles.
+    // Adds a device whose force may act, with its proxy at `at_m`.
     void give_hand(const Vec3& at_m) {
         hands.right.present = true;
         hands.right.spec.workspace_radius_m = 0.1;
@@ -235,7 +236,7 @@ std::shared_ptr<const Scene> two_rooms() {
     return builder.share();
 }
 
-// The ground of words may let slide past what stops the body.
+// The ground used for words may let a body slide past something that really stops it.
 TEST(Wayfinding, tells_no_leg_again_that_the_body_has_just_been_stopped_on) {
     test::PlainSession plain(two_rooms());
     Rooms rooms{plain.context};
@@ -246,7 +247,7 @@ TEST(Wayfinding, tells_no_leg_again_that_the_body_has_just_been_stopped_on) {
     ASSERT_NE(kitchen, kNothing);
     WordGround ground(plain.context, rooms);
     WordWay word(plain.context, rooms, ground);
-    // The floor, and then a route on it.
+    // First the floor, then a route on it.
     const auto plan = [&] {
         for (int i = 0; i < 3 && word.state() == WordWay::State::Planned; ++i) {
             ground.tick();
@@ -278,7 +279,7 @@ struct Hand : Plans {
         goal = Yard::goal("Well");
         way = plans.for_hand(*goal, GuidancePath::kMostPoints);
     }
-    // A pull that acts and that the servo feels.
+    // An active pull that the servo feels.
     void pull(double now_s) {
         hand.pull(way, 1.0, "Taking you.", now_s);
         hand.tick(goal, now_s + 1.1);
@@ -357,7 +358,7 @@ TEST(Wayfinding, carries_the_workspace_on_where_the_way_leads_out_of_reach) {
     Hand plain;
     plain.pull(0.0);
     EXPECT_EQ(plain.hand.carry(), Vec3(0.0));
-    plain.hands.tool.hand_m = {0.0, -0.09, 0.0};  // the well is south of it
+    plain.hands.tool.hand_m = {0.0, -0.09, 0.0};  // the well is south of the hand
     EXPECT_LT(plain.hand.carry().y, 0.0);
     EXPECT_TRUE(plain.hand.take_carried());
     plain.hands.tool.hand_m = Vec3(0.0);
@@ -423,10 +424,10 @@ TEST(Wayfinding, tells_warmer_as_found_only_on_the_thing_s_side_of_a_wall) {
     EXPECT_THAT(plain.said(), Contains(HasSubstr("Bell")));
 }
 
-// ---- the guide over all of them ----
+// ---- the guide that combines them ----
 
 struct Guided : Yard {
-    // Walks along the way that was planned last; all that is said on it.
+    // Walks along the last planned route and returns everything said on it.
     std::vector<std::string> walk() {
         std::vector<std::string> heard;
         const std::vector<Vec3> way = guide.way_m();
@@ -504,7 +505,7 @@ TEST(Wayfinding, leads_by_ear_where_no_force_may_act) {
     plain.hands.tuning.forces_on = false;
     plain.guide.open_tools(plain.goal("Bench"), 0.0);
     plain.said();
-    plain.lists.dialogue.line("2", 0.0);  // take me there
+    plain.lists.dialogue.line("2", 0.0);  // chooses "take me there"
     EXPECT_EQ(plain.guide.path().number, 0U);
     EXPECT_THAT(plain.said(), Contains(HasSubstr("Bench")));
     EXPECT_FALSE(plain.guide.way_m().empty());
@@ -515,9 +516,9 @@ TEST(Wayfinding, leads_by_ear_where_no_force_may_act) {
     EXPECT_GT(plain.guide.path().number, 0U) << "and by the hand where it may";
 }
 
-// ---- what it tells of as facts ----
+// ---- what it reports as facts ----
 
-// "led Bench by 1": what, whither, and by which LedBy.
+// Facts such as "led Bench by 1": what happened, the destination, and the LedBy value.
 std::vector<std::string> facts(Yard& plain) {
     const auto fact = [](const char* what, const std::string& name, LedBy by) {
         return fmt::format("{} {} by {}", what, name, static_cast<int>(by));
@@ -548,7 +549,7 @@ TEST(Wayfinding, tells_of_stops_that_are_passed_and_of_the_end_as_facts) {
     EXPECT_THAT(facts(plain), IsEmpty()) << "once";
 }
 
-// Lessons lead to one stop, which is nearer than what counts as passed.
+// A lesson leads to one stop, which may be nearer than the distance that counts as passed.
 TEST(Wayfinding, leads_to_the_only_stop_of_a_way_however_near_it_is) {
     for (const double away_m : {0.0, 0.2, 1.0, 1.4}) {
         Guided plain;
@@ -597,7 +598,7 @@ TEST(Wayfinding, tells_of_a_hand_that_is_led_as_facts) {
     plain.felt(plain.guide.path(), GuidancePhase::Arrived);
     plain.guide.lead(2.8);
     EXPECT_THAT(facts(plain), ElementsAre("arrived Well by 0"));
-    plain.lists.dialogue.line("4", 3.0);  // its lines
+    plain.lists.dialogue.line("4", 3.0);  // chooses its lines
     plain.guide.lead(4.1);
     EXPECT_THAT(facts(plain), ElementsAre("led Well by 1"));
 }

@@ -121,7 +121,7 @@ TEST(SolidsWithin, fill_a_ring_and_leave_its_hole_free) {
 }
 
 TEST(SolidsWithin, cut_what_is_round_into_parts_of_few_sides) {
-    BlockMesh ball;  // 24 by 24 sides
+    BlockMesh ball;  // a ball of 24 by 24 sides
     constexpr int kSides = 24;
     for (int i = 0; i <= kSides; ++i)
         for (int k = 0; k < kSides; ++k) {

@@ -39,7 +39,7 @@ double total_area(const std::vector<ExposedPiece>& pieces) {
     return sum;
 }
 
-// How deep a point lies inside a polygon of its plane; negative outside.
+// How deep a point is inside a polygon in its plane; negative outside.
 double depth_in(const Polygon& polygon, const Vec3& normal, const Vec3& p) {
     double depth = 1e9;
     const std::size_t n = polygon.points_m.size();
@@ -208,7 +208,7 @@ TEST(ExposedSurface, cuts_a_floor_by_all_that_stands_on_it) {
     std::uniform_real_distribution<double> place(-10.0, 9.0), size(0.1, 0.9), anywhere(-10.0, 10.0);
     std::vector<ConvexSolid> shapes{box({-10, -10, -1}, {10, 10, 0})};
     for (int i = 0; i < 400; ++i) {
-        const Vec3 low(place(random), place(random), i % 5 ? 0.0 : -0.5);  // some overlap, some stick into the floor
+        const Vec3 low(place(random), place(random), i % 5 ? 0.0 : -0.5);  // some overlap, some reach into the floor
         shapes.push_back(
             i % 7 ? box(low, low + Vec3(size(random), size(random), 1.0))
                   : solid({{glm::normalize(Vec3(1, 1, 0)), glm::dot(glm::normalize(Vec3(1, 1, 0)), low) + 0.5},

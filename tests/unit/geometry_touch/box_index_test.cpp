@@ -1,4 +1,4 @@
-// The hierarchy of boxes for lines and boxes against scans of all boxes.
+// The box hierarchy for lines and boxes, compared with scans of all boxes.
 #include <random>
 
 #include "tests/support/scale.h"
@@ -27,7 +27,7 @@ std::vector<Aabb> random_boxes(std::mt19937& random, int count, const Vec3& shif
     return boxes;
 }
 
-// The first part of the way at which the line is in the box grown; above 1 where it never is.
+// The share of the path at which the line enters the grown box; above 1 if it never does.
 double enters(const Aabb& box, const Vec3& from, const Vec3& to, const Vec3& low, const Vec3& high) {
     double in = 0.0, out = 1.0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -76,7 +76,7 @@ TEST(BoxIndex, finds_what_a_scan_finds_for_boxes_and_lines) {
                     }
                     nearest = std::min(nearest, in);
                 }
-                // Where each box ends the way, the nearest is found though what is behind it is never looked at.
+                // If each box ends the path, the nearest is found without looking at boxes behind it.
                 std::size_t looks = 0;
                 tree.along(from, to, low, high, [&](std::uint32_t i, double& reach) {
                     ++looks;

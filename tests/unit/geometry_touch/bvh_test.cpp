@@ -1,4 +1,4 @@
-// The hierarchy of boxes against scans of all boxes: ordinary, all in one place, empty, far away, moved at random.
+// The box hierarchy, compared with scans of all boxes: ordinary, all at one place, empty, far away, moved at random.
 #include <random>
 
 #include "tests/support/scale.h"
@@ -18,7 +18,7 @@ Vec3 in_cube(std::mt19937& random, double half) {
     return {x, y, z};
 }
 
-// Boxes of a kind: scattered, thin, points in one place, a row, nested; some empty.
+// Boxes of one kind: scattered, thin, points at one place, a row, nested; some empty.
 std::vector<Aabb> random_boxes(std::mt19937& random, int count, const Vec3& shift) {
     std::vector<Aabb> boxes;
     for (int i = 0; i < count; ++i) {
@@ -45,8 +45,8 @@ double nearest_of(const std::vector<Aabb>& boxes, const Vec3& p) {
     return std::sqrt(nearest2);
 }
 
-// Every query against its full scan. What is visited beyond the reach costs time only, so it is left out here and
-// bounded in number.
+// Compares every query with its full scan. Boxes visited beyond the reach cost only time, so they are ignored here and
+// limited in number.
 void expect_right(const Bvh& bvh, const std::vector<Aabb>& boxes, std::mt19937& random, const Vec3& around,
                   const std::string& what) {
     constexpr int kPlenty = 1 << 20;
@@ -76,7 +76,7 @@ void expect_right(const Bvh& bvh, const std::vector<Aabb>& boxes, std::mt19937& 
         std::sort(in_order.begin(), in_order.end());
         ASSERT_EQ(in_order, expected);
 
-        // The nearest, by lowering the reach; and a lower bound of it that may be loose by 0.7.
+        // The nearest, found by lowering the reach, and a lower bound of it that may be loose by 0.7.
         const double nearest = nearest_of(boxes, p);
         double best = 1e9, loose = 1e9;
         bvh.within(p, 1e9, [&](std::uint32_t item, double& lower) {
@@ -94,7 +94,7 @@ void expect_right(const Bvh& bvh, const std::vector<Aabb>& boxes, std::mt19937& 
             EXPECT_GE(bound, 0.7 * nearest * (1.0 - 1e-12));
         }
 
-        // Few looks: whatever is nearer than the answer was visited, and the looks were not exceeded.
+        // With a limited number of looks: everything nearer than the answer was visited, and the limit was kept.
         std::vector<bool> visited(boxes.size(), false);
         looks = 1 + query;
         int used = 0;
@@ -127,7 +127,7 @@ TEST(Bvh, answers_like_a_full_scan_after_random_motion_and_refit) {
         std::vector<Aabb> boxes = random_boxes(random, count, Vec3(0.0));
         Bvh bvh(boxes);
         for (int round = 0; round < 3; ++round) {
-            // Each its own way: a little, a lot, into one place, 10 km away together.
+            // Each moves differently: a little, a lot, to one place, all together by 10 km.
             const Vec3 together = round == 2 ? Vec3(1e4, -1e4, 50.0) : Vec3(0.0);
             for (Aabb& box : boxes) {
                 if (box.empty()) continue;
@@ -142,8 +142,8 @@ TEST(Bvh, answers_like_a_full_scan_after_random_motion_and_refit) {
 }
 
 TEST(Bvh, keeps_its_looks_where_everything_is_equally_near) {
-    // In the middle of a round room no order helps: 20,480 triangles at one distance. A hundred looks must do, and
-    // still tell that the room is there.
+    // In the middle of a round room no order helps: 20,480 triangles at one distance. A hundred looks must suffice and
+    // still report that the room is there.
     const TriangleMesh mesh = sphere_mesh(32, 0.006);
     std::vector<Aabb> boxes;
     for (const Corners& t : mesh.triangles) {

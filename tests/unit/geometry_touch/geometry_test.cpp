@@ -1,4 +1,4 @@
-// Each geometry routine against its brute-force twin: ordinary, degenerate, far away, in every order.
+// Each geometry routine, compared with brute force: ordinary, degenerate, far away, in every order.
 #include <random>
 
 #include "tests/support/scale.h"
@@ -19,16 +19,16 @@ Vec3 random_point(std::mt19937& random, double half) {
 
 double as_double(long double v) { return static_cast<double>(v); }
 
-// Triangles of every shape: ordinary, needles, flat, points, with a corner repeated.
+// Triangles of every shape: ordinary, needles, flat, points, and with a repeated corner.
 std::array<Vec3, 3> random_triangle(std::mt19937& random, int kind) {
     const Vec3 a = random_point(random, 0.1), b = random_point(random, 0.1);
     switch (kind % 6) {
         case 0:
             return {a, b, random_point(random, 0.1)};
         case 1:
-            return {a, b, a + (b - a) * 0.3 + random_point(random, 1e-6)};  // needle
+            return {a, b, a + (b - a) * 0.3 + random_point(random, 1e-6)};  // a needle
         case 2:
-            return {a, b, a + (b - a) * 0.7};  // no area
+            return {a, b, a + (b - a) * 0.7};  // zero area
         case 3:
             return {a, a, b};
         case 4:
@@ -149,7 +149,7 @@ TEST(ProjectOnHalfSpaces, agrees_with_trying_every_subset_warm_and_cold) {
         std::vector<LHalfSpace> long_walls;
         for (std::size_t i = 0; i < count; ++i) {
             HalfSpace h{glm::normalize(random_point(random, 1.0) + Vec3(1e-3)), (random() % 2000 - 1200.0) * 1e-5};
-            if (i > 0 && random() % 8 == 0) h = walls[random() % i];  // doubled
+            if (i > 0 && random() % 8 == 0) h = walls[random() % i];  // a duplicate
             walls.push_back(h);
             long_walls.push_back({LVec(h.normal), h.offset_m});
         }
@@ -164,8 +164,9 @@ TEST(ProjectOnHalfSpaces, agrees_with_trying_every_subset_warm_and_cold) {
             EXPECT_FALSE(solved);
             continue;
         }
-        if (!solved) {  // allowed only where the cell is thinner than rounding tells: then the strict problem has no
-                        // solution either
+        // Allowed only if the cell is thinner than rounding can resolve: then the strict problem has no solution
+        // either.
+        if (!solved) {
             EXPECT_FALSE(project_by_enumeration(long_walls, LVec(goal), -1e-7L)) << "gave up on a roomy cell";
             continue;
         }

@@ -1,4 +1,4 @@
-// Volume, middle and spread of solids against a count of many points, in any place and turn.
+// Volume, middle and spread of solids, compared with a count of many points, at any place and rotation.
 #include "worlds/geometry/mass_properties.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace handrail {
 namespace mass_properties_test {
 
-// The midpoints of a fine grid that lie inside.
+// Counts the midpoints of a fine grid that are inside.
 template <class Inside>
 MassProperties counted(const Aabb& box, Inside&& inside) {
     constexpr int kSteps = 70;
@@ -62,12 +62,12 @@ TEST(MassProperties, of_flat_solids_are_those_of_counted_points_far_from_zero_to
         const BuiltSolid built = solid_from_planes(planes, at, 100.0);
         const Vec3 size = built.solid.bounds_m.size_m();
         if (built.fault != SolidFault::None || std::max({size.x, size.y, size.z}) > 3.0)
-            continue;  // so long that the count is too coarse
+            continue;  // it is so long that the count is too coarse
         ++looked_at;
         const MassProperties exact = mass_properties(built.solid);
         expect_near(exact, counted(built.solid.bounds_m, [&](const Vec3& p) { return contains(built.solid, p); }), 1.0,
                     0.01);
-        // Its principal axes turn the spread into a diagonal.
+        // Its principal axes make the spread diagonal.
         const PrincipalAxes axes = principal_axes(exact.spread_m5);
         const PlacedFrame frame(Placement{Vec3(0.0), axes.rotation, 1.0});
         const auto times = [&](const Vec3& v) {

@@ -1,4 +1,4 @@
-// Hearing a recording again: times, speed, stopping, to and fro, and a voice that needs longer.
+// Playing back a recording: times, speed, stopping, moving to and fro, and a voice that needs longer.
 #include <gtest/gtest.h>
 
 #include "app/record/hearing.h"
@@ -22,7 +22,7 @@ std::string said(int t_ms, const std::string& text, bool voiced = true) {
            (voiced ? "true" : "false") + "}\n";
 }
 
-// What is heard and at which hundredth of a second, with a voice that needs so long for each line.
+// What is heard and at which hundredth of a second, with a voice that needs `voice_s` for each line.
 std::vector<std::string> heard(Hearing& hearing, double for_s, double voice_s) {
     std::vector<std::string> all;
     double silent_at_s = -1.0;

@@ -1,5 +1,5 @@
-// What a recording keeps of the engine of free bodies is enough to compute it and the hands again to the bit: also
-// where it stalled so long that pushes and orders found no room, and where its time was let go.
+// A recording of the engine of free bodies suffices to recompute it and the hands bit for bit. This also holds if the
+// engine stalled so long that pushes and orders found no room, and if its time was skipped.
 #include "app/record/played_bodies.h"
 
 #include <random>
@@ -24,7 +24,7 @@ World crates() {
     return {maker.felt(), maker.moves()};
 }
 
-// One hand with its servo: where it is asked to be depends on nothing but the time.
+// One hand with its servo; its target depends only on the time.
 class OneHand {
 public:
     OneHand(const World& world, std::shared_ptr<HandChannel> channel, unsigned which)
@@ -66,7 +66,7 @@ private:
     WorkspacePose pose_;
 };
 
-// What the session asks for in a frame: somebody who walks, things that are shoved, and now and then far too much.
+// The session's orders in a frame: a walker, things that are shoved, and now and then far too many orders.
 void ask(BodyEngine& engine, int frame, std::vector<char>& answers) {
     BodyEngine::Order walker;
     walker.kind = BodyEngine::Order::Kind::Walker;
@@ -120,7 +120,7 @@ Seen recorded(const World& world, Recording& recording) {
             row.bodies = {side.channel().engine, side.channel().frame.read().number, side.take_refused()};
             recording.hands[which].push_back(row);
             seen.forces_n[which].push_back(row.force_n);
-            // Between the ticks of both hands too.
+            // Also steps between the ticks of both hands.
             if (tick >= stalls_until && draw() % 4 == 0) engine.step_until(now_s);
         }
         if (draw() % 150 == 0) stalls_until = tick + static_cast<int>(draw() % 200);
@@ -190,7 +190,7 @@ TEST(PlayedBodies, do_to_the_bit_what_was_recorded_of_an_engine_that_stalls) {
     EXPECT_GT(pushed, 500U);
     EXPECT_GT(hits, 20U) << "things have met";
     EXPECT_NE(std::count(was.answers.begin(), was.answers.end(), 0), 0) << "orders found no room";
-    // As it is written and read.
+    // As it is after writing and reading.
     for (auto& hand : recording.hands)
         for (HandRow& row : hand) row.bodies = row_of(numbers_of(row)).bodies;
     for (EngineRow& row : recording.bodies) row = row_of(numbers_of(row));
@@ -231,7 +231,7 @@ TEST(PlayedBodies, that_lack_a_step_or_a_tick_fail_and_never_hang) {
     failed = false;
     (void)computed(world, lacks, failed);
     EXPECT_TRUE(failed) << "the end";
-    // Numbers that nobody wrote: whatever comes of them, it ends.
+    // Random numbers that no program wrote: whatever results, the computation ends.
     std::mt19937_64 draw(3);
     for (int round = 0; round < 8; ++round) {
         lacks = whole;

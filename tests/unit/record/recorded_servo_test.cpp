@@ -1,4 +1,4 @@
-// What a servo hands to a recording: what each tick saw, and the same ticks computed again from it.
+// What a servo gives to a recording: what each tick saw, and the same ticks recomputed from it.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -11,7 +11,8 @@
 namespace handrail {
 namespace recorded_servo_test {
 
-// So many milliseconds of a hand that follows a target to and fro, in an empty space; null: nobody records.
+// This many milliseconds of a hand that follows a target to and fro in empty space. With a null ring nothing is
+// recorded.
 std::vector<ToolState> stepped(int ticks, HandRing* ring, std::vector<HandRow>* rows) {
     VirtualClock clock;
     clock.advance_s(100.0);
@@ -58,7 +59,8 @@ TEST(RecordedServo, hands_over_each_tick_from_which_it_is_computed_again_to_the_
 
 TEST(RecordedServo, that_nobody_records_sees_its_device_as_it_is) {
     const std::vector<ToolState> states = stepped(3000, nullptr, nullptr);
-    // Encoder steps of 55 micrometres are no whole micrometres in binary; unrounded, they stay the device's own.
+    // Encoder steps of 55 micrometres are not whole micrometres in binary. Without rounding they remain the device's
+    // own values.
     ASSERT_EQ(states.size(), 3000U);
     EXPECT_NE(states.back().time_s, in_whole_microseconds(states.back().time_s));
 }

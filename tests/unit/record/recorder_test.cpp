@@ -1,4 +1,4 @@
-// A recording goes on being readable however the program or the disk ends.
+// A recording stays readable however the program or the disk ends.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -31,8 +31,8 @@ RecordingHead head_now(double now_s) {
 
 void sleep_ms(long ms) { std::this_thread::sleep_for(std::chrono::milliseconds(ms)); }
 
-// The child: a tick and an event each millisecond, and how far it has come is told through the pipe before each. Never
-// comes back.
+// The child process: records a tick and an event each millisecond, and reports its progress through the pipe before
+// each. Never returns.
 [[noreturn]] void record_until_killed(const fs::path& folder, int tell) {
     SteadyClock clock;
     const double begun_s = clock.now_s();
@@ -80,7 +80,7 @@ TEST(Recorder, that_is_killed_at_any_moment_loses_no_more_than_half_a_second) {
     RecordProperty("worst_events_ms", static_cast<int>(worst_events_s * 1e3));
     std::printf("%d kills: at most %.0f ms of the hand and %.0f ms of events lost\n", kills, worst_hand_s * 1e3,
                 worst_events_s * 1e3);
-    // The machine may be busy with other tests; what is written on time alone is measured in docs/results.md.
+    // Other tests may keep the machine busy. docs/results.md has measurements of what is written on time without load.
     EXPECT_LT(worst_hand_s, 2.0);
     EXPECT_LT(worst_events_s, 2.0);
 }
@@ -108,8 +108,8 @@ TEST(Recorder, whose_disk_is_full_at_any_write_says_one_sentence_and_lets_everyt
             *problem,
             "The recording ends here, because it can no longer be written: No space left on device. Everything else "
             "keeps working.");
-        EXPECT_FALSE((*recorder)->take_problem());  // once
-        // Nothing more is taken, nothing waits, and what was written is readable.
+        EXPECT_FALSE((*recorder)->take_problem());  // reported only once
+        // The recorder accepts no more rows, no caller waits, and everything written before can be read.
         (*recorder)->said(11.0, {"Later.", SpeechClass::Answer}, true);
         for (std::size_t i = 0; i < 2 * HandRing::kRows; ++i) (*recorder)->hand(0).push({});
         (*recorder)->end(11.0);

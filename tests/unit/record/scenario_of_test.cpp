@@ -1,4 +1,4 @@
-// A recording as a scenario: what of it is expected.
+// A recording converted to a scenario: which of its lines become expectations.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -77,7 +77,7 @@ TEST(ScenarioOfRecording, speaks_of_keys_as_the_session_did) {
     EXPECT_THAT(scenario_with(""), HasSubstr("acts_by = \"window-keys\"\n"));
 }
 
-// What the scenario cannot do, and what it says otherwise, is left out and counted; what is left holds.
+// What the scenario cannot do or says differently is left out and counted; the remaining expectations are met.
 TEST(ScenarioOfRecording, is_written_as_it_runs) {
     ScenarioText text;
     text.toml =

@@ -1,4 +1,4 @@
-// Things that the app moves sixty times a second, felt a thousand times a second.
+// Bodies that the app moves sixty times a second are felt a thousand times a second.
 #include "haptic/servo/body_playback.h"
 
 #include "tests/support/servo_rig.h"
@@ -42,8 +42,8 @@ TEST(BodyPlayback, a_crate_pushed_sixty_times_a_second_meets_the_hand_without_a_
         largest = std::max(largest, std::abs(force - before));
         before = force;
     }
-    // 800 N/m at 0.1 m/s is 0.08 N a tick; the playback runs at most a tenth faster than real time. A staircase would
-    // step by 1.3 N.
+    // 800 N/m at 0.1 m/s is 0.08 N a tick, and the playback runs at most a tenth faster than real time. Without
+    // playback the force would step by 1.3 N.
     EXPECT_LE(largest, 0.08 * 1.11);
     EXPECT_GT(before, 2.0);
     EXPECT_EQ(rig.tool().contacts.contacts[0].feature, FeatureId{4});
@@ -130,7 +130,7 @@ TEST(BodyPlayback, an_edit_of_the_same_world_does_not_take_the_force_away) {
     rig.scene = edited.build(rig.scene->world);
     rig.tick({0.0, 0.03, 0.0});
     EXPECT_NEAR(glm::length(rig.last.force_n), pressed, 1e-9);
-    rig.scene = wall_scene(ServoRig::kWallY, ServoRig::kWall);  // another world
+    rig.scene = wall_scene(ServoRig::kWallY, ServoRig::kWall);  // changes to another world
     rig.tick({0.0, 0.03, 0.0});
     EXPECT_LT(glm::length(rig.last.force_n), 0.1 * pressed);
 }

@@ -1,4 +1,4 @@
-// The servo with a simulated hand in its grip: what a wall feels like when somebody leans on it.
+// The servo with a simulated hand at its grip: how a wall feels to a person who leans on it.
 #include "haptic/device/simulated_device.h"
 #include "haptic/servo/servo_loop.h"
 #include "tests/support/precompiled.h"
@@ -16,7 +16,7 @@ struct ClosedLoop {
     ServoTuning tuning;
     double scale;
 
-    // A plaster wall 20 mm of hand travel north of the middle, felt with a ball of 4 mm.
+    // A plaster wall, 20 mm of hand travel north of the middle, felt with a proxy of 4 mm.
     ClosedLoop(const char* device, double world_m_per_hand_m)
         : loop(std::make_unique<SimulatedDevice>(*find_device_spec(device), hand), clock), scale(world_m_per_hand_m) {
         EXPECT_TRUE(loop.open());
@@ -54,7 +54,7 @@ TEST(ClosedLoop, pressing_three_millimetres_into_plaster_on_the_simulated_touch_
     double peak = 0.0;
     for (int i = 0; i < 1300; ++i) peak = std::max(peak, -bench.tick().force_n.y);
     EXPECT_NEAR(-bench.loop.tool().force_n.y, 0.9, 1e-9);
-    EXPECT_LE(peak, 0.9 * 1.2 + 0.5);  // damping of 5 Ns/m at 0.1 m/s while the hand still moves
+    EXPECT_LE(peak, 0.9 * 1.2 + 0.5);  // plus the damping of 5 Ns/m at 0.1 m/s while the hand still moves
     bench.hand->command.publish({HandMode::Move, Vec3(0, 0.015, 0), 0.1, Vec3(0.0), 0});
     double left_s = -1.0;
     for (int i = 0; i < 200; ++i) {
@@ -83,7 +83,7 @@ TEST(ClosedLoop, a_hand_leaning_on_the_stiffest_wall_comes_to_rest) {
                     mean += -tool.force_n.y / 500;
                 }
                 EXPECT_LT(high - low, 0.3e-3);
-                EXPECT_NEAR(mean, 2.0, 0.2);  // less the dry friction, the encoder's step and the resting spring
+                EXPECT_NEAR(mean, 2.0, 0.2);  // minus dry friction, the encoder's step and the resting spring
             }
 }
 
@@ -91,7 +91,7 @@ TEST(ClosedLoop, follows_the_mouse_to_the_wall_and_stays_before_it) {
     ClosedLoop bench("sim-t", 60.0);
     bench.hand->command.publish({HandMode::Follow, Vec3(0, 0.03, 0), 0.0, Vec3(0.0), 0});
     bench.run(2.0);
-    // Springs of 300 N/m each share the 10 mm beyond the wall.
+    // Two springs of 300 N/m each share the 10 mm beyond the wall.
     EXPECT_NEAR(bench.loop.tool().hand_m.y, 0.025, 3e-4);
     EXPECT_NEAR(bench.loop.tool().proxy_m.y, 0.02 * 60.0, 1e-9);
 }

@@ -67,7 +67,7 @@ TEST(ContactTracker, trembling_at_a_surface_is_one_contact) {
 TEST(ContactTracker, tells_sliding_every_10_ms_with_hand_speed_and_once_that_it_stopped) {
     Bench bench;
     const double scale = 60.0;
-    // 5 cm/s of the hand: 3 m/s in the world, 3 mm per tick; motion along the normal is no sliding.
+    // The hand's 5 cm/s are 3 m/s in the world, so 3 mm per tick. Motion along the normal is not sliding.
     for (int i = 0; i < 1000; ++i) bench.tick(touching({kWall}, Vec3(3e-3, 0, 5e-3)), Vec3(0.0), scale);
     EXPECT_NEAR(bench.count(ContactEventKind::Slide, kWall), 100, 2);
     EXPECT_NEAR(bench.seen.back().speed_m_per_s, 0.05, 1e-4);
@@ -120,7 +120,7 @@ TEST(ContactTracker, meets_what_gives_way_like_what_does_not) {
     EXPECT_EQ(bench.count(ContactEventKind::Begin, kFloor), 1);
     EXPECT_NEAR(bench.seen.at(0).force_n, 0.2, 1e-12);
     EXPECT_NEAR(bench.seen.at(0).speed_m_per_s, 0.1, 1e-12);
-    TouchResult through = touching({kFloor});  // down to its hard floor: still the same thing
+    TouchResult through = touching({kFloor});  // pressed down to the hard floor below it, but still the same thing
     through.soft = soft.soft;
     through.soft_force_n = soft.soft_force_n;
     for (int i = 0; i < 30; ++i) bench.tick(through);

@@ -1,4 +1,4 @@
-// The pull along a way and the lines through a thing, tick by tick, without a device.
+// The pull along a path and the lines through a thing, tick by tick, without a device.
 #include "haptic/servo/guidance.h"
 
 #include <gtest/gtest.h>
@@ -46,8 +46,7 @@ TEST(Guidance, ramps_in_over_half_a_second_from_nothing) {
         ASSERT_LE(glm::length(led.force_n), kMost_n * i * kTick_s / Guidance::kRamp_s + 1e-12) << i;
     }
     led.run(0.1);
-    // A hand that rests is pulled by the spring of 300 N/m over the lead of 2.5 mm, and is not taken for one that holds
-    // against it.
+    // The spring of 300 N/m pulls a resting hand over the lead of 2.5 mm. This does not count as resistance.
     EXPECT_NEAR(led.force_n.x, 0.75, 0.02);
     led.run(5.0);
     EXPECT_EQ(led.phase(), GuidancePhase::Acts);
@@ -85,7 +84,7 @@ TEST(Guidance, lets_go_of_a_hand_that_holds_more_than_12_n_against_it_for_03_s_a
     gone.run(5.0);
     EXPECT_EQ(gone.phase(), GuidancePhase::LetGo) << "only another number begins again";
     EXPECT_EQ(held_at(0.0038, 5.0).phase(), GuidancePhase::Acts);
-    // A short pull does not add up to a long one.
+    // Short pulls do not add up to a long one.
     Led led = held_at(0.0045, 0.2);
     led.hand_m.x += 0.002;
     led.run(0.05);
@@ -148,7 +147,7 @@ TEST(Guidance, takes_no_nonsense) {
         EXPECT_EQ(led.force_n, Vec3(0.0));
     }
     Led points(pull_to({0.0, 0.0, 0.0}));
-    points.path.count = GuidancePath::kMostPoints;  // all in one place
+    points.path.count = GuidancePath::kMostPoints;  // all at one place
     points.run(0.2);
     EXPECT_EQ(points.phase(), GuidancePhase::Arrived);
 }
@@ -158,7 +157,7 @@ TEST(Guidance, follows_a_way_with_corners) {
     led.path.number = 1;
     for (const Vec3& p : {Vec3(0.02, 0, 0), Vec3(0.02, 0.03, 0), Vec3(0.02, 0.03, 0), Vec3(-0.01, 0.03, 0.02)})
         led.path.points_m[led.path.count++] = p;
-    // A hand without mass in thick syrup goes where it is pulled.
+    // A hand without mass in thick syrup moves where it is pulled.
     double farthest_m = 0.0;
     int ticks = 0;
     for (; ticks < 10000 && led.phase() != GuidancePhase::Arrived; ++ticks) {
@@ -178,7 +177,7 @@ TEST(Guidance, follows_a_way_with_corners) {
     }
     EXPECT_EQ(led.phase(), GuidancePhase::Arrived);
     EXPECT_LT(farthest_m, 0.0025);
-    EXPECT_LT(ticks, 4000);  // 91 mm at 40 mm/s and a little
+    EXPECT_LT(ticks, 4000);  // 91 mm at 40 mm/s takes a little less
 }
 
 TEST(CrossLines, are_the_slope_of_a_potential_and_never_more_than_their_limits) {
@@ -202,7 +201,7 @@ TEST(CrossLines, are_the_slope_of_a_potential_and_never_more_than_their_limits) 
             else EXPECT_LE(f[axis] * p[axis], 0.0) << "towards the line";
         }
     }
-    // Closed loops give nothing: the sum of force times way round a random polygon, by fine steps.
+    // Closed loops give no energy: sums force times distance around a random polygon in fine steps.
     for (int loop = 0; loop < 20; ++loop) {
         std::vector<Vec3> corners;
         for (int i = 0; i < 5; ++i) corners.emplace_back(place(random), place(random), place(random));
@@ -219,7 +218,7 @@ TEST(CrossLines, are_the_slope_of_a_potential_and_never_more_than_their_limits) 
     }
 }
 
-// A way with a corner, a stair, a doorway beside it and a leg that comes back: legs that meet, cross and run side by
+// A path with a corner, stairs, a doorway next to it and a leg that returns, so that legs meet, cross and run side by
 // side.
 GuidancePath grooves() {
     GuidancePath path;
@@ -242,8 +241,8 @@ struct Felt {
     Vec3 at(const Vec3& p) { return guidance.tick(path, p, 1.0, kPeak_n, true, kTick_s); }
 };
 
-// Looks for the nearest place of each trench at many places along its leg, and takes the slope of the potential from
-// neighbours.
+// Finds the nearest place of each trench by trying many places along its leg. The slope of the potential comes from
+// neighbouring values.
 double potential_by_looking(const GuidancePath& path, const Vec3& p) {
     const double w = Guidance::kGrooveHalfWidth_m;
     double left = 1.0;
@@ -363,7 +362,7 @@ TEST(Grooves, give_no_energy_on_closed_ways_and_come_and_go_without_a_step) {
             }
         EXPECT_NEAR(work_j, 0.0, 2e-7);
     }
-    // Begun and ended under a hand that rests on the slope.
+    // Starts and ends under a hand that rests on the slope.
     Guidance guidance;
     GuidancePath path = grooves();
     const Vec3 slope(-0.015, -0.003, 0.0);

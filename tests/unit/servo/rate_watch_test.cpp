@@ -9,7 +9,7 @@
 namespace handrail {
 namespace rate_watch_test {
 
-// Seconds of equal periods until the watch speaks; -1 when it does not within a second.
+// The time in seconds until the watch reports equal periods; -1 if it does not within a second.
 double time_to_notice(double period_s, double min_rate_hz) {
     RateWatch watch;
     for (double t = period_s; t < 1.0; t += period_s)

@@ -16,7 +16,7 @@ using test::ServoRig;
 constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-// Pressed 2 mm into the wall of 800 N/m: 1.6 N.
+// Pressed 2 mm into the wall of 800 N/m, which gives 1.6 N.
 const Vec3 kPressed(0.0, ServoRig::kWallY - 0.005 + 0.002, 0.0);
 constexpr double kPressN = 1.6;
 
@@ -100,7 +100,7 @@ TEST(ServoTick, a_tool_that_jumped_and_stays_there_is_a_jump) {
     const Vec3 elsewhere = kPressed + Vec3(0.05, 0, 0);
     for (int i = 0; i < 100; ++i) ASSERT_EQ(rig.tick(elsewhere).force_n, Vec3(0.0));
     EXPECT_EQ(rig.tool().fault, Fault::Jump);
-    EXPECT_EQ(rig.state.counters().bad_samples, 3u);  // then it is watched from where it is
+    EXPECT_EQ(rig.state.counters().bad_samples, 3u);  // from then on it is checked relative to its new place
 }
 
 TEST(ServoTick, a_fast_hand_is_no_jump) {
@@ -114,7 +114,7 @@ TEST(ServoTick, holds_the_force_while_the_device_is_silent_and_resumes_without_a
     ServoRig rig;
     rig.press(kPressed);
     for (int i = 0; i < 20; ++i) ASSERT_NEAR(rig.silent_tick().force_n.y, -kPressN, 1e-9);
-    // Meanwhile the hand went 1 mm deeper: 0.8 N more is asked for, and comes with 80 ms.
+    // Meanwhile the hand went 1 mm deeper: 0.8 N more is requested, and comes in with a time constant of 80 ms.
     const Vec3 deeper = kPressed + Vec3(0, 0.001, 0);
     EXPECT_NEAR(rig.tick(deeper).force_n.y, -kPressN, 1e-6);
     double last = -kPressN;
@@ -255,10 +255,10 @@ TEST(ServoTick, unplugging_gives_zero_on_that_tick_and_only_a_confirmation_and_a
     EXPECT_EQ(rig.count(ContactEventKind::FaultRaised), 1);
     EXPECT_EQ(rig.count(ContactEventKind::End), 1);
     EXPECT_EQ(rig.tool().proxy_m, proxy);
-    ++rig.tuning.confirm;  // in vain: it is still unplugged
+    ++rig.tuning.confirm;  // no effect: it is still disconnected
     for (int i = 0; i < 100; ++i) ASSERT_EQ(rig.unplugged_tick().force_n, Vec3(0.0));
     EXPECT_EQ(rig.tool().fault, Fault::Unplugged);
-    // Plugged in again, anywhere: nothing is felt, not even after moving.
+    // Connected again, at any place: nothing is felt, not even after moving.
     for (int i = 0; i < 500; ++i) ASSERT_EQ(rig.tick(Vec3(0.05, 0.0001 * (i % 100), 0)).force_n, Vec3(0.0));
     ++rig.tuning.confirm;
     rig.tick(Vec3(0.05, 0, 0));
@@ -276,7 +276,7 @@ TEST(ServoTick, panic_is_zero_on_this_very_tick_and_back_by_the_ramp) {
     EXPECT_NEAR(rig.tick(kPressed).force_n.y, -kPressN * 1e-3, 1e-9);
 }
 
-// Fades and ends after this many ticks at most; never above what it was.
+// Requires that the force fades and ends after at most this many ticks, and never exceeds its earlier value.
 void expect_fade_to_zero(ServoRig& rig, double from_n) {
     double last = from_n;
     for (int i = 0; i < 76; ++i) {
@@ -295,7 +295,7 @@ TEST(ServoTick, motors_that_report_heat_lose_their_force_within_100_ms_and_are_c
     EXPECT_EQ(rig.tool().fault, Fault::TooHot);
     EXPECT_TRUE(rig.tool().fault_latched && rig.tool().fault_lasts);
     EXPECT_EQ(rig.count(ContactEventKind::FaultRaised), 1);
-    ++rig.tuning.confirm;  // in vain: still hot
+    ++rig.tuning.confirm;  // no effect: it is still hot
     for (int i = 0; i < 50; ++i) ASSERT_EQ(rig.tick(kPressed).force_n, Vec3(0.0));
     rig.sample.hot = false;
     for (int i = 0; i < 50; ++i) ASSERT_EQ(rig.tick(kPressed).force_n, Vec3(0.0)) << "cool, and not confirmed";
@@ -306,7 +306,7 @@ TEST(ServoTick, motors_that_report_heat_lose_their_force_within_100_ms_and_are_c
 }
 
 TEST(ServoTick, motors_that_report_nothing_are_spared_by_the_heat_budget) {
-    ServoRig rig;  // peak 3.3 N, of which 80 % may be held
+    ServoRig rig;  // the peak is 3.3 N, of which 80 % may be held
     rig.tuning.force_ceiling_n = 100.0;
     rig.press(kPressed);
     const Vec3 hard = kPressed + Vec3(0, 0.005, 0);
@@ -360,7 +360,7 @@ TEST(ServoTick, in_dead_man_mode_force_needs_a_held_button_and_is_gone_100_ms_af
     rig.press(kPressed);
     EXPECT_EQ(rig.last.force_n, Vec3(0.0));
     EXPECT_EQ(rig.count(ContactEventKind::FaultRaised), 0) << "nothing was taken away yet";
-    rig.sample.buttons = 2;  // any of them
+    rig.sample.buttons = 2;  // any button will do
     for (int i = 0; i < 1000; ++i) rig.tick(kPressed);
     EXPECT_NEAR(rig.last.force_n.y, -kPressN, 1e-6);
     rig.sample.buttons = 0;
@@ -393,7 +393,7 @@ TEST(ServoSwitches, only_take_force_away_and_a_stop_after_the_one_let_go_counts)
     EXPECT_TRUE(with_switches(tuning, switches).panic);
     tuning.stops_let_go = 1;
     EXPECT_FALSE(with_switches(tuning, switches).panic);
-    switches.stop();  // pressed while the app let the first one go
+    switches.stop();  // pressed again while the app released the first press
     EXPECT_TRUE(with_switches(tuning, switches).panic);
     tuning.stops_let_go = 2;
     tuning.panic = true;
@@ -412,7 +412,7 @@ TEST(ServoTick, forces_off_fades_over_75_ms_and_on_ramps_over_a_second) {
     for (int i = 1; i <= 74; ++i) ASSERT_NEAR(rig.tick(kPressed).force_n.y, -kPressN * (1.0 - i / 75.0), 1e-9);
     rig.tick(kPressed);
     EXPECT_NEAR(rig.tick(kPressed).force_n.y, 0.0, 1e-12);
-    EXPECT_EQ(rig.tool().contacts.count, 1);  // the wall is still met, and heard
+    EXPECT_EQ(rig.tool().contacts.count, 1);  // the contact with the wall is still reported and heard
     rig.tuning.forces_on = true;
     for (int i = 1; i <= 1000; ++i) ASSERT_NEAR(rig.tick(kPressed).force_n.y, -kPressN * std::min(1.0, i * 1e-3), 1e-6);
 }
@@ -474,7 +474,7 @@ TEST(ServoTick, softens_walls_to_what_the_device_holds_at_the_measured_rate) {
 
 TEST(ServoTick, in_walk_frame_the_wall_pushes_along_the_hands_own_axes) {
     ServoRig rig;
-    rig.pose.heading_rad = kPi / 2;  // facing east: the wall in the north is at the left hand
+    rig.pose.heading_rad = kPi / 2;  // facing east, so the wall in the north is on the left
     const Vec3 pressed(-kPressed.y, 0, 0);
     rig.press(pressed);
     EXPECT_NEAR(rig.last.force_n.x, kPressN, 1e-9);
@@ -510,7 +510,7 @@ TEST(ServoTick, counts_contact_time_rate_and_buttons) {
     EXPECT_EQ(rig.state.counters().periods.quantile_s(0.99), 0.0011);
 }
 
-// Whatever a device sends, what comes out is finite, below the ceiling, and the tool stays where a hand can be.
+// Whatever a device sends, the output is finite and below the ceiling, and the tool stays where a hand can be.
 TEST(ServoTick, is_finite_and_bounded_for_every_input) {
     const std::uint64_t seed = test::seed_of_run();
     SCOPED_TRACE(fmt::format("seed {}", seed));

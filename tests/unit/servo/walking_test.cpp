@@ -17,8 +17,8 @@ DeviceSpec unlimited() {
     return spec;
 }
 
-// A frame that drifts into a wall, told at 60 Hz, must not be felt as steps: 0.333 N per frame when applied as it
-// comes.
+// A frame that drifts into a wall and is reported at 60 Hz must not be felt as steps. Applied as it arrives, it would
+// step by 0.333 N per frame.
 TEST(Walking, a_frame_drifting_into_a_wall_is_felt_in_steps_of_at_most_25_mn) {
     for (const double heading_deg : {0.0, 37.0, 180.0}) {
         ServoRig rig(unlimited());
@@ -49,12 +49,12 @@ TEST(Walking, a_frame_drifting_into_a_wall_is_felt_in_steps_of_at_most_25_mn) {
             largest = std::max(largest, std::abs(force - last));
             last = force;
         }
-        EXPECT_GT(last, 20.0) << heading_deg;  // 20 mm deeper, about a frame late
+        EXPECT_GT(last, 20.0) << heading_deg;  // it is 20 mm deeper, with a delay of about a frame
         EXPECT_LE(largest, 0.025) << heading_deg;
     }
 }
 
-// Amplitude of one frequency in evenly spaced values, after removing their straight trend, seen through a Hann window.
+// The amplitude of one frequency in evenly spaced values. Their straight trend is removed, and a Hann window applied.
 double amplitude_at(const std::vector<double>& values, double frequency_hz, double step_s) {
     const auto n = static_cast<double>(values.size());
     const double slope = (values.back() - values.front()) / (n - 1);
@@ -74,11 +74,11 @@ struct Walk {
     double largest_step_n = 0.0;
     double at_60_hz_n = 0.0;
     double end_n = 0.0;
-    bool falls = false;  // before the body stood still
+    bool falls = false;  // before the walker stood still
 };
 
-// A room whose north wall stands at y = 4 m, a body that walks at 1 m/s to y = 3.75, the hand 0.6 m ahead of it, scale
-// 60, a Touch.
+// A room with its north wall at y = 4 m and a walker who goes at 1 m/s to y = 3.75. The hand is 0.6 m ahead; the scale
+// is 60, the device a Touch.
 Walk walk_into_wall(bool jitter) {
     constexpr double kScale = 60.0, kWall = 4.0, kStop = 3.75;
     ServoRig rig(*find_device_spec("sim-t"));
@@ -123,7 +123,8 @@ Walk walk_into_wall(bool jitter) {
 TEST(Walking, the_measure_of_a_60_hz_line_sees_a_staircase) {
     std::vector<double> staircase, slope;
     for (int i = 0; i < 300; ++i) {
-        staircase.push_back(5.0 * std::floor(i * kTick * 60.0) / 60.0);  // 5 N/s in steps of 83 mN: 0.083 / pi
+        // 5 N/s in steps of 83 mN, so the amplitude is 0.083 / pi.
+        staircase.push_back(5.0 * std::floor(i * kTick * 60.0) / 60.0);
         slope.push_back(5.0 * i * kTick);
     }
     EXPECT_NEAR(amplitude_at(staircase, 60.0, kTick), 0.0265, 0.003);
@@ -133,7 +134,7 @@ TEST(Walking, the_measure_of_a_60_hz_line_sees_a_staircase) {
 TEST(Walking, into_a_wall_with_the_hand_ahead_rises_evenly_without_a_60_hz_staircase) {
     for (const bool jitter : {false, true}) {
         const Walk walk = walk_into_wall(jitter);
-        // 3.75 + 0.6 - 4 + 0.12 m of ball = 0.47 m, over 60 and times 300 N/m.
+        // 3.75 + 0.6 - 4 + 0.12 m of proxy radius = 0.47 m, divided by 60 and times 300 N/m.
         EXPECT_NEAR(walk.end_n, 2.35, 0.01);
         EXPECT_LE(walk.largest_step_n, 0.03);
         EXPECT_LT(walk.at_60_hz_n, 0.02);

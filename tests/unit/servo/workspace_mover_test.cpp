@@ -1,4 +1,4 @@
-// The hand moves its own workspace: rim, grab and keys, through the whole servo tick.
+// The hand moves its own workspace by rim, grab and keys, through the whole servo tick.
 #include "haptic/servo/workspace_mover.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ constexpr double kReach = 0.075;  // of the simulated Touch
 
 ServoRig rig_with_rim() {
     ServoRig rig;
-    rig.scene = wall_scene(100.0);  // far away
+    rig.scene = wall_scene(100.0);  // the wall is far away
     rig.tuning.workspace.rim = true;
     rig.arm();
     for (int i = 0; i < 1100; ++i) rig.tick(Vec3(0.0));
@@ -100,7 +100,7 @@ TEST(WorkspaceMover, never_leaves_its_limits_and_says_so) {
     for (int i = 0; i < 3000; ++i) rig.tick({0.99 * kReach, 0.0, 0.0});
     EXPECT_EQ(rig.tool().workspace_shift_m.x, 0.05);
     EXPECT_TRUE(rig.tool().workspace_at_limit);
-    // A body that stands outside keeps its workspace, which goes no farther out, but back in.
+    // A walker outside the bounds keeps the workspace, which moves no farther out but can move back in.
     rig.pose.origin_m = Vec3(1.0, 0.0, 0.0);
     ++rig.pose.jump;
     rig.go({0.0, 0.0, 0.0});
@@ -123,7 +123,7 @@ TEST(WorkspaceMover, a_grabbed_world_goes_along_with_the_hand_exactly) {
     EXPECT_EQ(rig.count(ContactEventKind::Grabbed), 1);
     EXPECT_EQ(rig.last.force_n, Vec3(0.0));
     rig.sample.buttons = 0;
-    rig.go({0.01, 0.02, 0.0});  // the clutch: the hand goes back alone
+    rig.go({0.01, 0.02, 0.0});  // with the clutch the hand moves back alone
     EXPECT_EQ(rig.count(ContactEventKind::LetGo), 1);
     EXPECT_NEAR(glm::length(rig.tool().hip_m - place - Vec3(0.04, 0.04, -0.01)), 0.0, 1e-12);
 }
@@ -131,7 +131,7 @@ TEST(WorkspaceMover, a_grabbed_world_goes_along_with_the_hand_exactly) {
 TEST(WorkspaceMover, a_pressed_wall_lets_go_within_75_ms_before_the_world_moves_and_is_as_hard_as_before_afterwards) {
     ServoRig rig;
     rig.tuning.workspace.grab_buttons = 2;
-    rig.press({0.0, 0.0275, 0.0});  // 2.5 mm deep: 2 N
+    rig.press({0.0, 0.0275, 0.0});  // 2.5 mm deep, which gives 2 N
     ASSERT_NEAR(rig.last.force_n.y, -2.0, 0.01);
     rig.sample.buttons = 2;
     double last = 2.0;

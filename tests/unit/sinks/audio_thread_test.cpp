@@ -44,7 +44,7 @@ std::vector<std::string> texts(const std::vector<SpokenLine>& lines) {
     return all;
 }
 
-// The loop on virtual time, stepped by the test.
+// The loop in virtual time, stepped by the test.
 struct Ears {
     explicit Ears(double words_per_minute = 0.0) {
         auto a = std::make_unique<RecordingAudio>();
@@ -119,7 +119,7 @@ TEST(AudioThread, stopping_lets_the_voice_finish_when_asked_to) {
 }
 
 TEST(AudioThread, runs_beside_servo_and_app_and_joins) {
-    // Real threads, real sinks where the machine has them: a race shows under the thread sanitizer.
+    // Uses real threads, and real sinks if the machine has them; the thread sanitizer then shows a race.
     SteadyClock clock;
     AudioThread::ContactRing ring;
     const auto channel = std::make_shared<VoiceChannel>();

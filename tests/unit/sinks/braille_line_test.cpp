@@ -62,7 +62,7 @@ TEST(BrailleLine, of_a_list_shows_the_item_with_its_place_and_panning_its_neighb
     EXPECT_FALSE(line.pan_right());
     line.pan_home();
     EXPECT_EQ(narrow(line.cells()), "N  Menu. Worlds 2/3 ");
-    // To the left an item that is longer than the display shows its end first.
+    // When moving left to an item longer than the display, its end is shown first.
     EXPECT_TRUE(line.pan_left());
     EXPECT_EQ(narrow(line.cells()), "N  1/3              ");
     EXPECT_TRUE(line.pan_left());
@@ -91,7 +91,7 @@ TEST(BrailleLine, without_a_display_it_has_no_cells) {
     EXPECT_FALSE(line.pan_left());
 }
 
-// Panning right to the end reads every letter once, in order, and panning left goes back over the same pieces.
+// Panning right to the end reads every letter once and in order; panning left goes back over the same pieces.
 TEST(BrailleLine, panning_loses_and_repeats_nothing) {
     std::mt19937 random(5);
     for (int run = 0; run < 500; ++run) {

@@ -8,8 +8,8 @@
 namespace handrail {
 namespace dropout_watch_test {
 
-// A device that mixes 256 samples at a time, at a clock that drifts by 200 parts in a million, watched by a loop that
-// is up to 20 ms late; `stops_every_s`: after so long it starts again, one period behind.
+// A device that mixes 256 samples at a time, with a clock that drifts by 200 parts in a million. The loop that watches
+// it is up to 20 ms late. Every `stops_every_s` the device starts again, one period behind.
 bool dropped(double seconds, double stops_every_s) {
     constexpr double kPeriod_s = 256.0 / 48000.0;
     std::minstd_rand random(3);

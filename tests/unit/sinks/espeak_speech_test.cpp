@@ -12,7 +12,7 @@
 namespace handrail {
 namespace espeak_speech_test {
 
-// Stands where the sound sink would: takes what is said and plays it in no time.
+// Replaces the sound sink: takes the speech and plays it in no time.
 struct Listening {
     std::vector<std::int16_t> samples;
     int rate_hz = 0;
@@ -125,7 +125,7 @@ TEST_F(EspeakSpeechTest, empty_and_odd_texts_come_to_an_end) {
 }
 
 TEST_F(EspeakSpeechTest, is_heard_through_the_sound_sink_within_50_ms_of_stream_time) {
-    // Synthesis runs in real time, the stream in virtual time; so the one is finished before the other begins.
+    // Synthesis runs in real time and the stream in virtual time, so synthesis is finished first.
     const Listening spoken = hear("North wall, plaster");
     const auto stream = std::make_shared<VoiceChannel>();
     auto opened = OpenALSink::open(stream, {.output = OpenALSink::Output::OnDemand});
@@ -151,7 +151,7 @@ TEST_F(EspeakSpeechTest, is_heard_through_the_sound_sink_within_50_ms_of_stream_
 
 TEST_F(EspeakSpeechTest, without_a_voice_there_are_beeps_and_the_reason) {
     const auto other = std::make_shared<VoiceChannel>();
-    const auto fallback = open_voice(other, {});  // the one voice is taken
+    const auto fallback = open_voice(other, {});  // the only voice is in use
     EXPECT_EQ(fallback->news(), "The built-in voice is already in use. Beeps mean that there is text to read.");
     fallback->say({.text = "Door"});
     EXPECT_TRUE(fallback->speaking());

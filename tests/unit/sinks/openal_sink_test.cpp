@@ -22,7 +22,7 @@ constexpr double kPeriod_s = static_cast<double>(kPeriod) / kSampleRate_hz;
 // OpenAL reads its configuration once per process. The null back end is a playback device that needs no sound card.
 const int null_back_end = ::setenv("ALSOFT_DRIVERS", "null", 1);
 
-// The sink on a loopback device, ticked and rendered period by period on virtual time, with everything that was heard.
+// The sink on a loopback device, ticked and rendered period by period in virtual time. Keeps everything that was heard.
 class OpenALSinkTest : public ::testing::Test {
 protected:
     OpenALSinkTest() {
@@ -45,7 +45,7 @@ protected:
     void run(double seconds) {
         for (int i = 0; i < static_cast<int>(std::ceil(seconds / kPeriod_s)); ++i) period();
     }
-    // Plays for that long and returns what the left ear heard of it.
+    // Plays for `seconds` and returns what the left ear heard in that time.
     std::vector<float> listen(double seconds) {
         const std::size_t from = left.size();
         run(seconds);
@@ -60,7 +60,7 @@ protected:
         for (const float s : x) e += static_cast<double>(s) * static_cast<double>(s);
         return std::sqrt(e / static_cast<double>(std::max<std::size_t>(1, x.size())));
     }
-    // Seconds by which the right ear hears it before the left one, by cross-correlation; negative: after.
+    // Seconds by which the right ear hears it before the left one, from the cross-correlation; negative if later.
     double right_leads_s() const {
         const int reach = kSampleRate_hz / 1000;
         const int n = static_cast<int>(left.size());
@@ -97,8 +97,8 @@ TEST_F(OpenALSinkTest, silence_is_silent) {
 }
 
 TEST_F(OpenALSinkTest, first_sample_of_a_contact_comes_within_15_ms_of_the_touch_in_stream_time) {
-    // The whole way: 200 audio ticks and 187.5 mixing periods a second, each at its own time, and touches at times
-    // unrelated to both.
+    // The whole chain: 200 audio ticks and 187.5 mixing periods a second, each at its own time, with touches at
+    // unrelated times.
     CuePlanner planner{Settings{}};
     RecordingSpeech speech;
     double tick_s = now_s, mix_s = now_s, worst_s = 0.0;
@@ -110,7 +110,7 @@ TEST_F(OpenALSinkTest, first_sample_of_a_contact_comes_within_15_ms_of_the_touch
         event.speed_m_per_s = 0.1;
         event.position_m = {0.0, 0.4, 0.0};
         forget();
-        double stream_s = mix_s;  // of left[0]
+        double stream_s = mix_s;  // time of left[0]
         bool told = false;
         for (int i = 0; i < 100; ++i) {
             if (tick_s <= mix_s) {
@@ -128,7 +128,7 @@ TEST_F(OpenALSinkTest, first_sample_of_a_contact_comes_within_15_ms_of_the_touch
         const double latency_s = stream_s + static_cast<double>(onset) / kSampleRate_hz - touch_s;
         EXPECT_GE(latency_s, 0.0);
         worst_s = std::max(worst_s, latency_s);
-        for (int i = 0; i < 60; ++i) {  // until it has rung out
+        for (int i = 0; i < 60; ++i) {  // until the sound has died away
             planner.tick({.now_s = tick_s, .contacts = {}, .requests = {}, .listener = {}}, *sink, speech);
             tick_s += kPeriod_s;
             hear();
@@ -201,7 +201,7 @@ TEST_F(OpenALSinkTest, stop_all_fades_without_a_click_and_is_silent_within_25_ms
     sink->set_loop(cue(SoundKind::WallTone, {0.5, 1.0, 0.0}));
     sink->play(cue(SoundKind::Beep, {}));
     const std::vector<float> before = listen(0.08);
-    // A click is curvature that the sound itself does not have.
+    // A click shows as curvature that the sound itself does not have.
     const auto sharpest = [](std::span<const float> x) {
         float most = 0.0F;
         for (std::size_t i = 2; i < x.size(); ++i) most = std::max(most, std::abs(x[i] - 2.0F * x[i - 1] + x[i - 2]));
@@ -219,7 +219,7 @@ TEST_F(OpenALSinkTest, stop_all_fades_without_a_click_and_is_silent_within_25_ms
 }
 
 TEST_F(OpenALSinkTest, hard_stop_would_have_clicked) {
-    // Shows that the test above can fail: the same sound cut at a sample has far more curvature.
+    // Shows that the test above can fail: the same sound, cut between two samples, has far more curvature.
     sink->set_loop(cue(SoundKind::WallTone, {0.5, 1.0, 0.0}));
     std::vector<float> x = listen(0.1);
     float most = 0.0F, cut = 0.0F;
@@ -262,8 +262,8 @@ TEST_F(OpenALSinkTest, loop_that_had_to_give_way_comes_back) {
     EXPECT_NEAR(rms(listen(0.1)), alone, 0.2 * alone);
 }
 
-// Energy of a signal between two frequencies, in dB of nothing in particular, by Goertzel's recursion on frames of 20
-// ms.
+// The energy of a signal between two frequencies in dB, with an arbitrary reference. Uses Goertzel's algorithm on
+// frames of 20 ms.
 double band_db(std::span<const float> x, double from_hz, double to_hz) {
     constexpr std::size_t kFrame = 960;
     double sum = 0.0;
@@ -284,7 +284,7 @@ double band_db(std::span<const float> x, double from_hz, double to_hz) {
 }
 
 TEST_F(OpenALSinkTest, closed_door_takes_at_least_12_db_and_more_of_the_high_tones) {
-    SoundCue rain = cue(SoundKind::Rain, {0.0, 3.0, 0.0});  // broad, and steady over seconds
+    SoundCue rain = cue(SoundKind::Rain, {0.0, 3.0, 0.0});  // broadband, and steady over seconds
     sink->set_loop(rain);
     run(1.0);
     const std::vector<float> open = listen(4.0);
@@ -314,7 +314,7 @@ TEST_F(OpenALSinkTest, sounds_of_the_world_give_way_to_what_one_does_without_pum
     }
     run(0.5);
     EXPECT_EQ(sink->sounds_playing(), 3);
-    // Steps every 0.6 s: the quietest lamp gives way at the first, and does not come back between them.
+    // Steps come every 0.6 s. The quietest lamp gives way at the first step and does not come back between them.
     int changes = 0, before = -1;
     for (int step = 0; step < 8; ++step) {
         sink->play(cue(SoundKind::Footstep, {0.0, 0.0, -1.6}));
@@ -322,7 +322,7 @@ TEST_F(OpenALSinkTest, sounds_of_the_world_give_way_to_what_one_does_without_pum
             period();
             EXPECT_LE(sink->sounds_playing(), 3);
         }
-        const int now = sink->sounds_playing();  // the step has rung out
+        const int now = sink->sounds_playing();  // the step has died away
         if (now != before) ++changes;
         before = now;
     }
@@ -347,7 +347,7 @@ TEST_F(OpenALSinkTest, leaving_world_sounds_fade_and_make_room_for_others) {
     EXPECT_LT(rms(listen(0.1)), 1e-6);
 }
 
-// Below `edge_hz`, twelve decibels an octave, the same for both ears.
+// Low-pass below `edge_hz` with twelve decibels an octave, the same for both ears.
 std::vector<double> low_passed(std::span<const float> x, double edge_hz) {
     const double a = 1.0 - std::exp(-2.0 * kPi * edge_hz / kSampleRate_hz);
     std::vector<double> y(x.size());
@@ -356,8 +356,8 @@ std::vector<double> low_passed(std::span<const float> x, double edge_hz) {
     return y;
 }
 
-// Seconds by which the right ear hears it first, below 1.5 kHz, between samples by a parabola through the peak of the
-// cross-correlation.
+// Seconds by which the right ear hears it first, below 1.5 kHz. A parabola through the peak of the cross-correlation
+// gives values between samples.
 double interaural_s(std::span<const float> left, std::span<const float> right) {
     const std::vector<double> l = low_passed(left, 1500.0), r = low_passed(right, 1500.0);
     constexpr int kReach = 56;
@@ -374,18 +374,19 @@ double interaural_s(std::span<const float> left, std::span<const float> right) {
            kSampleRate_hz;
 }
 
-// What OpenAL calls the data set that is rendered with.
+// OpenAL's name of the data set that it renders with.
 std::string hrtf_name() {
     const ALCchar* name = alcGetString(alcGetContextsDevice(alcGetCurrentContext()), ALC_HRTF_SPECIFIER_SOFT);
     return name != nullptr ? name : "";
 }
 
 TEST_F(OpenALSinkTest, time_between_the_ears_is_near_that_of_a_sphere_and_mirrored) {
-    // The data set of OpenAL Soft 1.19 (default-48000) follows a sphere. Version 1.24 has another one (Default HRTF),
-    // whose delays jump between directions 5 degrees apart: by 172 us at 35 degrees, 224 us at 80, 282 us at 135.
+    // The data set of OpenAL Soft 1.19 (default-48000) follows a sphere. Version 1.24 has a different one (Default
+    // HRTF), whose delays jump between directions 5 degrees apart: by 172 us at 35 degrees, 224 us at 80, 282 us at
+    // 135.
     const bool jumps = hrtf_name().find("Default HRTF") != std::string::npos;
     const double most_s = jumps ? 240e-6 : 100e-6, most_mirror_s = jumps ? 30e-6 : 10e-6;
-    // Woodworth: a sphere of 8.75 cm, sound at 343 m/s; behind as ahead.
+    // Woodworth's formula: a sphere of 8.75 cm, sound at 343 m/s; the same behind as ahead.
     const auto sphere_s = [](double azimuth_rad) {
         const double side = std::asin(std::sin(azimuth_rad));
         return 0.0875 / 343.0 * (side + std::sin(side));
@@ -415,10 +416,10 @@ TEST_F(OpenALSinkTest, room_reverberates_for_as_long_as_it_should_within_10_perc
     sink->set_sound({.reverberation = 1.0});
     for (const double wanted_s : {0.3, 0.6, 1.0, 2.0, 4.0}) {
         sink->set_listener({.ears_m = {0.0, 0.0, 0.0}, .heading_rad = 0.0, .reverberation_s = wanted_s});
-        run(wanted_s + 1.0);  // the room follows, and what still sounded in it is gone
-        // Schroeder: the energy that is still to come falls along a line; its slope between -5 and -25 dB, least
-        // squares. Three knocks of different colour at both ears are taken together, as one measures a hall, since each
-        // alone meets few of the room's modes.
+        run(wanted_s + 1.0);  // waits until the room has changed and older sounds in it have died away
+        // Schroeder's method: the remaining energy falls along a line. Its slope is fitted between -5 and -25 dB by
+        // least squares. Three knocks of different colour at both ears are combined, as in measuring a hall, since each
+        // alone excites only few of the room's modes.
         std::vector<double> to_come(static_cast<std::size_t>((0.7 * wanted_s + 0.2) * kSampleRate_hz));
         for (const SoundClass knock : {SoundClass::Brick, SoundClass::Concrete, SoundClass::Stone}) {
             sink->play(cue(SoundKind::Contact, {0.0, 1.0, 0.0}, knock));
@@ -477,7 +478,8 @@ float largest_step(std::span<const float> x) {
 }
 
 TEST_F(OpenALSinkTest, whatever_is_cut_short_makes_no_step_above_a_hundredth_of_full_scale) {
-    constexpr float kNoClick = 0.01F;  // more than the sound's own largest step; a cut at a sample gives up to 0.3 here
+    // More than the sound's own largest step; a cut between two samples gives up to 0.3 here.
+    constexpr float kNoClick = 0.01F;
     const auto quiet_after = [&](const char* what, auto begin, auto cut) {
         for (int phase = 0; phase < 7; ++phase) {
             begin();
@@ -528,7 +530,7 @@ TEST_F(OpenALSinkTest, whatever_is_cut_short_makes_no_step_above_a_hundredth_of_
 }
 
 TEST_F(OpenALSinkTest, sound_behind_flutters_one_ahead_does_not_and_neither_when_switched_off) {
-    // Depth of the swing at 9 Hz of the loudness in frames of 10 ms, against its mean.
+    // The depth of the 9 Hz variation of the loudness in frames of 10 ms, relative to its mean.
     const auto flutter = [&](double y_m, bool on) {
         sink->set_sound({.reverberation = 0.0, .behind = on, .height = on});
         sink->set_loop(cue(SoundKind::Rain, {0.0, y_m, 0.0}));
@@ -553,7 +555,7 @@ TEST_F(OpenALSinkTest, sound_behind_flutters_one_ahead_does_not_and_neither_when
 TEST_F(OpenALSinkTest, in_mono_both_ears_hear_the_same_and_the_wall_tones_rhythm_tells_the_distance) {
     sink->set_sound({.mono = true});
     SoundCue tone = cue(SoundKind::WallTone, {2.0, 0.0, 0.0});
-    // Swells in two seconds: times the loudness in frames of 10 ms comes up through its middle.
+    // The number of swells in two seconds: how often the loudness, in frames of 10 ms, rises through its middle.
     const auto swells = [&](double pulses_per_s) {
         tone.pulses_per_s = pulses_per_s;
         sink->set_loop(tone);
@@ -731,7 +733,7 @@ TEST(OpenALSinkDevice, device_that_does_not_come_back_is_asked_for_every_5_s) {
     ASSERT_TRUE(sink.has_device());
     sink.tick(1.0);
     plugged = false;
-    sink.tick(2.0);  // lost, and the same one opened again; still reported as lost
+    sink.tick(2.0);  // lost, then the same one is opened again; it is still reported as lost
     for (double now_s = 2.0; now_s < 30.0; now_s += 0.25) sink.tick(now_s);
     EXPECT_TRUE(sink.news());
     plugged = true;

@@ -1,4 +1,4 @@
-// A speech server that knows the protocol and refuses single commands, as one without a voice for a language does.
+// A speech server that knows the protocol but refuses single commands, as one without a voice for a language does.
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <sys/socket.h>
@@ -91,13 +91,13 @@ private:
     std::atomic<bool> ends_{false};
     std::atomic<int> clients_{0};
     std::mutex mutex_;
-    std::string spoken_;  // mutex_
+    std::string spoken_;  // guarded by mutex_
     std::thread thread_;
 };
 
 double steady_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-// Such a server counted as gone: three tries, then silence, and nobody knew why.
+// Earlier, such a server counted as gone: three attempts, then silence, and nobody knew why.
 TEST(SpeechServerThatRefuses, a_language_speaks_all_the_same_in_the_voice_it_has) {
     const test::TemporaryFolder folder;
     RefusingServer server(folder.path() / "speech.sock", "LANGUAGE");

@@ -11,10 +11,10 @@
 namespace handrail {
 namespace synth_test {
 
-// What an ear tells sounds apart by, each from its definition.
+// The properties by which an ear distinguishes sounds, each computed from its definition.
 struct Character {
-    double centroid_hz = 0.0;  // balance point of the power spectrum between 60 Hz and 16 kHz
-    double decay_s = 0.0;      // until 99 % of the energy has come
+    double centroid_hz = 0.0;  // centre of mass of the power spectrum between 60 Hz and 16 kHz
+    double decay_s = 0.0;      // time until 99 % of the sound's energy has arrived
 };
 
 double band_power(std::span<const float> x, double hz) {
@@ -31,7 +31,8 @@ Character character_of(std::span<const float> x) {
     Character c;
     double weighted = 0.0, power = 0.0;
     for (double hz = 60.0; hz < 16000.0; hz *= 1.02) {
-        const double p = band_power(x, hz) * hz;  // a band of constant ratio is as wide as its pitch
+        // Bands have a constant ratio, so their width is proportional to their pitch.
+        const double p = band_power(x, hz) * hz;
         weighted += p * std::log(hz);
         power += p;
     }
@@ -65,8 +66,8 @@ TEST(Synth, every_two_materials_differ_when_struck) { expect_all_pairs_differ(So
 TEST(Synth, every_two_materials_differ_when_stepped_on) { expect_all_pairs_differ(SoundKind::Footstep, 1.15); }
 
 TEST(Synth, every_two_materials_differ_when_stroked) {
-    // Loops do not ring; besides brightness they differ in roughness: how much the loudness varies from one 10 ms to
-    // the next.
+    // Loops do not ring. Besides brightness they differ in roughness: how much the loudness varies between successive
+    // 10 ms.
     struct Stroke {
         double centroid_hz, roughness;
     };
@@ -115,7 +116,7 @@ TEST_P(EverySound, is_loud_within_3_ms_and_begins_and_ends_without_a_step) {
     const auto kind = static_cast<SoundKind>(GetParam());
     const std::vector<float> x = synthesise(kind, SoundClass::Plaster);
     if (is_loop(kind)) {
-        // The step over the seam is no larger than those inside.
+        // The step at the seam is no larger than those inside.
         float largest = 0.0F;
         for (std::size_t i = 1; i < x.size(); ++i) largest = std::max(largest, std::abs(x[i] - x[i - 1]));
         EXPECT_LE(std::abs(x.front() - x.back()), largest);

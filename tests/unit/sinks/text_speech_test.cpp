@@ -13,7 +13,7 @@
 namespace handrail {
 namespace text_speech_test {
 
-// A pipe whose ends close on every way out.
+// A pipe whose ends are closed however the test ends.
 struct Pipe {
     Pipe() { EXPECT_EQ(::pipe2(ends.data(), O_CLOEXEC), 0); }
     ~Pipe() {
@@ -26,7 +26,7 @@ struct Pipe {
         if (ends[0] >= 0) ::close(ends[0]);
         ends[0] = -1;
     }
-    // What can be read now, without waiting for more.
+    // Reads what is available, without waiting for more.
     std::string read() const {
         ::fcntl(ends[0], F_SETFL, O_NONBLOCK);
         std::string text;
@@ -51,7 +51,7 @@ TEST(TextSpeech, writes_one_line_per_announcement_at_once_with_its_class) {
 }
 
 TEST(TextSpeech, goes_quiet_when_its_reader_has_gone_and_raises_no_sigpipe) {
-    // SIGPIPE keeps its default action here, which would end the test program.
+    // SIGPIPE has its default action here, so it would end the test program.
     ASSERT_EQ(::signal(SIGPIPE, SIG_DFL), SIG_DFL);
     Pipe pipe;
     TextSpeech speech(pipe.ends[1]);
@@ -81,7 +81,7 @@ TEST(TextSpeech, never_waits_for_a_slow_reader_and_hands_the_rest_over_later) {
     const Pipe pipe;
     TextSpeech speech(pipe.ends[1]);
     const std::string word(1000, 'x');
-    constexpr int kLines = 100;  // 100 kB: more than a pipe's 64 kB, less than pipe and backlog together
+    constexpr int kLines = 100;  // 100 kB: more than the 64 kB of a pipe, less than pipe and backlog together
     for (int i = 0; i < kLines; ++i) speech.say({.text = word});
     std::string all = pipe.read();
     EXPECT_LT(all.size(), 100U * (word.size() + 6)) << "the pipe was not full, so this test shows nothing";
@@ -89,7 +89,7 @@ TEST(TextSpeech, never_waits_for_a_slow_reader_and_hands_the_rest_over_later) {
         speech.tick(0.0);
         all += pipe.read();
     }
-    EXPECT_EQ(all.size(), kLines * (word.size() + 6));  // "say: " and the line's end
+    EXPECT_EQ(all.size(), kLines * (word.size() + 6));  // plus "say: " and the line end
 }
 
 TEST(TextSpeech, keeps_a_bounded_backlog_of_whole_lines) {
@@ -110,7 +110,7 @@ TEST(TextSpeech, keeps_a_bounded_backlog_of_whole_lines) {
     EXPECT_TRUE(all.ends_with("x\nsay: still here\n"));
 }
 
-// Speaks, keeps the count of ticks and has news once.
+// A sink that speaks, counts its ticks and has news once.
 class ChattySpeech final : public SpeechSink {
 public:
     void say(const Utterance&) override { speaking_ = true; }

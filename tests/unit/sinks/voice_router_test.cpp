@@ -12,7 +12,7 @@ namespace voice_router_test {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-// A voice that does what the test says, and a log of what it was given.
+// A voice controlled by the test, with a log of what it received.
 class PlayedVoice final : public Voice {
 public:
     explicit PlayedVoice(SpeechThrough through) : through_(through) {}

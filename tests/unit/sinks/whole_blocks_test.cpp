@@ -22,7 +22,7 @@ TEST(WholeBlocks, gives_every_frame_once_and_in_order_whatever_is_asked_for_and_
     for (int i = 0; i < 2000; ++i) {
         const int frames = std::uniform_int_distribution(0, i % 10 == 0 ? 3000 : 200)(random);
         std::vector<float> stereo(2 * static_cast<std::size_t>(frames) + 2,
-                                  -1.0F);  // one frame more, which must stay as it is
+                                  -1.0F);  // an additional frame that must stay unchanged
         blocks.take(stereo.data(), frames, [&](float* to, int count) {
             ASSERT_GT(count, 0);
             ASSERT_EQ(count % 64, 0);
@@ -40,7 +40,7 @@ TEST(WholeBlocks, gives_every_frame_once_and_in_order_whatever_is_asked_for_and_
     }
 }
 
-// Somebody who goes from room to room: the effect is loaded anew twice a second while steps and a tone sound in it.
+// A person who goes from room to room: the effect is reloaded twice a second while steps and a tone sound in it.
 class FromRoomToRoom {
 public:
     FromRoomToRoom(const OpenALSink::Options& options, std::uint32_t seed) : random_(seed) {
@@ -73,8 +73,8 @@ private:
     double now_s_ = 5.0, next_room_s_ = 5.0;
 };
 
-// The library itself is not instrumented; what it writes past its buffer shows as a damaged heap or a fault, and the
-// sizes of the requests show what leads to it.
+// The library itself is not instrumented. A write past its buffer shows as a damaged heap or a fault, and the sizes of
+// the requests show what leads to it.
 TEST(OpenALSinkLoopback, million_ticks_of_random_length_while_the_room_changes_ask_for_whole_blocks_alone) {
     const std::uint32_t seed = test::seed_of_run();
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
