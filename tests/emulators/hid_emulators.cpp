@@ -5,7 +5,7 @@
 namespace handrail::test {
 namespace {
 
-// Bit by bit, as the standard defines it.
+// Computed bit by bit, as the standard defines it.
 std::uint32_t checksum(std::uint8_t leading, std::span<const std::uint8_t> bytes) {
     std::uint32_t crc = 0xffffffffU;
     const auto take = [&](std::uint8_t byte) {

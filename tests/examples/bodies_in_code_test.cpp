@@ -36,7 +36,7 @@ CrateWorld crate_world() {
 double push_east(const CrateWorld& world, Dynamics& engine) {
     TouchState state;
     TouchTuning tuning;
-    tuning.radius_m = 0.04;  // 2 mm of the hand
+    tuning.radius_m = 0.04;  // 2 mm for the hand
     tuning.world_m_per_hand_m = 20.0;
     tuning.damping_ns_per_m = 5.0;
     BodyFeel feel;

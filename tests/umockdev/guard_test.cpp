@@ -165,7 +165,7 @@ TEST_F(GuardProcess, unplugging_is_seen_and_plugging_in_again_too) {
     EXPECT_TRUE(device.guard_ended()) << "another guard may open it";
 }
 
-// The program itself, in the first room, with a hand that presses on the floor with 2 N.
+// The program itself in the first room, with a hand that presses on the floor with 2 N.
 class RunningProgram {
 public:
     explicit RunningProgram(const std::filesystem::path& home, const std::string& device = "falcon",

@@ -85,7 +85,7 @@ TEST_F(SilentMachineNever, speaks_with_its_own_voice_where_there_is_nothing_else
     ASSERT_TRUE(eventually([&] {
         return display->xdotool("search --onlyvisible --name '^Handrail$' windowfocus --sync >/dev/null 2>&1");
     }));
-    // A key stops the welcome.
+    // A key interrupts the welcome.
     const double pressed_s = now_s();
     ASSERT_TRUE(display->xdotool("key Control_L"));
     ASSERT_TRUE(eventually([&] { return own_voice().find("hush") != std::string::npos; })) << own_voice() << said();

@@ -12,7 +12,7 @@ namespace handrail::test {
 
 // One event that the recording module wrote.
 struct Recorded {
-    double time_s = 0.0;  // std::chrono::steady_clock
+    double time_s = 0.0;  // of std::chrono::steady_clock
     std::string event;    // "speak", "end" or "stop"
     std::string words;
 };

@@ -33,7 +33,7 @@ TEST(DrawMesh, makes_each_polygon_a_fan) {
 }
 
 TEST(DrawMesh, outlines_a_wall_of_several_pieces_as_one_wall) {
-    // 4 m by 2 m in three pieces that meet in a T: the outline is 12 m.
+    // 4 m by 2 m in three pieces that meet in a T; the outline is 12 m.
     Scene scene;
     add_wall_piece(scene, upright(0.0, 2.0, 0.0, 2.0), 0);
     add_wall_piece(scene, upright(2.0, 4.0, 0.0, 0.7), 0);
@@ -68,7 +68,7 @@ TEST(DrawMesh, leaves_out_volumes_that_cannot_be_seen_and_needles) {
     EXPECT_TRUE(build_draw_mesh(scene).vertices.empty());
     add_box(scene, Vec3(0.0), Vec3(1.0), FeatureKind::Liquid, SolidRole::Liquid);
     const DrawMesh mesh = build_draw_mesh(scene);
-    EXPECT_EQ(mesh.translucent.size(), 36U);  // six sides of two triangles
+    EXPECT_EQ(mesh.translucent.size(), 36U);  // six sides of two triangles each
     EXPECT_TRUE(mesh.opaque.empty());
 }
 

@@ -1,4 +1,4 @@
-// The guides say what the code does: their tables are compared with the tables in the code, row by row.
+// The guides match the code: their tables are compared with the tables in the code, row by row.
 #include <algorithm>
 #include <cctype>
 #include <map>
@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 const fs::path kRoot = test::project_root();
 
-// The pages at the top and every page of docs, in the order of their names.
+// The pages at the top and every page of docs, sorted by name.
 std::vector<fs::path> pages() {
     std::vector<fs::path> all{kRoot / "README.md", kRoot / "CONTRIBUTING.md", kRoot / "NEWS.md"};
     for (const auto& entry : fs::recursive_directory_iterator(kRoot / "docs"))
@@ -32,7 +32,7 @@ std::vector<fs::path> pages() {
     return all;
 }
 
-// A page without its blocks of code, where a lambda looks like a link and a comment like a heading.
+// A page without its code blocks, in which a lambda looks like a link and a comment like a heading.
 std::string prose_of(const fs::path& page) {
     std::string text = test::content_of(page);
     for (std::size_t open = text.find("```"); open != std::string::npos; open = text.find("```", open)) {
@@ -42,7 +42,7 @@ std::string prose_of(const fs::path& page) {
     return text;
 }
 
-// The names by which a page's headings are linked to: small letters, digits and hyphens.
+// The anchors of a page's headings for links: lower-case letters, digits and hyphens.
 std::set<std::string> anchors_of(const fs::path& page) {
     std::set<std::string> anchors;
     std::istringstream lines(prose_of(page));
@@ -121,7 +121,8 @@ TEST(MapAuthorsGuide, lists_every_effect_with_its_ranges) {
     EXPECT_THAT(table_rows("map-authors-guide/touch.md", "| Effect | Strength |"), UnorderedElementsAreArray(expected));
 }
 
-// The reader asks for its keys by name; every name it asks for must have a line, and every line must be asked for.
+// The reader queries keys by name. Every queried name must have a line in the guide, and every line must belong to a
+// queried name.
 TEST(MapAuthorsGuide, lists_every_key_that_the_map_reader_looks_at) {
     static const std::regex kAsked(
         R"re((?:(?:entity_?\.find|entity\.value|text_of|yes_no_of|number_of|side_of|vector_of|)re"
@@ -133,7 +134,7 @@ TEST(MapAuthorsGuide, lists_every_key_that_the_map_reader_looks_at) {
     std::set<std::string> asked;
     for (auto it = std::sregex_iterator(source.begin(), source.end(), kAsked); it != std::sregex_iterator(); ++it)
         asked.insert((*it)[1]);
-    asked.erase("_external_map");  // content of another program, left out and said
+    asked.erase("_external_map");  // belongs to another program; it is left out and reported
     EXPECT_GE(asked.size(), 10U) << "the reader's source was not understood";
     std::set<std::string> listed;
     static const std::regex kKey("`([a-z_]+)`");

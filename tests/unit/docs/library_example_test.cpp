@@ -1,4 +1,4 @@
-// The five lines of README.md that show the library: compiled and run here, and compared with the page.
+// The five lines of README.md that show the library, compiled and run here, and compared with the page.
 #include <cmath>
 #include <fstream>
 #include <sstream>

@@ -1,4 +1,4 @@
-// The page on portability lists each file that includes a header of the system, and no other.
+// The page on portability must list each file that includes a system header, and no other.
 #include <algorithm>
 #include <array>
 #include <regex>
@@ -32,7 +32,7 @@ std::set<std::string> asked_by(const std::string& text) {
     return headers;
 }
 
-// Folder, and what of it may ask the system all the same.
+// True for files in folders that must not call the system; a few folders in worlds and app/core may.
 bool needs_no_system(const std::string& file) {
     for (const char* folder : {"settings/", "haptic/render/", "haptic/compile/", "haptic/dynamics/", "haptic/device/",
                                "haptic/loop/", "haptic/c/", "audio-cues/plan/"})

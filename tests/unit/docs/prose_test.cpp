@@ -1,5 +1,6 @@
 // Keeps the documents readable: line and sentence lengths, odd patterns, spelling, and names that no longer exist.
-// plain_pages.txt lists the pages that were rewritten for this; it only grows. The rules: docs/developer/language.md.
+// plain_pages.txt lists the pages that were rewritten for this; it only grows. The rules are in
+// docs/developer/language.md.
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
@@ -23,7 +24,7 @@ const fs::path kHere = kRoot / "tests" / "unit" / "docs";
 constexpr std::size_t kMostWords = 35, kMostColumns = 100;
 constexpr double kMostWordsOnAverage = 20.0;
 
-// The lines of a file of this folder, without comments.
+// The lines of a file in this folder, without comments.
 std::vector<std::string> listed_in(const char* file) {
     std::istringstream lines(test::content_of(kHere / file));
     std::vector<std::string> listed;
@@ -39,7 +40,7 @@ struct ProseLine {
     std::string text;
 };
 
-// A paragraph, an item of a list or a heading, on as many lines as it has.
+// A paragraph, an item of a list or a heading, with all its lines.
 struct Block {
     std::vector<ProseLine> lines;
     bool heading = false, table = false;
@@ -50,8 +51,8 @@ bool begins_item(const std::string& line) {
     return std::regex_match(line, kItem);
 }
 
-// What people wrote on a page. Left out: code, HTML, and what is quoted from the program between "<!-- ... -->" and
-// "<!-- end -->".
+// The text that people wrote on a page. Leaves out code, HTML, and quotations from the program between "<!-- ... -->"
+// and "<!-- end -->".
 std::vector<Block> read_blocks(const std::string& page) {
     std::istringstream lines(test::content_of(kRoot / page));
     std::vector<Block> blocks;
@@ -75,15 +76,15 @@ std::vector<Block> read_blocks(const std::string& page) {
     return blocks;
 }
 
-// The same, read once in a process.
+// The same, read only once per process.
 const std::vector<Block>& blocks_of(const std::string& page) {
     static std::map<std::string, std::vector<Block>> read;
     const auto at = read.find(page);
     return at != read.end() ? at->second : read.emplace(page, read_blocks(page)).first->second;
 }
 
-// A block's text on one line: links as their words, code as `X`, and what the program says, which has its own tests, as
-// "X".
+// A block's text on one line. Links become their words and code becomes `X`. The program's own texts have separate
+// tests and become "X".
 std::string words_of(const Block& block) {
     static const std::regex kIndent("^ +"), kAsked("\"[^\"]*([.?!])\""), kSaid("\"[^\"]*[^\".?!]\"");
     static const std::regex kMark(R"(^ *([-*]|\d+\.|#+) +)"), kLink(R"(!?\[([^\]]*)\]\([^)]*\))"), kCode("`[^`]*`"),
@@ -158,7 +159,7 @@ TEST(Prose, is_seen_to_be_too_long) {
     EXPECT_EQ(word_count("A door - 0.9 m wide."), 5U);
 }
 
-// Tables and code cannot be wrapped; nor can a link or a command that is longer than a line.
+// Tables and code cannot be wrapped, nor can a link or a command that is longer than a line.
 TEST(Prose, wraps_at_100_columns) {
     for (const std::string& page : listed_in("plain_pages.txt"))
         for (const Block& block : blocks_of(page)) {
@@ -181,7 +182,7 @@ struct Pattern {
     const char* instead;  // what to write
 };
 
-// Turns of speech that strangers stumbled over.
+// Expressions that strangers did not understand at once.
 constexpr Pattern kEnglishPatterns[]{
     {"where there (is|are) (none|no|one)", "if there is none"},
     {"(is|are|was|were) told", "is reported, is announced, says so"},
@@ -216,7 +217,7 @@ constexpr Pattern kGermanPatterns[]{
     {"Tasten vom Anfang", "Standardtasten"},
 };
 
-// A page, and a pattern that is right there, with the reason.
+// Pages on which a pattern is allowed, with the reason.
 bool is_allowed(const std::string& page, const std::string& found) {
     static const std::set<std::pair<std::string, std::string>> kAllowed{
         // The rules show what not to write.
@@ -225,7 +226,7 @@ bool is_allowed(const std::string& page, const std::string& found) {
     return kAllowed.contains({page, "*"}) || kAllowed.contains({page, found});
 }
 
-// All patterns in one, since most texts have none.
+// All patterns in one, since most texts match none.
 template <std::size_t N>
 std::regex any_of_them(const Pattern (&patterns)[N]) {
     std::string any;
@@ -252,7 +253,7 @@ TEST(Prose, has_none_of_the_listed_patterns) {
     const std::regex any_english = any_of_them(kEnglishPatterns), any_german = any_of_them(kGermanPatterns);
     for (const std::string& page : listed_in("plain_pages.txt"))
         for (const Block& block : blocks_of(page)) {
-            if (block.table) continue;  // many are made from the program's texts, which have their own tests
+            if (block.table) continue;  // many tables are made from the program's texts, which have separate tests
             const std::string text = words_of(block);
             if (!std::regex_search(text, is_german(page) ? any_german : any_english)) continue;
             for (const Search& search : is_german(page) ? german : english)
@@ -263,7 +264,7 @@ TEST(Prose, has_none_of_the_listed_patterns) {
         }
 }
 
-// All of the project but its documents, in one text.
+// All of the project except its documents, in one text.
 const std::string& sources() {
     static const std::string kAll = [] {
         std::string all;
@@ -276,7 +277,7 @@ const std::string& sources() {
     return kAll;
 }
 
-// `ServoLoop::open`, `force_n`, `haptic/servo/servo_loop.h`: each part must be in the sources or be a file.
+// For `ServoLoop::open`, `force_n` or `haptic/servo/servo_loop.h`, each part must be in the sources or be a file.
 TEST(Prose, names_only_what_exists) {
     static const std::regex kCode("`([^`]+)`"),
         kName(R"(^(?:[A-Za-z_]\w*(?:::|\.|/))*[A-Za-z_]\w*(?:\.(?:h|cpp|sh|py|toml|md|txt|cmake))?(?:\(\))?$)");
@@ -292,7 +293,7 @@ TEST(Prose, names_only_what_exists) {
                                          std::regex_match(name, std::regex("[A-Z][a-z]+[A-Z][A-Za-z]*"));
                     if (!of_code || !std::regex_match(name, kName) || !looked_up.insert(name).second) continue;
                     if (name.ends_with("()")) name.resize(name.size() - 2);
-                    const std::size_t scope = name.find_last_of(":.");  // of a class, or of a suite of tests
+                    const std::size_t scope = name.find_last_of(":.");  // a name in a class or in a test suite
                     const bool file = name.find('/') != std::string::npos;
                     const std::string last = scope == std::string::npos || file ? name : name.substr(scope + 1);
                     const bool there =
@@ -303,7 +304,7 @@ TEST(Prose, names_only_what_exists) {
     EXPECT_TRUE(looked_up.size() > 3 || listed_in("plain_pages.txt").size() < 5) << "names were not understood";
 }
 
-// The words of a list that hunspell with this dictionary does not know.
+// The words of a list that are not in this hunspell dictionary.
 std::set<std::string> unknown_words(const std::set<std::string>& words, const std::string& dictionary) {
     const test::TemporaryFolder folder;
     const fs::path in = folder.path() / "words", out = folder.path() / "unknown";
@@ -327,7 +328,7 @@ bool has_dictionary(const std::string& dictionary) {
 TEST(Prose, is_spelled_as_the_dictionaries_or_the_word_list_have_it) {
     if (!has_dictionary("en_GB") || !has_dictionary("de_DE"))
         GTEST_SKIP() << "needs hunspell, hunspell-en-gb and hunspell-de-de: the spelling of the documents";
-    // A word of letters, with apostrophes and hyphens inside.
+    // A word consists of letters, with apostrophes and hyphens inside.
     static const std::regex kWord(R"((?:[A-Za-z]|[\xC3\xC5][\x80-\xBF])+(?:'[a-z]+)?)");
     for (const bool german : {false, true}) {
         std::map<std::string, std::string> places;
@@ -335,7 +336,7 @@ TEST(Prose, is_spelled_as_the_dictionaries_or_the_word_list_have_it) {
         for (const std::string& page : listed_in("plain_pages.txt")) {
             if (is_german(page) != german) continue;
             for (const Block& block : blocks_of(page)) {
-                // Words with digits, names of files and addresses are no words of a language.
+                // Words with digits, file names and addresses are not words of a language.
                 const std::string text =
                     std::regex_replace(words_of(block), std::regex(R"(\S*[\d_/\\]\S*|\S+\.\w+)"), " ");
                 for (auto it = std::sregex_iterator(text.begin(), text.end(), kWord); it != std::sregex_iterator();

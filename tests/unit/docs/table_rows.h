@@ -10,7 +10,7 @@
 
 namespace handrail::test {
 
-// The rows of the table whose head line starts with `head`, without the line of dashes.
+// The rows of the table whose header line starts with `head`, without the line of dashes.
 inline std::vector<std::string> table_rows(const std::string& document, const std::string& head) {
     std::istringstream lines(test::content_of(test::project_root() / "docs" / document));
     std::vector<std::string> rows;

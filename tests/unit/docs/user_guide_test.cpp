@@ -17,7 +17,7 @@ using test::list_items;
 using test::table_rows;
 using testing::UnorderedElementsAreArray;
 
-// A command's keys as a guide lists them: "F or Grave", each as `name` calls it.
+// A command's keys as a guide lists them: "F or Grave", with each key named by `name`.
 template <typename Name>
 std::string keys_of(const CommandInfo& command, const std::string& between, Name&& name) {
     std::istringstream words{std::string(command.key)};
@@ -49,8 +49,8 @@ TEST(UserGuide, lists_every_command_in_german_by_its_german_word_and_keys) {
     EXPECT_THAT(list_items("de/benutzerhandbuch/tasten.md", "## Tasten"), UnorderedElementsAreArray(expected));
 }
 
-// What a page is made of, by kind: titles of each level, rows of tables, items of lists, lines of code, and settings
-// and options by their names.
+// Counts the parts of a page by kind: titles of each level, table rows, list items, code lines, and settings and
+// options by their names.
 std::map<std::string, int> parts_of(const std::string& page) {
     std::map<std::string, int> parts;
     std::istringstream lines(test::content_of(test::project_root() / "docs" / page));
@@ -95,7 +95,7 @@ TEST(AuthorsGuide, is_all_there_in_german) {
     for (const auto& entry : std::filesystem::directory_iterator(test::project_root() / "docs/map-authors-guide"))
         EXPECT_TRUE(pages.contains("map-authors-guide/" + entry.path().filename().string())) << entry.path();
     for (const auto& [english, german] : pages) EXPECT_EQ(parts_of(english), parts_of("de/" + german)) << german;
-    // Keys are the same in both languages, and in the same order.
+    // The keys are the same in both languages and in the same order.
     const auto first_words = [](const std::vector<std::string>& rows) {
         std::vector<std::string> words;
         for (const std::string& row : rows) words.push_back(row.substr(0, row.find(' ', 2)));
@@ -135,7 +135,7 @@ TEST(Dictionary, lists_every_sound_as_the_spoken_one_tells_it_in_its_order) {
     for (const DictionaryEntry& entry : sound_dictionary()) {
         if (entry.kind != SoundKind::Contact) {
             expected.push_back("- " + entry.text);
-            // Scenarios name a sound by its words before the colon, in small letters.
+            // Scenarios name a sound by its words before the colon, in lower case.
             EXPECT_EQ(lower_ascii(entry.text.substr(0, entry.text.find(':'))), info(entry.kind).name);
         } else {
             contacts += (contacts.empty() ? "" : ", ") + std::string(material_sound_name(entry.material));

@@ -14,7 +14,7 @@ namespace {
 
 struct Rule {
     const char* name;
-    const char* pattern;  // of what must not be there
+    const char* pattern;  // matches what must not be there
 };
 
 constexpr std::array kEverywhere{
@@ -47,7 +47,7 @@ constexpr std::array kGerman{
          R"((^|[^,\d])1 (Schritte|Räume|Ausgänge|Türen|Stockwerke|Wege|Minuten|Sekunden|Dinge|Stufen)\b)"},
 };
 
-// "the the", within a clause.
+// Finds a repeated word, as in "the the", within a clause.
 std::string repeated_word(const std::string& text) {
     std::string last, word;
     for (std::size_t i = 0; i <= text.size(); ++i) {
@@ -69,7 +69,7 @@ std::string repeated_word(const std::string& text) {
     return {};
 }
 
-// Patterns are made once: that takes longer than looking for them.
+// The patterns are compiled once, as that takes longer than searching.
 template <std::size_t N>
 std::vector<std::pair<std::string, std::regex>> made(const std::array<Rule, N>& rules) {
     std::vector<std::pair<std::string, std::regex>> all;

@@ -1,4 +1,5 @@
-// Rules that everything spoken keeps, whatever made it: faults that a reader overlooks and a listener stumbles over.
+// Rules for everything spoken, whatever part made it. They find faults that a reader overlooks but that disturb a
+// listener.
 #pragma once
 
 #include <string>
@@ -6,10 +7,10 @@
 
 namespace handrail::test {
 
-// What is wrong with a text that is spoken in a language ("en", "de"), a few words each; empty where nothing is.
+// The faults of a text that is spoken in a language ("en", "de"), in a few words each; empty if there are none.
 std::vector<std::string> faults_of(const std::string& text, const std::string& language);
 
-// Sentences, by the stops that blanks follow.
+// Splits a text into sentences, at stops that blanks follow.
 std::vector<std::string> sentences_of(const std::string& text);
 
 inline constexpr std::size_t kLongestSentence_words = 45;

@@ -1,4 +1,4 @@
-// Every command in five worlds and two languages, and each sentence that comes of it held against the rules.
+// Runs every command in five worlds and two languages, and checks each resulting sentence against the rules.
 #include <fmt/ranges.h>
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ TEST(SentenceRules, find_what_they_are_for) {
     EXPECT_FALSE(fails("Tür zum Flur: 1 Schritt, halb links.", "de"));
 }
 
-// Commands after which nothing of the world is there to be asked any more, or whose lists change what is spoken.
+// Commands after which the world cannot be queried any more, or whose lists change the spoken language.
 bool stays_out(Command command) {
     return command == Command::Leave || command == Command::Calibrate || command == Command::Language ||
            command == Command::FirstMinutes || command == Command::Learners;
@@ -61,10 +61,10 @@ public:
                 s_.app.apply(CommandDown{row.command}, s_.now);
                 s_.run(0.25);
                 s_.app.apply(CommandUp{row.command}, s_.now);
-                // What it began ends, or goes on meanwhile; nothing is waited for longer than that.
+                // Waits only this long for what it began; that ends or goes on meanwhile.
                 for (int i = 0; i < 8 && !s_.app.idle(); ++i) s_.run(0.25);
                 look(std::string(row.word));
-                // From here on keys would be explained instead of done.
+                // From here on keys would be explained instead of carried out.
                 if (row.command == Command::InputHelp) s_.ask(row.command);
                 go_through_list(std::string(row.word), round);
                 s_.app.requests() = {};
@@ -73,7 +73,7 @@ public:
         }
     }
     std::size_t sentences() const { return sentences_; }
-    const std::map<std::string, std::string>& faulty() const { return faulty_; }  // the text, and what is wrong
+    const std::map<std::string, std::string>& faulty() const { return faulty_; }  // maps each faulty text to its faults
 
 private:
     void look(const std::string& after) {
@@ -83,7 +83,7 @@ private:
             if (!faults.empty()) faulty_.emplace(text, after + ": " + fmt::format("{}", fmt::join(faults, "; ")));
         }
     }
-    // Down and up it, one entry of it, and out again: of all of this so much at most, since what an entry does may open
+    // Goes down and up the list, chooses one entry, and leaves again. The limits are needed because an entry may open
     // the next list.
     void go_through_list(const std::string& word, int round) {
         constexpr int kMostItems = 12, kMostLists = 6;
@@ -103,7 +103,7 @@ private:
         }
         EXPECT_FALSE(s_.app.dialogue().is_open()) << word;
     }
-    // Not on lines that end the session, change the language or read another world.
+    // Avoids lines that end the session, change the language or read another world.
     bool leaves_here() const {
         const std::string title = s_.app.dialogue().view().title;
         return title == phrase("menu.worlds") || title == phrase("language.menu") || title == phrase("menu.title");
@@ -113,7 +113,7 @@ private:
         s_.app.apply(KeyTapped{name}, s_.now);
         s_.run(0.05);
     }
-    // Into another room, from its middle on.
+    // Goes to the middle of another room.
     void to_room(int which) {
         s_.ask(Command::PlanView);
         s_.run(0.1);
@@ -145,7 +145,7 @@ TEST_P(Sentences, of_every_command_keep_the_rules_in_every_language) {
     if (test::kSanitizerScale < 1.0 && name != "house.map") GTEST_SKIP() << "words are the same under a sanitizer";
     for (const LanguageName& language : bundled_languages())
         for (const ActsBy who : {ActsBy::WindowKeys, ActsBy::Lines}) {
-            // Which keys and words are named does not depend on the world: in large ones once is enough.
+            // The named keys and words do not depend on the world, so once is enough in large ones.
             if (name != "house.map" && name != "small_house.ifc" && who == ActsBy::Lines) continue;
             const test::InLanguage spoken(language.code);
             speak_to(who);

@@ -1,5 +1,6 @@
-// How long each text of the languages takes to say, at 180 words a minute, and how long it may: a word in passing is
-// over before the next step, an alarm says first what is wrong, an answer is still known at its end.
+// How long each text of the languages takes to say at 180 words a minute, and its limit. A word in passing must end
+// before the next step, an alarm must first say what is wrong, and the beginning of an answer must still be remembered
+// at its end.
 #include <espeak-ng/speak_lib.h>
 #include <gtest/gtest.h>
 
@@ -19,9 +20,9 @@ namespace spoken_length_test {
 
 constexpr int kWordsPerMinute = 180;
 
-// ---- a pattern as it may be said, each value a word or a number and each choice the longest ----
+// ---- a pattern as spoken: each value is a word or a number, each choice the longest ----
 
-// The position behind the brace that closes the one at `open`.
+// The position after the brace that closes the one at `open`.
 std::size_t behind_brace(std::string_view text, std::size_t open) {
     int depth = 0;
     for (std::size_t i = open; i < text.size(); ++i) {
@@ -33,7 +34,8 @@ std::size_t behind_brace(std::string_view text, std::size_t open) {
 
 std::string said(std::string_view pattern);
 
-// "name", "name, number, ::.0" or "name, plural, one {...} other {...}", without its own braces.
+// The spoken form of "name", "name, number, ::.0" or "name, plural, one {...} other {...}", given without its own
+// braces.
 std::string value_said(std::string_view value) {
     const std::size_t comma = value.find(',');
     if (comma == std::string_view::npos) return "Kitchen";
@@ -66,7 +68,7 @@ std::string said(std::string_view pattern) {
 
 // ---- seconds ----
 
-// Letters, those with an umlaut or accent as one of ASCII: 'e' for vowels of German, 'x' for the sharp s.
+// Only letters; those with an umlaut or accent become one ASCII letter: 'e' for German vowels, 'x' for the sharp s.
 std::string plain_letters(std::string_view text) {
     std::string letters;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -88,7 +90,7 @@ int syllables(const std::string& word, bool german) {
     for (std::size_t i = 0; i < word.size(); ++i) {
         if (!is_vowel(word[i])) continue;
         ++count;
-        if (german) {  // two letters that are one sound
+        if (german) {  // two letters that make one sound
             const std::string_view two = std::string_view(word).substr(i, 2);
             for (const std::string_view one : {"au", "ei", "ie", "eu", "ai", "yu", "aa", "ee", "oo"})
                 if (two == one) {
@@ -115,7 +117,7 @@ int syllables(const std::string& word, bool german) {
     return std::max(count, 1);
 }
 
-// Of a syllable on the mean, and pauses; measured with the voice (see the last test).
+// Uses the mean duration of a syllable, plus pauses; both were measured with the voice (see the last test).
 double spoken_s(const std::string& text, const std::string& language) {
     const bool german = language == "de";
     const double syllable_s = german ? 0.195 : 0.21;
@@ -138,24 +140,24 @@ double spoken_s(const std::string& text, const std::string& language) {
     return seconds;
 }
 
-// ---- how long it may take ----
+// ---- limits ----
 
 struct Bound {
     const char* what;
-    double whole_s;     // of the text
-    double sentence_s;  // of each sentence
-    double first_s;     // of the first one
+    double whole_s;     // for the text
+    double sentence_s;  // for each sentence
+    double first_s;     // for the first sentence
 };
 constexpr double kAny = 1e9;
 // Words in passing: a step takes half a second, a turn somewhat longer.
 constexpr Bound kPassing{"a word in passing or a heading", 2.5, kAny, kAny};
-// What is wrong comes first, then what to do.
+// An alarm first says what is wrong, then what to do.
 constexpr Bound kAlarm{"an alarm", 8.0, kAny, 4.0};
 constexpr Bound kAnswer{"an answer", 8.0, kAny, kAny};
-// Of a command or setting, in a list that one goes through.
+// A line about a command or setting, in a list that a person goes through.
 constexpr Bound kLine{"a line of help", 7.0, kAny, kAny};
 constexpr Bound kHelp{"help that was asked for, a task", 12.0, kAny, kAny};
-// Problems of files, reports, what is printed: sentence by sentence, for a screen reader goes by those.
+// Problems of files, reports and printed texts: limited for each sentence, because a screen reader moves by sentences.
 constexpr Bound kTold{"what is told of files or printed", 15.0, 8.0, kAny};
 
 constexpr std::array kPassingParts{
@@ -194,7 +196,7 @@ const Bound& bound_of(const std::string& key) {
 }
 
 std::vector<std::string> too_long(const std::string& key, const std::string& pattern, const std::string& language) {
-    // Words to choose a name from, and what may be typed: never said.
+    // Words from which names are chosen, and words that may be typed, are never spoken.
     if (key == "learner.trees" || key == "learner.birds" || key.starts_with("typed_sentence.")) return {};
     const Bound& bound = bound_of(key);
     const std::string text = said(pattern);
@@ -260,7 +262,8 @@ int count_samples(short*, int count, espeak_EVENT*) {
     return 0;
 }
 
-// Over all texts the model must be right, though not for each: an eighth of them, said by espeak-ng.
+// The model must be right on average over all texts, though not for each. Checked on an eighth of them, spoken by
+// espeak-ng.
 TEST(SpokenLength, is_what_the_built_in_voice_takes) {
     const int rate = espeak_Initialize(AUDIO_OUTPUT_SYNCHRONOUS, 0, nullptr, espeakINITIALIZE_DONT_EXIT);
     if (rate <= 0) GTEST_SKIP() << "espeak-ng has no voices here";

@@ -6,8 +6,8 @@
 namespace handrail::test {
 namespace {
 
-constexpr double kQuiet_s = 0.4;       // so long nothing is on its way
-constexpr double kLongestWalk_s = 60;  // until then it is over
+constexpr double kQuiet_s = 0.4;       // quiet means that nothing happens for this long
+constexpr double kLongestWalk_s = 60;  // by then every walk is over
 
 Settings text_settings() {
     Settings settings;

@@ -1,5 +1,5 @@
 // A person who only types lines and reads what is said: the whole session in virtual time, without a device and without
-// sound, each line done when what the one before began is over, as at a terminal of lines.
+// sound. Each line is carried out when what the previous one began is over, as in a line-based terminal.
 #pragma once
 
 #include <memory>
@@ -13,14 +13,14 @@ namespace handrail::test {
 
 class TextSession {
 public:
-    // first_start: led through the first minutes before the world greets.
+    // first_start: the person is led through the first minutes before the world's greeting.
     explicit TextSession(std::shared_ptr<const Scene> world, bool first_start = false);
     ~TextSession();
     TextSession(const TextSession&) = delete;
     TextSession& operator=(const TextSession&) = delete;
 
-    // What is said of a line until all is quiet; the greeting is what was said before the first one. A word that is no
-    // command is answered as the terminal answers it.
+    // Returns what is said about a line until all is quiet; greeting() is what was said before the first line. A word
+    // that is no command is answered as the terminal answers it.
     std::vector<std::string> type(const std::string& line);
     const std::vector<std::string>& greeting() const { return greeting_; }
     const Session& app() { return session_.app(); }

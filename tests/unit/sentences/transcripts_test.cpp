@@ -1,5 +1,5 @@
-// Six typical sessions by text alone, as docs/transcripts.md shows them: played again and compared with the page. With
-// HANDRAIL_WRITE_TRANSCRIPTS set, the test writes the page instead.
+// Six typical sessions by text alone, as docs/transcripts.md shows them. The test plays them again and compares them
+// with the page. With HANDRAIL_WRITE_TRANSCRIPTS set, it writes the page instead.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -71,7 +71,7 @@ const std::vector<Script>& scripts() {
     return kScripts;
 }
 
-// A line that was typed, and what was said then; the first turn of a session is its greeting and has no line.
+// A typed line and what was said then. The first turn of a session is its greeting and has no line.
 struct Turn {
     const char* line = nullptr;
     std::vector<std::string> said;
@@ -104,7 +104,7 @@ std::string document() {
         text += std::string("\n## ") + script.title + "\n\n" + script.about + " World: `" + script.world + "`.\n\n";
         for (const Turn& turn : play(script)) {
             const std::string lines = shown(turn);
-            // The same world greets in the same words each time.
+            // The same world always greets in the same words, so each greeting is shown once.
             if (turn.line != nullptr || greetings.insert(lines).second) text += lines;
         }
     }

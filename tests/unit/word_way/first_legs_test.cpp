@@ -1,4 +1,4 @@
-// The first legs of a route for words are planned before the rest, and the rest goes on behind them.
+// The first legs of a route for words are planned before the rest, which is planned after them.
 #include "app/core/wayfinding/word_ground.h"
 #include "tests/unit/core/app_session.h"
 #include "worlds/navigation/reach.h"
@@ -72,7 +72,7 @@ private:
     mutable std::vector<std::function<void()>> held_;
 };
 
-// Somebody in the school who has chosen a room far away, and has heard the first leg.
+// A person in the school who has chosen a distant room and has heard the first leg.
 struct OnTheWay {
     HeldBack executor;
     test::AppSession person{{}, {}, SessionOptions{.executor = executor}};

@@ -1,5 +1,5 @@
-// What a walk does that meets something: along what is met at a slant, into the doorway whose frame is met, stopped by
-// the rest; and steps to the side.
+// What a walk does when it meets something: it slides along obstacles at a slant and into the doorway whose frame it
+// meets, and is stopped by the rest. Also steps to the side.
 #include "app/core/walking/gait.h"
 
 #include <cmath>
@@ -13,7 +13,8 @@ namespace gait_test {
 
 constexpr double kTick_m = 0.02;
 
-// The first that is not On or Along when each tick makes such a part of its way, and after how far; none: it goes on.
+// The first result that is not On or Along if each tick achieves this share of its movement, and the distance until
+// then; none: the walk continues.
 std::optional<std::pair<Gait::Goes, double>> ends(double part, const std::optional<double>& aside_m = std::nullopt) {
     Gait gait;
     for (double far_m = kTick_m; far_m < 2.0; far_m += kTick_m) {
@@ -53,7 +54,7 @@ TEST(Gait, slides_into_a_doorway_twice_at_most_and_not_where_it_is_straight_ahea
     EXPECT_EQ(gait.went(kTick_m, 0.0, true, to_the_left), Gait::Goes::Stopped);
 }
 
-// 10 by 10 m, parted at y = 5 by a wall with a doorway 0.9 m wide round x = 5.
+// A space of 10 by 10 m, divided at y = 5 by a wall with a doorway 0.9 m wide around x = 5.
 struct TwoRooms : test::AppSession {
     TwoRooms() {
         test::SceneBuilder b;
@@ -70,7 +71,7 @@ struct TwoRooms : test::AppSession {
         b.start({2, 2, 0}, 0.0);
         app.apply(WorldEntered{make_ready(b.share())}, now);
         run(0.1);
-        ask(Command::Exits);  // from here on the ways are known
+        ask(Command::Exits);  // from here on the routes are known
     }
     void walk_from(const Vec3& feet_m, double heading_deg, Command command, int steps) {
         app.apply(Placed{feet_m, heading_deg * kPi / 180.0}, now);

@@ -1,4 +1,4 @@
-// A leg as a sentence: what to do first, then how far, then to what; each turn in words of its own, both languages.
+// A leg as a sentence: what to do first, then how far, then to what. Each turn has its own words in both languages.
 #include "app/core/wayfinding/leg_words.h"
 #include "tests/support/child_process.h"
 
@@ -78,7 +78,7 @@ TEST(LegWords, have_other_words_for_each_of_the_sixteen_turns) {
     }
 }
 
-// Where rooms are found beside everything else so is the way: how long it is comes at once, its first leg later.
+// If rooms are found in a background task, so is the route: its length is said at once, its first leg later.
 TEST(LegWords, come_when_the_way_is_planned_while_everything_goes_on) {
     test::AppSession person({}, {}, SessionOptions{.executor = on_threads()});
     person.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, person.now);
@@ -100,7 +100,7 @@ TEST(LegWords, come_when_the_way_is_planned_while_everything_goes_on) {
     }));
     const std::string first_leg = person.said.back();
     EXPECT_EQ(person.ask(Command::RepeatLeg), first_leg);
-    // Who asked for the rest of the way meanwhile hears that.
+    // A person who requested the rest of the route meanwhile hears it.
     person.ask(Command::Routes);
     person.line("Bathroom");
     person.said.clear();
@@ -111,7 +111,7 @@ TEST(LegWords, come_when_the_way_is_planned_while_everything_goes_on) {
     const std::string leg = person.ask(Command::RepeatLeg);
     EXPECT_TRUE(rest.starts_with(leg)) << rest;
     EXPECT_GT(rest.size(), leg.size() + 10) << rest;
-    // Another world, and another wish, give up what was being planned.
+    // Another world or another request cancels the planning.
     person.ask(Command::Routes);
     person.line("Kitchen");
     person.app.apply(WorldEntered{make_ready(test::our_world("first_room.map"))}, person.now);

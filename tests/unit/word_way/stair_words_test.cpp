@@ -1,4 +1,4 @@
-// Whoever hears only words climbs stairs of each form by them, with the keys, and comes down again.
+// A walker who hears only words climbs stairs of each form by following them with the keys, and comes down again.
 #include "tests/support/stair_house.h"
 #include "tests/support/word_walker.h"
 

@@ -1,6 +1,6 @@
-// Somebody who follows what is said to the letter: turns so many notches, walks so many steps or until something stops
-// the walk or until the stairs are over, opens the door, and asks for the next leg. Knows the form of legs in two
-// languages, and neither the map nor where the body is. On the session as it is, from each room to each other.
+// A walker who follows the words exactly. It turns by notches and walks some steps, or until something stops it, or
+// until the stairs are over. It also opens doors and requests the next leg. It knows the form of legs in two languages,
+// but neither the map nor where it is. Runs an unchanged session, from each room to each other.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -42,9 +42,9 @@ public:
         person_.run(0.1);
         person_.ask(Command::Exits);  // from here on the rooms are known
     }
-    // The doors that were opened, from where they were: each as it was before.
+    // Shuts each door that was opened, from the same place, so that all are as before.
     void shut_all() {
-        if (!there()) person_.ask(Command::TakeMe);  // follows no way any more
+        if (!there()) person_.ask(Command::TakeMe);  // stops following the route
         for (; !opened_.empty(); opened_.pop_back()) {
             person_.app.apply(Placed{opened_.back().first, opened_.back().second}, person_.now);
             person_.run(0.1);
@@ -52,7 +52,7 @@ public:
             person_.run(3.0);
         }
     }
-    // To the room of that name from there; where the body is in the end.
+    // Goes from there to the room of that name; returns the walker's final place.
     Vec3 go(const Vec3& from_m, const std::string& room, const Errors& errors, std::uint64_t seed) {
         random_.seed(seed);
         errors_ = errors;
@@ -91,7 +91,7 @@ private:
         for (int i = 0; i < 6000 && !person_.app.idle(); ++i) person_.run(1.0 / 60.0);
         person_.run(0.15);
     }
-    // Not where it was meant to be at first.
+    // The walker drifts, so it is not where it should be at first.
     void drift(double way_m, double way_rad) {
         person_.app.apply(Steered{{std::cos(way_rad), std::sin(way_rad), 0.0}}, person_.now);
         person_.run(way_m / person_.app.settings().walk.speed_m_per_s);
@@ -127,7 +127,7 @@ private:
         person_.app.apply(CommandUp{Command::Forward}, person_.now);
         wait();
     }
-    // Lets go of the key when it is told.
+    // Releases the key when the session announces the end.
     void walk_until_over(std::size_t said, int steps) {
         person_.app.apply(CommandDown{Command::Forward}, person_.now);
         for (int i = 0; i < 60 * (30 + 2 * steps); ++i) {
@@ -157,7 +157,7 @@ private:
     int legs_ = 0;
 };
 
-// What of the world only the one knows who judges.
+// Knowledge of the world that only the judge has, and not the walker.
 struct Judge {
     std::shared_ptr<Navigation> navigation;
     RoomGraph graph;
@@ -180,7 +180,7 @@ struct Judge {
             return portal.kind == PassageKind::Lift && (portal.rooms[0] == room || portal.rooms[1] == room);
         });
     }
-    // On foot over floor and stairs alone: what words are planned for.
+    // True if the route uses only floors and stairs, as routes for words do.
     bool walks(const Vec3& from_m, const Vec3& to_m) const {
         const Route route = navigation->plan(from_m, to_m);
         return route.reaches && route.points_m.size() > 1 &&
@@ -195,13 +195,13 @@ struct Counted {
     int routes = 0, came = 0, legs = 0;
 };
 
-// One after the other, with errors of that seed and the next ones.
+// One route after the other, with errors from that seed and the following ones.
 class Routes {
 public:
     Routes(const std::shared_ptr<const Scene>& world, const LegForm& form, const Errors& errors, std::uint64_t seed)
         : judge_(*world), literal_(world, form), errors_(errors), seed_(seed), base_m_(literal_.feet_m()) {}
 
-    // From each room to each other, every how manyth pair of them.
+    // From each room to each other; `every` is the stride between the tried pairs.
     Counted between_rooms(std::uint32_t every) {
         for (const std::uint32_t from : judge_.rooms())
             for (const std::uint32_t to : judge_.rooms())
@@ -209,7 +209,7 @@ public:
                     walk(judge_.graph.rooms[from].middle_m, judge_.graph.rooms[from].name, to);
         return tell();
     }
-    // From where one comes in.
+    // From the entrance.
     Counted from_base(std::uint32_t every) {
         for (const std::uint32_t to : judge_.rooms())
             if (to % every == 0 && room_at(judge_.graph, judge_.navigation->space(), base_m_) != to)

@@ -1,5 +1,5 @@
-// Whoever follows the words arrives: a walker who hears only words goes by name to the rooms of whole buildings and
-// back to where it began. Where its feet are is compared with the rooms afterwards.
+// A walker who follows the words arrives. It hears only words, and goes by name to the rooms of whole buildings and
+// back to where it began. Afterwards the position of its feet is compared with the rooms.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace words_alone_test {
 
 using test::WordWalker;
 
-// What of the world only the one knows who judges.
+// Knowledge of the world that only the judge has, and not the walker.
 class Judge {
 public:
     explicit Judge(const Scene& scene) : scene_(scene) {
@@ -34,7 +34,7 @@ public:
     const std::vector<Room>& rooms() const { return graph_.rooms; }
     std::uint32_t room(const Vec3& at_m) const { return ways_ ? room_at(graph_, ways_->space(), at_m) : kNothing; }
     Route way(const Vec3& from_m, std::uint32_t to) const { return ways_->plan(from_m, graph_.rooms[to].middle_m); }
-    // In the room as the file outlines it, where it does; else on its floor.
+    // True if it is in the room's outline in the file; without an outline, on the room's floor.
     bool in_room(const Vec3& feet_m, std::uint32_t room_index) const {
         if (scene_.stated)
             for (const StatedRoom& stated : scene_.stated->rooms)
@@ -69,8 +69,8 @@ const char* end_word(WordWalker::End end) {
     return "";
 }
 
-// At most this many rooms of a building are walked to; of more, this many are drawn. A building of 400 rooms would take
-// an hour.
+// The largest number of rooms of a building that are tried. If there are more, this many are drawn at random, since a
+// building of 400 rooms would take an hour.
 constexpr std::size_t kMostRooms = 100;
 constexpr std::uint32_t kDrawnBy = 20261129;
 
@@ -84,7 +84,7 @@ std::vector<std::uint32_t> drawn(std::vector<std::uint32_t> rooms) {
     return rooms;
 }
 
-// From the start to the rooms that the file names, and back; `every`: to each so manyth of them.
+// Walks from the start to the rooms that the file names, and back; `every` is the stride between tried rooms.
 Row walk_all(const std::shared_ptr<const Scene>& world, std::uint32_t every) {
     Row row;
     const Judge judge(*world);
@@ -125,17 +125,18 @@ Row walk_all(const std::shared_ptr<const Scene>& world, std::uint32_t every) {
     return row;
 }
 
-// A world of ours, or a real one that is walked where it is present.
+// One of our worlds, or a real one that is tried if it is present.
 struct Walked {
     const char* file;
     bool real = false;
-    std::uint32_t every = 1;  // of its rooms in the ordinary run, 0 none; all with HANDRAIL_ALL_ROUTES
-    int percent = 95;         // of the walks at least arrive
+    // Stride between its rooms in an ordinary run, 0: none; with HANDRAIL_ALL_ROUTES all are tried.
+    std::uint32_t every = 1;
+    int percent = 95;  // least share of the walks that must arrive
 };
 
 class WordsAlone : public testing::TestWithParam<Walked> {};
 
-// Prints a row: named rooms that have a floor, those of them with a way, walks, arrivals, false arrivals, loops.
+// Prints a row: named rooms with a floor, those of them with a route, walks, arrivals, false arrivals, loops.
 TEST_P(WordsAlone, lead_by_name_to_each_room_and_back) {
     const Walked& walked = GetParam();
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "takes minutes under a sanitizer";
