@@ -67,7 +67,7 @@ TEST(ReadWholeFile, names_the_file_and_says_why_it_cannot) {
     EXPECT_THAT(read_whole_file(folder.write("long", std::string(6, 'x')), 5).error().message, HasSubstr("larger"));
 }
 
-// A pipe that nobody writes would be waited for, a device read for ever.
+// Opening a pipe without a writer would wait, and reading a device would never end.
 TEST(ReadWholeFile, opens_ordinary_files_only_and_waits_for_nothing) {
     const TemporaryFolder folder;
     const fs::path fifo = folder.path() / "fifo.map";
@@ -99,7 +99,7 @@ TEST(ReadWholeFile, ends_where_it_is_stopped) {
     EXPECT_FALSE(read_whole_file(folder.write("some", "bytes"), 100, stop.get_token()));
 }
 
-// A signal that arrives again and again, whose handler does nothing and which restarts no call.
+// A signal arrives again and again; its handler does nothing and restarts no call.
 TEST(WriteFileAtomically, takes_an_interruption_for_no_damage) {
     struct sigaction action {
     }, before{};
@@ -190,7 +190,7 @@ TEST(WriteNamedFileAtomically, follows_a_symbolic_link_so_that_it_stays_a_link) 
     EXPECT_TRUE(fs::is_symlink(folder.path() / "circle"));
 }
 
-// Somebody else's folder may hold such a link to any file of the person's.
+// Somebody else's folder may contain such a link to any file of the person.
 TEST(WriteFileAtomically, refuses_a_symbolic_link_and_leaves_it_and_its_target_as_they_are) {
     const TemporaryFolder folder;
     const fs::path target = folder.write("diary", "mine");
@@ -214,7 +214,7 @@ TEST(WritePrivateFileAtomically, gives_new_files_to_the_person_alone) {
     EXPECT_EQ(fs::status(folder.path() / "fresh").permissions(), fs::perms::owner_read | fs::perms::owner_write);
 }
 
-// In a child process that has given up being root, since root may write anywhere.
+// In a child process without root rights, since root may write anywhere.
 TEST(WriteFileAtomically, leaves_the_old_file_and_says_so_when_the_folder_is_read_only) {
     const TemporaryFolder folder;
     const fs::path file = folder.write("file", "old");

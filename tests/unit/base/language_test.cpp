@@ -16,7 +16,7 @@ void write(const std::filesystem::path& path, std::string_view content) {
 }
 
 TEST(SpokenTime, is_as_people_write_it) {
-    // At noon in UTC it is this day in nearly all of the world.
+    // At noon UTC it is this day in nearly all of the world.
     EXPECT_EQ(day_words("2026-11-02T12:00:00Z"), "2 November 2026");
     EXPECT_TRUE(std::regex_match(day_and_time_words("2026-11-02T12:00:00Z"), std::regex("2 November 2026, ..:..")))
         << day_and_time_words("2026-11-02T12:00:00Z");
@@ -50,7 +50,7 @@ TEST(Phrase, keeps_curly_brackets_and_apostrophes_of_values) {
 
 TEST(InSpokenLanguage, gives_a_text_that_outlives_what_it_was_made_of) {
     const std::string& told = in_spoken_language(std::string(100, 'x'), {});
-    const std::string other(100, 'y');  // where the first may have been
+    const std::string other(100, 'y');  // possibly at the address of the first one
     EXPECT_EQ(told, std::string(100, 'x'));
 }
 
@@ -215,7 +215,7 @@ TEST(Phrase, has_a_second_form_for_who_types_words_in_every_language) {
 
 TEST(LanguageOfEnvironment, is_a_bundled_one_or_one_with_a_file_of_its_own_and_opens_no_file) {
     const test::TemporaryFolder folder;
-    write(folder.path() / "nl.toml", "damaged = \"");  // told of when it is spoken
+    write(folder.path() / "nl.toml", "damaged = \"");  // reported only when it is spoken
     write(folder.path() / "xx.toml", "");
     test::WithEnvironment environment("LC_ALL", nullptr);
     const auto asked = [&](const char* locale) {
@@ -236,7 +236,7 @@ TEST(PatternFault, finds_what_a_pattern_asks_for_and_what_is_wrong_with_it) {
     std::vector<std::string> names;
     EXPECT_EQ(pattern_fault("{n, plural, one {# step of {who}} other {# steps}}", &names), "");
     EXPECT_EQ(names, (std::vector<std::string>{"n", "who"}));
-    EXPECT_NE(pattern_fault("{n, plural, one {# step}}"), "");  // no "other"
+    EXPECT_NE(pattern_fault("{n, plural, one {# step}}"), "");  // "other" is missing
     EXPECT_NE(pattern_fault("{n"), "");
 }
 

@@ -12,7 +12,7 @@
 namespace handrail {
 namespace latest_value_test {
 
-// Large enough that a torn copy would show: every word holds the same number.
+// Large enough that a torn copy would show: every element has the same number.
 struct Wide {
     std::array<std::uint64_t, 64> words{};
     static Wide of(std::uint64_t number) {
@@ -60,7 +60,7 @@ TEST(LatestValue, hands_whole_values_in_order_from_one_thread_to_another_and_nev
     EXPECT_FALSE(value.refresh());
 }
 
-// In memory that two processes share, the other one may write anything.
+// In memory shared by two processes, the other process may write anything.
 TEST(LatestValue, touches_nothing_outside_whatever_stands_in_its_indices) {
     struct Slot {
         std::array<std::uint64_t, 4> words{};

@@ -55,7 +55,7 @@ TEST(SteadyClock, never_goes_back_and_does_not_wake_early) {
     const double until = clock.now_s() + 0.002;
     clock.sleep_until_s(until);
     EXPECT_GE(clock.now_s(), until - 1e-6);
-    clock.sleep_until_s(until - 10.0);  // passed long ago: comes back
+    clock.sleep_until_s(until - 10.0);  // a time long past: returns at once
 }
 
 }  // namespace result_test

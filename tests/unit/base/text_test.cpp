@@ -60,7 +60,8 @@ TEST(IsUtf8, takes_every_valid_length_and_refuses_every_kind_of_damage) {
     for (const char* good :
          {"", "plain", "\xC3\xA9", "\xE2\x82\xAC", "\xF0\x9F\x98\x80", "\xED\x9F\xBF", "\xF4\x8F\xBF\xBF"})
         EXPECT_TRUE(is_utf8(good)) << good;
-    // Stray continuation, cut short, overlong forms, a surrogate, above U+10FFFF, bytes that never occur.
+    // A stray continuation byte, cut-off and overlong forms, a surrogate, a code above U+10FFFF, and bytes that never
+    // occur.
     for (const char* bad : {"\x80", "\xC3", "\xE2\x82", "a\xF0\x9F\x98", "\xC3(", "\xC0\xAF", "\xE0\x80\xAF",
                             "\xF0\x80\x80\xAF", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xFE", "\xFF"})
         EXPECT_FALSE(is_utf8(bad)) << testing::PrintToString(std::string(bad));
@@ -69,12 +70,12 @@ TEST(IsUtf8, takes_every_valid_length_and_refuses_every_kind_of_damage) {
 TEST(OneLine, leaves_text_and_takes_away_what_no_voice_says_and_what_would_steer_a_terminal) {
     EXPECT_EQ(one_line("T\xC3\xBCr, \xE2\x82\xAC 5, \xC2\xA0x"), "T\xC3\xBCr, \xE2\x82\xAC 5, \xC2\xA0x");
     EXPECT_EQ(one_line(std::string("a\0b\n\tc\x1B[2J\x7F", 11)), "a b  c [2J ");
-    EXPECT_EQ(one_line("a\xC2\x9Bz"), "a z");  // as a terminal's escape too, in one character
+    EXPECT_EQ(one_line("a\xC2\x9Bz"), "a z");  // also an escape of terminals, in one character
     EXPECT_EQ(one_line("\xFFx\xC3"), "\xEF\xBF\xBDx\xEF\xBF\xBD");
     EXPECT_EQ(one_line(""), "");
 }
 
-// U+202E in a name shows all that follows it backwards, in terminals and on pages.
+// After U+202E in a name, everything that follows is shown backwards, in terminals and on pages.
 TEST(OneLine, and_text_for_pages_have_no_direction_controls) {
     for (const char* control : {"\u061c", "\u200e", "\u200f", "\u202a", "\u202b", "\u202c", "\u202d", "\u202e",
                                 "\u2066", "\u2067", "\u2068", "\u2069"}) {
@@ -89,7 +90,7 @@ TEST(OneLine, and_text_for_pages_have_no_direction_controls) {
     EXPECT_EQ(one_line("a\u2028b\u2029c"), "a b c");
 }
 
-// Twin: the textbook recursion without any cleverness.
+// The comparison: the textbook recursion without optimisation.
 std::size_t plain_distance(std::string_view a, std::string_view b) {
     if (a.empty() || b.empty()) return a.size() + b.size();
     return std::min({plain_distance(a.substr(1), b) + 1, plain_distance(a, b.substr(1)) + 1,

@@ -18,7 +18,7 @@ struct CannotBeCopied {
 };
 using Held = CopyableVariant<bool, std::string, std::vector<CannotBeCopied>>;
 
-// std::variant ends in a jump to a random address here.
+// Here std::variant would jump to a random address.
 TEST(Variant, stays_whole_if_what_it_holds_cannot_be_copied) {
     const Held full(std::vector<CannotBeCopied>(1));
     EXPECT_THROW(Held{full}, int);

@@ -33,7 +33,7 @@ T parsed_as(const Words& words) {
     return {};
 }
 
-// Exit status 2, nothing on stdout and one sentence on stderr, which is returned.
+// Requires exit status 2, nothing on stdout, and one sentence on stderr, which it returns.
 std::string refused(const Words& words) {
     std::ostringstream out, err;
     EXPECT_EQ(run_command_line(words, out, err), 2) << testing::PrintToString(words);
@@ -158,7 +158,7 @@ TEST(CommandLine, names_the_nearest_option_or_command_in_one_sentence_and_exits_
     EXPECT_THAT(refused({"settings", "--set", "keys.wheer=F5"}), HasSubstr("the nearest is keys.where"));
 }
 
-// One sentence each that says what to do, and nothing in the library's words.
+// Each error is one sentence that says what to do, without the library's words.
 TEST(CommandLine, tells_what_is_wrong_with_the_commands_for_recordings_worlds_and_learners) {
     EXPECT_THAT(refused({"report"}), HasSubstr("--html OUT.html"));
     EXPECT_THAT(refused({"report", "--html"}), StartsWith("--html needs a value: OUT.html."));
@@ -249,7 +249,7 @@ TEST(CommandLine, prints_no_control_character_of_a_word_that_it_quotes) {
     }
 }
 
-// Names of a world that steer a terminal or turn round what follows them.
+// Names of a world that would control a terminal, or reverse the text after them.
 TEST(CommandLine, prints_names_of_worlds_without_what_steers_a_terminal) {
     const test::TemporaryFolder folder;
     const test::WithEnvironment cache("XDG_CACHE_HOME", "/dev/null");
@@ -293,7 +293,7 @@ TEST(PlainOutput, lets_all_other_text_through_however_it_is_cut) {
     EXPECT_EQ(to.str(), "abc[1m5");
 }
 
-// Without a home nothing is looked for, and nothing kept, in the folder the program was started in.
+// Without a home folder, the folder in which the program was started is neither searched nor written.
 TEST(CommandLine, looks_for_nothing_in_the_current_folder_if_there_is_no_home) {
     const test::TemporaryFolder here;
     for (const char* folder : {"lessons", "learners/aaaaaaaa", "recordings/2026-01-01T00-00-00Z-aaaaaaaa"})
@@ -339,7 +339,7 @@ TEST(CommandLine, helps_with_every_command_and_says_its_version) {
     }
 }
 
-// The person's language may write one and a half as 1,5; the command line and the files never do.
+// In the person's language one and a half may be written 1,5; the command line and the files never use that.
 TEST(CommandLine, reads_numbers_alike_in_every_language_setting) {
     const std::string before = std::setlocale(LC_ALL, nullptr);
     if (!std::setlocale(LC_ALL, "de_DE.UTF-8")) GTEST_SKIP() << "no German language setting on this machine";

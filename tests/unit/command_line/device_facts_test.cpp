@@ -1,4 +1,4 @@
-// What is told of devices in a terminal and in a session: the same sentences.
+// The terminal and the session describe devices in the same sentences.
 #include "app/main/device_facts.h"
 
 #include <gmock/gmock.h>

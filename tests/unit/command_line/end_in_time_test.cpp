@@ -8,7 +8,7 @@
 namespace handrail {
 namespace end_in_time_test {
 
-// Something that waits for a thread which never ends, as the search for routes through a huge building seems to.
+// Waits for a thread that never ends, as the search for routes through a huge building seems to.
 void wait_for_ever() {
     std::mutex mutex;
     std::condition_variable never;

@@ -85,7 +85,7 @@ TEST(ExportCommand, writes_ways_in_words_in_print_and_in_braille) {
 
 TEST(ExportCommand, ends_with_status_1_and_offers_help_where_a_sheet_does_not_keep_its_promises) {
     const TemporaryFolder folder;
-    // Two closets that lead to the same hall are too small for signs, and nobody could tell which is which.
+    // Two closets off the same hall are too small for signs, and nobody could tell which is which.
     const std::filesystem::path world = folder.path() / "closets.rooms";
     std::ofstream(world) << "Storey: Ground, 3 metres high.\n"
                             "Hall, 60 by 40 metres. Door outside in the middle of the south wall.\n"
@@ -126,7 +126,7 @@ TEST(ExportCommand, replaces_files_only_when_told_to_and_then_all_of_them) {
     EXPECT_EQ(*read_whole_file(pdf), "mine");
     EXPECT_EQ(run({house(), "--swell", pdf.string(), "--storey", "2", "--force"}).status, 0);
     EXPECT_EQ(read_whole_file(pdf)->substr(0, 5), "%PDF-");
-    // A key that is there already keeps the sheet from being written.
+    // If a key file exists already, the sheet is not written.
     std::ofstream(folder.path() / "s-key-1.svg") << "mine";
     EXPECT_EQ(run({house(), "--swell", (folder.path() / "s.svg").string()}).status, 1);
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "s.svg"));

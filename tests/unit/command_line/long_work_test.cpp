@@ -1,5 +1,5 @@
-// Who waits is told nothing of what is quick, and then a sentence every few seconds, in virtual time; and every command
-// says what it is at.
+// A waiting person is not told about quick work, and otherwise hears a sentence every few seconds, in virtual time.
+// Every command reports what it is doing.
 #include "app/main/long_work.h"
 
 #include <gmock/gmock.h>
@@ -30,7 +30,7 @@ struct Told {
 };
 void PrintTo(const Told& told, std::ostream* os) { *os << told.at_s << " s: " << told.words; }
 
-// What a teller that looks four times a second says from one time to another.
+// The sentences from a caller that looks four times a second, from one time to another.
 std::vector<Told> told_from(const LongWork& progress, double from_s, double to_s) {
     std::vector<Told> all;
     for (double now_s = from_s; now_s < to_s; now_s += 0.25)
@@ -90,7 +90,7 @@ TEST(LongWork, of_which_nobody_wants_to_hear_costs_nothing) {
     EXPECT_THAT(told_from(nobody, 0.0, 10.0), IsEmpty());
 }
 
-// What a command is at, in order, its last words told before it writes.
+// The stages of a command in order. The last one must be reported before the command writes.
 std::vector<std::string> stages(const std::function<int(std::ostream&, std::ostream&, const LongWork&)>& command) {
     std::ostringstream out, err;
     std::vector<std::string> all;
@@ -170,7 +170,8 @@ TEST(CommandWork, is_over_before_a_problem_is_told) {
     EXPECT_EQ(all.back(), "");
 }
 
-// The thread that writes for a terminal: real time, so only that it ends at once, whether there is work or not.
+// The thread that writes for a terminal runs in real time, so this only tests that it ends at once, with or without
+// work.
 TEST(LongWorkLines, end_at_once_with_and_without_work) {
     std::ostringstream to;
     const LongWork progress = LongWork::begun();

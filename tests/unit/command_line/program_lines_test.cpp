@@ -1,4 +1,4 @@
-// Typed lines at the program, in virtual time.
+// Lines typed to the program, in virtual time.
 #include "app/main/program_lines.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace handrail {
 namespace program_lines_test {
 
-// A session with lines that are typed into it, each tick as a frame of the program.
+// A session with typed lines; each tick is a frame of the program.
 struct Typed {
     explicit Typed(std::shared_ptr<const Scene> world, bool by_person = false) : lines{app, worlds, by_person} {
         arguments.common.data_in = folder.path();
@@ -84,7 +84,7 @@ TEST(ProgramLines, of_a_person_are_done_while_another_world_is_read) {
         Typed typed(std::make_shared<const Scene>(*house), by_person);
         typed.run(0.5);
         const Vec3 begun_m = typed.app.feet_m();
-        // Read until somebody looks whether it is.
+        // The world counts as being read until somebody checks whether it is ready.
         typed.app.requests().world = WorldRequest{test::bundled_world("school.map")};
         typed.worlds.change(typed.now);
         ASSERT_TRUE(typed.worlds.reading());
@@ -94,7 +94,7 @@ TEST(ProgramLines, of_a_person_are_done_while_another_world_is_read) {
     }
 }
 
-// The house has a room of that name and a thing whose name begins so.
+// The house has a room of that name, and a thing whose name begins with it.
 TEST(ProgramLines, look_for_a_room_by_its_name_before_things_that_begin_so) {
     const auto house = read_world(test::bundled_world("house.map"));
     ASSERT_TRUE(house);

@@ -69,7 +69,7 @@ TEST(EffectiveStiffness, plaster_on_the_simulated_touch_is_300_newtons_per_metre
 
 TEST(EffectiveStiffness, follows_delay_damping_and_measured_period_below_the_rating) {
     const DeviceSpec& falcon = *find_device_spec("sim-f");
-    // b_eff = 0.2 + 1 + 0.7 * 5 = 4.7; 0.5 * 4.7 / 1.5 ms = 1566.7 N/m for the default wall, which is 0.8 of the
+    // b_eff = 0.2 + 1 + 0.7 * 5 = 4.7, and 0.5 * 4.7 / 1.5 ms = 1566.7 N/m for the default wall, which has 0.8 of the
     // result.
     EXPECT_NEAR(0.8 * effective_stiffness_n_per_m(falcon, 1e-3, 5.0), 1566.67, 0.01);
     // T = 2 ms: 0.5 * 4.7 / 2 ms = 1175.

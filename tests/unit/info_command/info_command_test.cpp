@@ -69,7 +69,7 @@ TEST(InfoCommand, prints_every_key_as_one_json_object) {
     EXPECT_EQ(json["movers"], 1);
     EXPECT_EQ(json["doors"], 1);
     EXPECT_EQ(json["starts"], 1);
-    EXPECT_EQ(json["features"], 8);  // four walls, floor, ceiling, water, door
+    EXPECT_EQ(json["features"], 8);  // four walls, floor, ceiling, water and door
     EXPECT_EQ(json["materials"], nlohmann::json({"brick", "wood"}));
     EXPECT_EQ(json["bounds_min_m"], nlohmann::json({-0.5, -0.5, -0.5}));
     EXPECT_EQ(json["scale_m_per_unit"], 1.0 / 32.0);

@@ -1,4 +1,4 @@
-// Places too large for fine columns: they can be walked all the same, and what is left out of them is reported.
+// Places too large for fine columns can still be walked, and the parts left out are reported.
 #include <gmock/gmock.h>
 
 #include "tests/support/real_worlds.h"
@@ -43,7 +43,7 @@ TEST(OsmLargePlaces, two_stops_600_m_apart_are_joined_by_a_route) {
     EXPECT_LE(route.length_m, 1.1 * straight_m);
 }
 
-// How many floors have places there that one can stand on.
+// The number of floors with a place there on which a walker can stand.
 std::size_t floors_at(const WalkSpace& space, const Vec2& at) {
     std::size_t floors = 0;
     for (double floor_m = -10.0; floor_m <= 10.0; floor_m += 1.0)
@@ -68,10 +68,10 @@ TEST(OsmLargePlaces, ground_far_from_everything_is_left_out_and_that_is_said) {
     EXPECT_LE(ways->space().cell_m, 0.2) << "too coarse for doors";
 }
 
-// 20 platforms on 640 by 550 m, and a hall with 1,300 rooms on 5 levels along corridors, joined by a lift.
+// 20 platforms on 640 by 550 m, and a hall with 1,300 rooms along corridors on 5 levels, joined by a lift.
 Drawing station() {
     Drawing drawing;
-    constexpr int kRooms = 130;  // along a side of each corridor
+    constexpr int kRooms = 130;  // on each side of a corridor
     constexpr double kRoom_m = 4.0, kSouth_m = 5.0, kNorth_m = 9.0;
     const double length_m = kRooms * kRoom_m;
     for (int level = -2; level <= 2; ++level) {
@@ -127,7 +127,7 @@ TEST(OsmLargePlaces, a_station_of_20_platforms_and_1300_rooms_is_walked) {
     EXPECT_EQ(missed, 0U);
 }
 
-// Two buildings with a room each, 1 km from each other, and a footway in front of each.
+// Two buildings with one room each, 1 km apart, with a footway in front of each.
 Drawing two_buildings() {
     Drawing drawing;
     for (const auto& [east_m, name] : {std::pair(0.0, "Old"), std::pair(1'000.0, "New")}) {
@@ -206,7 +206,7 @@ TEST(OsmLevelsOfWays, a_footway_that_only_slopes_up_to_a_level_makes_no_storey) 
     EXPECT_EQ(scene.stated->storeys[0].rooms, 3);
 }
 
-// Stairs and a lift between corridors, each drawn level by level.
+// Stairs and a lift between corridors, each drawn separately on every level.
 TEST(OsmStacks, stairs_and_lifts_drawn_on_each_level_are_one_and_join_the_levels) {
     for (const std::string kind : {"stairs", "elevator"}) {
         Drawing drawing;

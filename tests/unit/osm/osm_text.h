@@ -1,4 +1,4 @@
-// A small building from OpenStreetMap as text, to be changed for a test.
+// A small building from OpenStreetMap as text, which tests change.
 #pragma once
 
 #include <string>
@@ -11,9 +11,11 @@
 
 namespace handrail::test {
 
-// A corridor of 12 by 2 m on levels 0 and 1, the main entrance at its west end; south of it Library (both levels), 102
-// and women's toilets T1 (both); north of it stairs S1 (both) and, open to it, the Foyer; a lift L1 at its east end. A
-// Vault without a door. In another building, with tags as they were, a Shed.
+// A corridor of 12 by 2 m on levels 0 and 1, with the main entrance at its west end and a lift L1 at its east end:
+// - south of it are Library (both levels), 102 and women's toilets T1 (both);
+// - north of it are stairs S1 (both) and, open to it, the Foyer;
+// - a Vault has no door;
+// - another building, with old-style tags, has a Shed.
 inline std::string test_house() { return content_of(test::project_root() / "tests/unit/osm/worlds/test_house.osm"); }
 
 inline std::string with(std::string text, const std::string& from, const std::string& to) {
@@ -28,7 +30,7 @@ inline const StatedRoom* room_named(const Scene& scene, const std::string& name)
     return nullptr;
 }
 
-// "Corridor F1, Level 0 | Library, Level 0" for each door and opening, in file order.
+// An entry such as "Corridor F1, Level 0 | Library, Level 0" for each door and opening, in file order.
 inline std::vector<std::string> joins_of(const Scene& scene, StatedPortalKind kind) {
     std::vector<std::string> joins;
     for (const StatedPortal& portal : scene.stated->portals) {

@@ -1,4 +1,4 @@
-// What a small building drawn with Simple Indoor Tagging becomes.
+// The scene that a small building drawn with Simple Indoor Tagging produces.
 #include <bzlib.h>
 #include <gmock/gmock.h>
 
@@ -180,7 +180,7 @@ TEST(OsmRealFiles, the_university_has_its_rooms_and_ways_across_storeys) {
     EXPECT_EQ(report.rooms, 476 + 22);
     EXPECT_GE(report.largest_connected, 466);
     EXPECT_GE(report.doors, 490);
-    EXPECT_LE(report.doors_impassable, 6);  // doors above the ground to nothing, and a winding stair of 3.6 m
+    EXPECT_LE(report.doors_impassable, 6);  // doors above the ground that lead nowhere, and a winding stair of 3.6 m
     EXPECT_EQ(report.lifts, 2);
     EXPECT_EQ(report.stairs, 8 + 2) << "two of them outside";
     EXPECT_EQ(std::count_if(scene->stated->rooms.begin(), scene->stated->rooms.end(),

@@ -1,4 +1,4 @@
-// Whatever a file holds, it becomes a world or one sentence.
+// Whatever a file contains, reading it gives a world or one sentence.
 #include <gmock/gmock.h>
 
 #include <random>
@@ -46,7 +46,7 @@ TEST(OsmTorture, coordinates_with_any_power_of_ten_become_a_place_or_a_sentence)
     EXPECT_FALSE(with("13.0001e9").has_value());
 }
 
-// A file of which some bytes and numbers are others.
+// The text with some bytes and numbers changed.
 std::string mutated(const std::string& text, std::mt19937& random) {
     std::string other = text;
     for (std::uint32_t edits = 1 + random() % 5; edits > 0; --edits) {

@@ -45,7 +45,7 @@ void* operator new(std::size_t bytes) { return counted(bytes); }
 void* operator new[](std::size_t bytes) { return counted(bytes); }
 void* operator new(std::size_t bytes, const std::nothrow_t& tag) noexcept {
     return counted(bytes, tag);
-}  // std::stable_sort's buffer
+}  // needed by the buffer of std::stable_sort
 void* operator new[](std::size_t bytes, const std::nothrow_t& tag) noexcept { return counted(bytes, tag); }
 void operator delete(void* made) noexcept { given_back(made); }
 void operator delete[](void* made) noexcept { given_back(made); }

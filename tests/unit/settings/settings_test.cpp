@@ -34,7 +34,7 @@ std::vector<std::string> sentences(const std::vector<Diagnostic>& problems) {
     return all;
 }
 
-// Everything that explain() shows, for comparing two stores.
+// Everything that explain() shows, for the comparison of two stores.
 std::string shown(const SettingsStore& store) {
     std::string text;
     for (const SettingRow& row : store.explain()) text += row.key + "=" + row.value + "\n";

@@ -44,7 +44,7 @@ TEST(CommandWords, are_there_for_every_command_in_every_language_and_no_two_comm
             }
         }
         EXPECT_EQ(found, wanted) << language.code;
-        // The table's words are known in every language, and each command is called by a word that is understood.
+        // The words of the table are understood in every language, and each command's own name is understood.
         for (const CommandInfo& row : command_table()) {
             EXPECT_EQ(command_of_word(row.word), row.command) << row.word;
             EXPECT_EQ(command_of_word(spoken_word(row.command)), row.command) << spoken_word(row.command);
@@ -78,12 +78,12 @@ TEST(CommandWords, are_german_for_who_speaks_german_umlauts_written_out_or_not) 
     speak_to(ActsBy::WindowKeys);
 }
 
-// What the texts tell a person to type is understood.
+// The words that texts tell a person to type are understood.
 TEST(CommandWords, that_german_texts_name_are_understood) {
     const test::InLanguage german("de");
     std::size_t seen = 0;
     for (const auto& [key, text] : bundled_texts("de")) {
-        // The set-up by voice has answers of its own.
+        // The set-up by voice has its own answers.
         if (!key.ends_with("_typed") || key.starts_with("wizard")) continue;
         for (std::size_t at = text.find("„"); at != std::string::npos; at = text.find("„", at + 1)) {
             const std::size_t begin = at + std::string_view("„").size();

@@ -33,7 +33,7 @@ struct Sequence {
     std::string name;
 };
 
-// Every key of a PC keyboard with every modifier, as xterm and its kin send them.
+// Every key of a PC keyboard with every modifier, as xterm and its relatives send them.
 std::vector<Sequence> xterm_sequences() {
     std::vector<Sequence> all;
     const char* kHeld[] = {"",         "Shift+",         "Alt+",         "Alt+Shift+",
@@ -102,7 +102,7 @@ std::vector<Sequence> other_sequences() {
             {"\x1b\x1b[A", "Alt+Up"},
             {"\x1b\x1b[D", "Alt+Left"},
             {"\x1b\x1bOa", "Control+Alt+Up"},
-            // Older ones with the modifiers alone, and a keypad in application mode.
+            // Older sequences with only the modifiers, and a keypad in application mode.
             {"\x1b[5A", "Control+Up"},
             {"\x1bO2D", "Shift+Left"},
             {"\x1bOM", "KeypadEnter"},
@@ -110,7 +110,7 @@ std::vector<Sequence> other_sequences() {
             {"\x1bOy", "Keypad9"},
             {"\x1bOn", "KeypadDecimal"},
             {"\x1bOj", "KeypadMultiply"},
-            // xterm's modifyOtherKeys and the protocol of kitty, with its releases and lone modifiers.
+            // xterm's modifyOtherKeys, and the kitty protocol with its releases and lone modifiers.
             {"\x1b[27;5;56~", "Control+8"},
             {"\x1b[56;5u", "Control+8"},
             {"\x1b[27u", "Escape"},
@@ -145,7 +145,7 @@ TEST(KeyDecoder, knows_every_sequence_by_the_windows_name) {
     EXPECT_THAT(decoded(std::string(1, '\0')), ElementsAre(key("Control+Space")));
 }
 
-// However the bytes are torn apart on their way, as long as nothing times out.
+// However the bytes are split on their way, as long as nothing times out.
 TEST(KeyDecoder, tells_the_same_of_bytes_cut_anywhere) {
     std::string all;
     std::vector<TerminalInput> expected;
@@ -190,7 +190,7 @@ TEST(KeyDecoder, passes_over_what_nobody_knows_and_goes_on_behind_it) {
         EXPECT_EQ(inputs.back(), key("K", "k")) << testing::PrintToString(unknown);
         for (const TerminalInput& input : inputs) EXPECT_NE(input.key, "Escape") << testing::PrintToString(unknown);
     }
-    // One that never ends, and one that was cut off for good.
+    // A sequence that never ends, and one that was cut off for good.
     EXPECT_EQ(decoded("\x1b[" + std::string(1000, '1') + "~k").back(), key("K", "k"));
     EXPECT_THAT(decoded("\x1b[1;"), IsEmpty());
 }
@@ -232,11 +232,11 @@ TEST(KeyDecoder, gives_what_is_pasted_as_text_and_no_key_of_it) {
         EXPECT_EQ(text, "forward 3\rtür") << cut;
         EXPECT_THAT(keys, ElementsAre(key("K", "k"))) << cut;
     }
-    // One whose end was lost ends with the next key.
+    // A paste whose end was lost ends with the next key.
     EXPECT_THAT(decoded("\x1b[200~abc\x1b[Bk"), ElementsAre(pasted("abc"), key("Down"), key("K", "k")));
 }
 
-// What help names at a terminal is what a terminal can send: exactly the keys that some bytes stand for.
+// The keys that help names at a terminal are exactly those that some bytes stand for.
 TEST(TerminalSends, exactly_the_keys_that_have_a_sequence) {
     std::set<std::string> sent;
     const auto note = [&](const std::string& bytes) {
@@ -268,7 +268,7 @@ TEST(TerminalSends, exactly_the_keys_that_have_a_sequence) {
     EXPECT_TRUE(terminal_sends("alt+w"));
 }
 
-// What Handrail says to press at a terminal can be pressed there; where nothing can, the word is named.
+// Keys that Handrail suggests at a terminal can be pressed there. If no key can, it suggests the word.
 TEST(KeyMap, names_at_a_terminal_the_keys_that_it_sends_and_else_the_word) {
     const std::map<std::string, std::string> changes{{"where", "Keypad5 F2"}};
     const KeyMap keys(changes);

@@ -8,7 +8,7 @@ namespace line_editor_test {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-// The terminal's line after this was written to it, from its last line end on.
+// The terminal's line after this output, from its last line end on.
 std::string shown(const std::string& written) {
     std::string line;
     for (std::size_t i = 0; i < written.size(); ++i) {
@@ -17,7 +17,7 @@ std::string shown(const std::string& written) {
         } else if (written[i] == '\b') {
             while (!line.empty() && (static_cast<unsigned char>(line.back()) & 0xC0U) == 0x80U) line.pop_back();
             if (!line.empty()) line.pop_back();
-            i += 2;  // the blank over it, and back
+            i += 2;  // skips the blank over it and the second step back
         } else {
             line += written[i];
         }

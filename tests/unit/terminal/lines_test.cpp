@@ -65,7 +65,7 @@ TEST(LineInput, never_blocks_and_keeps_the_last_line_without_an_end) {
     ::close(ends[0]);
 }
 
-// Seen by its own thread, with nobody taking lines: what must not wait does not.
+// The watch's own thread sees a line that must not wait, although nobody takes lines.
 TEST(LineWatch, a_line_that_must_not_wait_is_seen_at_once_and_empties_what_came_before) {
     int ends[2];
     ASSERT_EQ(::pipe(ends), 0);
@@ -96,7 +96,7 @@ TEST(LineWatch, a_line_that_must_not_wait_is_seen_at_once_and_empties_what_came_
     ::close(ends[0]);
 }
 
-// As many lines as a pipe will take, with nobody taking them.
+// Writes as many lines as a pipe will accept, while nobody takes them.
 std::size_t bytes_taken(int end) {
     const std::string lines = [] {
         std::string text;

@@ -1,6 +1,6 @@
-// A person's terminal is given back as it was, however the program ends. Each in a terminal of its own, whose modes are
-// read afterwards.
-// Not under the thread sanitizer, which holds signals up: there tests/program ends and stops the whole program.
+// A person's terminal is restored however the program ends. Each case runs in a separate terminal whose modes are read
+// afterwards. Not under the thread sanitizer, which delays signals; there tests/program ends and stops the whole
+// program.
 #if !defined(HANDRAIL_SANITIZED_THREAD)
 #include "app/terminal/raw_terminal.h"
 
@@ -22,7 +22,7 @@ namespace raw_terminal_test {
 
 using test::PtyJob;
 
-// A job that takes its terminal, says so, waits for a line end and then does `then`.
+// A job that takes its terminal, reports that, waits for a line end and then does `then`.
 std::unique_ptr<PtyJob> job_that(const std::function<void()>& then) {
     auto job = PtyJob::start([then] {
         const auto terminal = RawTerminal::take(STDIN_FILENO, STDOUT_FILENO);
@@ -79,7 +79,7 @@ TEST(RawTerminal, is_given_back_by_each_signal_that_ends_the_program_which_still
     }
 }
 
-// Volatile, so that the compiler cannot see where it ends.
+// Volatile, so that the compiler cannot see where the recursion ends.
 int deeper(volatile int* depth) {
     volatile char room[4096];
     room[0] = static_cast<char>(*depth);
@@ -130,7 +130,7 @@ TEST(RawTerminal, of_a_job_that_goes_on_in_the_background_is_left_to_the_shell) 
     job->type("\x1a");
     ASSERT_TRUE(job->stops());
     job->send(SIGCONT);
-    // It reads, and that stops it again.
+    // It reads, which stops it again.
     ASSERT_TRUE(job->stops());
     EXPECT_TRUE(job->as_before());
     job->send(SIGTERM);
@@ -144,7 +144,7 @@ TEST(RawTerminal, keys_typed_ahead_are_none_of_the_shell) {
     job->type("\r");
     job->type("\x1b[A\r");
     EXPECT_EQ(job->ends(), 0);
-    // What the shell would read now: nothing waits.
+    // What the shell would read now: no bytes are waiting.
     termios now = job->modes();
     EXPECT_NE(now.c_lflag & ICANON, 0U);
     EXPECT_EQ(job->waiting_bytes(), 0);

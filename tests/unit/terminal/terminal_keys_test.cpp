@@ -47,7 +47,7 @@ TEST(TerminalKeys, come_in_their_order_and_an_escape_after_its_time) {
     EXPECT_TRUE(test::eventually([&] { return keys.ended(); }));
 }
 
-// Seen by its own thread, with nobody taking keys: what must not wait does not.
+// The object's own thread sees a key that must not wait, although nobody takes keys.
 TEST(TerminalKeys, one_that_must_not_wait_is_seen_at_once_behind_a_flood_and_empties_what_came_before) {
     Keyboard board;
     std::promise<void> seen;

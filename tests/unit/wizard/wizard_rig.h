@@ -105,7 +105,7 @@ public:
     RecordingAudio audio;
     RecordingSpeech speech{175.0};
     WizardSense sense;
-    double largest_force_n = 0.0, largest_step_n = 0.0;  // on the hand, since the start or forget_forces()
+    double largest_force_n = 0.0, largest_step_n = 0.0;  // on the hand, since the start or the last forget_forces()
     void forget_forces() { largest_force_n = largest_step_n = 0.0; }
 
 private:
