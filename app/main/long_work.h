@@ -24,9 +24,8 @@ public:
     static LongWork begun(std::function<void(const std::string& what)> noted = {});
 
     // ---- the working side ----
-    // Names the current work, which is printed with the time so far: "Finding rooms and routes". Work that has already
-    // begun
-    // keeps its time.
+    // Names the current work, which is printed with the time so far: "Finding rooms and routes". If work is already
+    // under way, its time goes on.
     void at(std::string what) const;
     // A file is being read, which is reported by percent and stage. The stage is the key of a text ("import.shapes"),
     // or empty while unknown.
@@ -39,8 +38,7 @@ public:
 
     // ---- the reporting side ----
     // Calls `say` with the sentence that is due at this time, if any. All times must be from one clock; the wait begins
-    // with
-    // the first call.
+    // with the first call.
     void tell(double now_s, const std::function<void(const std::string&)>& say) const;
     // Waits for work, or until end_waiting() has set `stop`. Returns true if there is work.
     bool wait_for_work(const bool& stop) const;
