@@ -5,9 +5,11 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "haptic/servo/servo_measure.h"
 #include "tests/bench/compare/measure.h"
 #include "worlds/base/result.h"
 
@@ -37,15 +39,7 @@ struct Stability {
     double stiffness_n_per_m = 0.0;
 };
 
-struct ServoThread {
-    double seconds = 0.0;
-    std::uint64_t ticks = 0, overruns = 0;
-    double period_p50_s = 0.0, period_p99_s = 0.0, period_worst_s = 0.0, tick_p99_s = 0.0, tick_worst_s = 0.0;
-    std::string scheduling;
-};
-
-// A place where more obstacles are near the proxy than a tick has time for (tests/support/worst_cases). Measured with
-// our own renderer only.
+// A place where more is near the ball than a tick has time for (tests/support/worst_cases), with our own renderer.
 struct WorstTicks {
     std::string scene;
     std::size_t ticks = 0;
@@ -74,8 +68,8 @@ struct BenchReport {
     std::vector<Stability> stability;
     std::vector<WorstTicks> worst;
     std::vector<BodiesMeasured> bodies;
-    std::vector<ServoThread> servo;     // none or one
-    std::vector<std::string> left_out;  // sentences: what was requested but could not run
+    std::optional<ServoMeasured> servo;
+    std::vector<std::string> left_out;  // sentences: what was asked for and could not be run
     double took_s = 0.0;
 };
 
@@ -89,7 +83,7 @@ Result<double> count_once(const BenchOptions& options, const std::string& render
 // Parts of run_bench.
 Stability stable_stiffness(const Contestant& contestant, const std::string& wall, double factor);
 std::vector<BodiesMeasured> run_bodies();
-ServoThread run_servo_thread(double seconds);
+Result<ServoMeasured> run_servo_thread(double seconds);
 WorstTicks run_worst_case(int number, int ticks, int passes);
 
 }  // namespace handrail::bench

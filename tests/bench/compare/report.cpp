@@ -293,14 +293,15 @@ void loop_tables(std::ostringstream& out, const BenchReport& report, bool markdo
                 b.way, b.mass_kg, b.error_n, b.felt_n, 1e3 * b.given_j, 1e3 * b.right_given_j, time_words(b.tick_s),
                 time_words(b.step_s));
     }
-    for (const ServoThread& s : report.servo) {
+    if (report.servo) {
+        const ServoMeasured& s = *report.servo;
         heading(fmt::format("The servo thread, {:g} s with a simulated Falcon in two walls", s.seconds));
         out << fmt::format(
             "{}{} ticks; period up to {} in half and {} in 99 % of them, worst {}; a tick up to {} in 99 % of them, "
             "worst {}; {} overruns. {}\n",
-            markdown ? "" : "  ", s.ticks, time_words(s.period_p50_s), time_words(s.period_p99_s),
-            time_words(s.period_worst_s), time_words(s.tick_p99_s), time_words(s.tick_worst_s), s.overruns,
-            s.scheduling);
+            markdown ? "" : "  ", s.ticks, time_words(s.periods.quantile_s(0.5)),
+            time_words(s.periods.quantile_s(0.99)), time_words(s.periods.worst_s),
+            time_words(s.durations.quantile_s(0.99)), time_words(s.durations.worst_s), s.overruns, s.scheduling);
     }
 }
 
@@ -433,7 +434,7 @@ std::string families_markdown_of(const BenchReport& report, const std::string& f
 }
 
 std::string json_of(const BenchReport& report) {
-    Json results = Json::array(), scenes = Json::array(), stability = Json::array(), servo = Json::array();
+    Json results = Json::array(), scenes = Json::array(), stability = Json::array(), servo;
     for (const Measured& m : report.results) {
         Json one{{"scene", m.scene},
                  {"family", m.family},
@@ -481,16 +482,16 @@ std::string json_of(const BenchReport& report) {
     for (const Stability& s : report.stability)
         stability.push_back(
             {{"wall", s.wall}, {"renderer", s.renderer}, {"stable_stiffness_n_per_m", s.stiffness_n_per_m}});
-    for (const ServoThread& s : report.servo)
-        servo.push_back({{"seconds_s", s.seconds},
-                         {"ticks", s.ticks},
-                         {"period_p50_s", s.period_p50_s},
-                         {"period_p99_s", s.period_p99_s},
-                         {"period_worst_s", s.period_worst_s},
-                         {"tick_p99_s", s.tick_p99_s},
-                         {"tick_worst_s", s.tick_worst_s},
-                         {"overruns", s.overruns},
-                         {"scheduling", s.scheduling}});
+    if (report.servo)
+        servo = {{"seconds_s", report.servo->seconds},
+                 {"ticks", report.servo->ticks},
+                 {"period_p50_s", report.servo->periods.quantile_s(0.5)},
+                 {"period_p99_s", report.servo->periods.quantile_s(0.99)},
+                 {"period_worst_s", report.servo->periods.worst_s},
+                 {"tick_p99_s", report.servo->durations.quantile_s(0.99)},
+                 {"tick_worst_s", report.servo->durations.worst_s},
+                 {"overruns", report.servo->overruns},
+                 {"scheduling", report.servo->scheduling}};
     Json worst = Json::array();
     for (const WorstTicks& w : report.worst)
         worst.push_back(
@@ -514,17 +515,11 @@ std::string json_of(const BenchReport& report) {
                           {"right_given_j", b.right_given_j},
                           {"tick_s", b.tick_s},
                           {"step_s", b.step_s}});
-    const Json all{{"machine", report.machine},
-                   {"quick", report.quick},
-                   {"stiffness_n_per_m", kStiffness_n_per_m},
-                   {"took_s", report.took_s},
-                   {"results", std::move(results)},
-                   {"scenes", std::move(scenes)},
-                   {"worst", std::move(worst)},
-                   {"bodies", std::move(bodies)},
-                   {"stability", std::move(stability)},
-                   {"servo_thread", servo.empty() ? Json(nullptr) : servo[0]},
-                   {"left_out", report.left_out}};
+    const Json all{
+        {"machine", report.machine}, {"quick", report.quick},         {"stiffness_n_per_m", kStiffness_n_per_m},
+        {"took_s", report.took_s},   {"results", std::move(results)}, {"scenes", std::move(scenes)},
+        {"worst", std::move(worst)}, {"bodies", std::move(bodies)},   {"stability", std::move(stability)},
+        {"servo_thread", servo},     {"left_out", report.left_out}};
     return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -1,0 +1,28 @@
+// Measures the servo as it runs in the program: its own thread, real time, and a simulated hand that sweeps around one
+// place. For `handrail bench` and the comparison of renderers. Any thread; takes as long as the measurement.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "haptic/servo/servo_tick.h"
+#include "worlds/base/result.h"
+
+namespace handrail {
+
+struct ServoMeasured {
+    double seconds = 0.0;
+    std::uint64_t ticks = 0, overruns = 0;
+    double touching = 0.0;  // share of the samples, one each 16 ms, at which the hand touched something
+    PeriodHistogram periods;
+    DurationHistogram durations;
+    std::string scheduling;  // a sentence
+};
+
+// The hand, a simulated Falcon, moves up to 35 mm to every side of the middle of its workspace. Fails if the device
+// cannot be opened.
+Result<ServoMeasured> measure_servo(std::shared_ptr<const HapticScene> scene, const WorkspacePose& pose,
+                                    const ServoTuning& tuning, double seconds);
+
+}  // namespace handrail
