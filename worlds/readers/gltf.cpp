@@ -5,6 +5,10 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -19,30 +23,13 @@ using Json = nlohmann::json;
 
 constexpr std::size_t kDeepest = 64, kMostNodes = 200'000, kMostNumbers = std::size_t{1} << 31;
 
-// A four by four matrix, column by column, as in the file.
-using Matrix = std::array<double, 16>;
-constexpr Matrix kUnmoved{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-
-Matrix product(const Matrix& a, const Matrix& b) {
-    Matrix c{};
-    for (std::size_t column = 0; column < 4; ++column)
-        for (std::size_t row = 0; row < 4; ++row)
-            for (std::size_t k = 0; k < 4; ++k) c[4 * column + row] += a[4 * k + row] * b[4 * column + k];
-    return c;
-}
-
-// Turns y up into z up: the file's y becomes our z, and the file's z, towards the viewer, becomes south.
-Vec3 to_world(const Matrix& m, const Vec3& p) {
-    const Vec3 at(m[0] * p.x + m[4] * p.y + m[8] * p.z + m[12], m[1] * p.x + m[5] * p.y + m[9] * p.z + m[13],
-                  m[2] * p.x + m[6] * p.y + m[10] * p.z + m[14]);
+// To z up: what was up the file's y is up ours, and its z, towards the viewer, is south.
+Vec3 to_world(const glm::dmat4& m, const Vec3& p) {
+    const Vec3 at = Vec3(m[0]) * p.x + Vec3(m[1]) * p.y + Vec3(m[2]) * p.z + Vec3(m[3]);
     return {at.x, -at.z, at.y};
 }
 
-bool turns_inside_out(const Matrix& m) {
-    return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) +
-               m[8] * (m[1] * m[6] - m[2] * m[5]) <
-           0.0;
-}
+bool turns_inside_out(const glm::dmat4& m) { return glm::determinant(glm::dmat3(m)) < 0.0; }
 
 const Json& in(const Json& object, const char* key) {
     static const Json kNone;
@@ -76,27 +63,23 @@ bool numbers(const Json& list, std::array<double, N>& into) {
     return true;
 }
 
-Matrix placed(const std::array<double, 3>& shift, const std::array<double, 4>& q, const std::array<double, 3>& scale) {
-    Matrix matrix = kUnmoved;
-    const auto [x, y, z, w] = q;
-    const std::array<double, 9> turn{1 - 2 * (y * y + z * z), 2 * (x * y + z * w),     2 * (x * z - y * w),
-                                     2 * (x * y - z * w),     1 - 2 * (x * x + z * z), 2 * (y * z + x * w),
-                                     2 * (x * z + y * w),     2 * (y * z - x * w),     1 - 2 * (x * x + y * y)};
-    for (std::size_t column = 0; column < 3; ++column)
-        for (std::size_t row = 0; row < 3; ++row) matrix[4 * column + row] = turn[3 * column + row] * scale[column];
-    for (std::size_t row = 0; row < 3; ++row) matrix[12 + row] = shift[row];
+glm::dmat4 placed(const std::array<double, 3>& shift, const std::array<double, 4>& turn,
+                  const std::array<double, 3>& scale) {
+    const auto [x, y, z, w] = turn;
+    glm::dmat4 matrix = glm::scale(glm::mat4_cast(glm::dquat(w, x, y, z)), glm::make_vec3(scale.data()));
+    matrix[3] = {glm::make_vec3(shift.data()), 1.0};
     return matrix;
 }
 
-Matrix placement_of(const Json& node) {
-    Matrix matrix = kUnmoved;
-    if (numbers(in(node, "matrix"), matrix)) return matrix;
+glm::dmat4 placement_of(const Json& node) {
+    std::array<double, 16> columns{};
+    if (numbers(in(node, "matrix"), columns)) return glm::make_mat4(columns.data());
     std::array<double, 3> shift{0, 0, 0}, scale{1, 1, 1};
-    std::array<double, 4> q{0, 0, 0, 1};
+    std::array<double, 4> turn{0, 0, 0, 1};
     numbers(in(node, "translation"), shift);
     numbers(in(node, "scale"), scale);
-    numbers(in(node, "rotation"), q);
-    return placed(shift, q, scale);
+    numbers(in(node, "rotation"), turn);
+    return placed(shift, turn, scale);
 }
 
 // A number type of an accessor, and the divisor for normalized values.
@@ -185,8 +168,7 @@ public:
         const Json first = 0;
         const Json& named = in(document_, "scene");
         const Json& scene = entry(in(document_, "scenes"), named.is_null() ? first : named);
-        Matrix unit = kUnmoved;
-        for (const std::size_t axis : {0U, 5U, 10U}) unit[axis] = file_.metres_per_unit;
+        const glm::dmat4 unit = glm::scale(glm::dmat4(1.0), Vec3(file_.metres_per_unit));
         for (const Json& node : in(scene, "nodes")) visit(node, unit, 0);
         if (options_.stop.stop_requested()) return fail(phrase("files.stopped"), file_name_);
         if (is_too_large()) return fail(phrase("mesh.too_large", {{"most", kMostMeshTriangles}}), file_name_);
@@ -272,7 +254,7 @@ private:
         return rows;
     }
 
-    std::optional<std::vector<Vec3>> points_of(const Json& accessor, const Matrix& at) const {
+    std::optional<std::vector<Vec3>> points_of(const Json& accessor, const glm::dmat4& at) const {
         const auto rows = rows_of<3>(accessor);
         if (!rows) return std::nullopt;
         std::vector<Vec3> points;
@@ -280,10 +262,10 @@ private:
         return points;
     }
 
-    // The matrices of the copies of a node's mesh (EXT_mesh_gpu_instancing); without that extension, a single copy.
-    std::optional<std::vector<Matrix>> copies_of(const Json& node) const {
+    // Where copies of a node's mesh stand in it (EXT_mesh_gpu_instancing); once where nothing says so.
+    std::optional<std::vector<glm::dmat4>> copies_of(const Json& node) const {
         const Json& attributes = in(in(in(node, "extensions"), "EXT_mesh_gpu_instancing"), "attributes");
-        if (!attributes.is_object()) return std::vector<Matrix>{kUnmoved};
+        if (!attributes.is_object()) return std::vector<glm::dmat4>{glm::dmat4(1.0)};
         const Json& accessors = in(document_, "accessors");
         const auto stated = [&](const char* key) { return !in(attributes, key).is_null(); };
         const auto shifts = rows_of<3>(entry(accessors, in(attributes, "TRANSLATION"))),
@@ -294,7 +276,7 @@ private:
         const std::size_t count = shifts ? shifts->size() : scales ? scales->size() : turns ? turns->size() : 0;
         if (count > kMostNodes || (scales && scales->size() != count) || (turns && turns->size() != count))
             return std::nullopt;
-        std::vector<Matrix> copies;
+        std::vector<glm::dmat4> copies;
         for (std::size_t i = 0; i < count; ++i)
             copies.push_back(placed(shifts ? (*shifts)[i] : std::array{0.0, 0.0, 0.0},
                                     turns ? (*turns)[i] : std::array{0.0, 0.0, 0.0, 1.0},
@@ -327,7 +309,7 @@ private:
         return nodes_ > kMostNodes || triangles_ > kMostMeshTriangles || points_ > 4 * kMostMeshTriangles;
     }
 
-    void add(const Json& primitive, std::size_t thing, const std::string& name, const Matrix& at) {
+    void add(const Json& primitive, std::size_t thing, const std::string& name, const glm::dmat4& at) {
         const std::size_t mode = whole(in(primitive, "mode")).value_or(4);
         auto points = points_of(entry(in(document_, "accessors"), in(in(primitive, "attributes"), "POSITION")), at);
         if (points) points_ += points->size();
@@ -355,22 +337,22 @@ private:
         file_.parts.push_back(std::move(part));
     }
 
-    void visit(const Json& number, const Matrix& above, std::size_t depth) {
+    void visit(const Json& number, const glm::dmat4& above, std::size_t depth) {
         const Json& node = entry(in(document_, "nodes"), number);
         if (is_too_large() || options_.stop.stop_requested()) return;
         ++nodes_;
         if (!node.is_object() || depth > kDeepest) return;
-        const Matrix at = product(above, placement_of(node));
+        const glm::dmat4 at = above * placement_of(node);
         const Json& mesh = entry(in(document_, "meshes"), in(node, "mesh"));
         const std::string name = text(in(node, "name"));
         const auto copies = copies_of(node);
         if (!copies) ++file_.parts_left_out;
-        for (const Matrix& copy : copies.value_or(std::vector<Matrix>{})) {
+        for (const glm::dmat4& copy : copies.value_or(std::vector<glm::dmat4>{})) {
             const std::size_t thing = nodes_;
             for (const Json& primitive : in(mesh, "primitives")) {
                 if (is_too_large() || options_.stop.stop_requested()) return;
                 ++nodes_;
-                add(primitive, thing, name.empty() ? text(in(mesh, "name")) : name, product(at, copy));
+                add(primitive, thing, name.empty() ? text(in(mesh, "name")) : name, at * copy);
             }
         }
         for (const Json& child : in(node, "children")) {
