@@ -1,13 +1,11 @@
-// A picture of the window, in memory or as a PNG file. Plain value.
+// A picture of the window in memory. Plain value.
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <vector>
 
 #include "worlds/base/contract.h"
-#include "worlds/base/result.h"
 
 namespace handrail {
 
@@ -23,8 +21,5 @@ struct Picture {
         return {rgb[i], rgb[i + 1], rgb[i + 2]};
     }
 };
-
-// Fails with a sentence if the file cannot be written.
-Result<void> save_png(const Picture& picture, const std::filesystem::path& path);
 
 }  // namespace handrail

@@ -230,29 +230,4 @@ Bvh::Bvh(std::span<const Aabb> bounds) {
     nodes_.shrink_to_fit();
 }
 
-void Bvh::refit(std::span<const Aabb> bounds) {
-    if (nodes_.empty()) return;
-    bounds_ = {};
-    for (const Node& node : nodes_)
-        for (const std::uint32_t what : node.what)
-            if (what & kItem) bounds_.include(bounds[what & ~kItem]);
-    if (!bounds_.empty()) middle_m_ = bounds_.centre_m();
-    for (std::size_t n = nodes_.size(); n-- > 0;) {
-        Node& node = nodes_[n];
-        for (std::size_t i = 0; i < 4; ++i) {
-            if (node.what[i] & kItem) {
-                fill(node, i, bounds[node.what[i] & ~kItem]);
-            } else if (node.what[i] != 0) {
-                const Node& below = nodes_[node.what[i]];
-                for (std::size_t axis = 0; axis < 3; ++axis) {
-                    const Four& low = below.low[axis];
-                    const Four& high = below.high[axis];
-                    node.low[axis][i] = std::min(std::min(low[0], low[1]), std::min(low[2], low[3]));
-                    node.high[axis][i] = std::max(std::max(high[0], high[1]), std::max(high[2], high[3]));
-                }
-            }
-        }
-    }
-}
-
 }  // namespace handrail

@@ -1,9 +1,8 @@
-// A hierarchy over boxes that finds the items near a point. It is built once off the real-time path, and refitted there
-// if items move; queries only read, and neither allocate nor throw. A node has four children, each a node or one item.
-// Their boxes are in single precision relative to the centre of everything, rounded outwards, and are tested together.
-// About 40 bytes per item; about 0.3 us per item to build, 30 ns to refit. Sources: Wald, On fast construction of
-// SAH-based bounding volume hierarchies, 2007 (binning); Hjaltason & Samet, Distance browsing in spatial databases,
-// 1999 (nearest first).
+// A hierarchy of boxes over boxes: which things are near a point. Built once off the real-time path, then only read;
+// queries neither allocate nor throw. Nodes of four children, whose boxes are single precision relative to the middle
+// of everything, rounded outwards, and tested together; a child is another node or one item. About 40 bytes per item;
+// about 0.3 us per item to build. Sources: Wald, On fast construction of SAH-based bounding volume hierarchies, 2007
+// (binning); Hjaltason & Samet, Distance browsing in spatial databases, 1999 (nearest first).
 #pragma once
 
 #include <algorithm>
@@ -40,11 +39,6 @@ public:
     Bvh() = default;
     // Item i has bounds[i]. At most 2^31 items, coordinates up to 1e9 m. Empty boxes are allowed and never found.
     explicit Bvh(std::span<const Aabb> bounds);
-
-    // Gives the same items new bounds, as many as at building. The shape of the tree stays, so queries are always
-    // correct, and fast as long as neighbours stayed neighbours. Items that were empty at building are still never
-    // found.
-    void refit(std::span<const Aabb> bounds);
 
     bool empty() const noexcept { return nodes_.empty(); }
     // The box around all items; empty if there are none.

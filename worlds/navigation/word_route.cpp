@@ -573,21 +573,4 @@ WordGoal goal_in_room(const WalkSpace& space, std::span<const std::uint32_t> roo
     return std::any_of(inside.begin(), inside.end(), [](std::uint8_t in) { return in != 0; }) ? inside : all;
 }
 
-WordGoal goal_round(const WalkSpace& space, const Vec3& place_m, double within_m) {
-    WordGoal goal(space.spans.size(), 0);
-    const std::uint32_t middle = space.nearest(place_m, 3.0, 1.5, 4.0);
-    if (middle == kNothing) return goal;
-    const Vec3 centre = space.place_m(middle);
-    // Spread on foot from there, so that the other side of a wall does not count.
-    std::vector<std::uint32_t> open{middle};
-    goal[middle] = 1;
-    for (std::size_t i = 0; i < open.size(); ++i)
-        for (const std::uint32_t n : space.spans[open[i]].next)
-            if (n != kNothing && !goal[n] && glm::length(space.place_m(n) - centre) <= within_m) {
-                goal[n] = 1;
-                open.push_back(n);
-            }
-    return goal;
-}
-
 }  // namespace handrail

@@ -103,7 +103,5 @@ private:
 // room.
 WordGoal goal_in_room(const WalkSpace& space, std::span<const std::uint32_t> room_of_span, std::uint32_t room,
                       const StatedRoom* outline = nullptr);
-// The spans within that distance of a place, on the same floor.
-WordGoal goal_round(const WalkSpace& space, const Vec3& place_m, double within_m);
 
 }  // namespace handrail

@@ -121,26 +121,6 @@ TEST(Bvh, answers_like_a_full_scan_also_for_many_things_in_one_place_and_far_fro
         }
 }
 
-TEST(Bvh, answers_like_a_full_scan_after_random_motion_and_refit) {
-    std::mt19937 random(kSeed + 1);
-    for (const int count : {1, 2, 5, 17, 400, scaled(2000)}) {
-        std::vector<Aabb> boxes = random_boxes(random, count, Vec3(0.0));
-        Bvh bvh(boxes);
-        for (int round = 0; round < 3; ++round) {
-            // Each moves differently: a little, a lot, to one place, all together by 10 km.
-            const Vec3 together = round == 2 ? Vec3(1e4, -1e4, 50.0) : Vec3(0.0);
-            for (Aabb& box : boxes) {
-                if (box.empty()) continue;
-                const Vec3 size = glm::abs(in_cube(random, 0.5)),
-                           at = together + (random() % 9 == 0 ? Vec3(1.0) : in_cube(random, round == 0 ? 0.1 : 5.0));
-                box = {at, at + size};
-            }
-            bvh.refit(boxes);
-            expect_right(bvh, boxes, random, together, fmt::format("{} boxes, round {}", count, round));
-        }
-    }
-}
-
 TEST(Bvh, keeps_its_looks_where_everything_is_equally_near) {
     // In the middle of a round room no order helps: 20,480 triangles at one distance. A hundred looks must suffice and
     // still report that the room is there.

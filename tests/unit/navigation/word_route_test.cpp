@@ -48,6 +48,24 @@ SceneBuilder two_rooms(double gap_x, double gap_m = 0.9) {
 }
 BlindBody at(const Room& room, double x, double y) { return room.ground->body_at({x, y, 0.0}); }
 
+// The spans within this distance of a place, on its floor.
+WordGoal goal_round(const WalkSpace& space, const Vec3& place_m, double within_m) {
+    WordGoal goal(space.spans.size(), 0);
+    const std::uint32_t middle = space.nearest(place_m, 3.0, 1.5, 4.0);
+    if (middle == kNothing) return goal;
+    const Vec3 centre = space.place_m(middle);
+    // On foot from there, so that no other side of a wall counts.
+    std::vector<std::uint32_t> open{middle};
+    goal[middle] = 1;
+    for (std::size_t i = 0; i < open.size(); ++i)
+        for (const std::uint32_t n : space.spans[open[i]].next)
+            if (n != kNothing && !goal[n] && glm::length(space.place_m(n) - centre) <= within_m) {
+                goal[n] = 1;
+                open.push_back(n);
+            }
+    return goal;
+}
+
 TEST(BlindGround, stops_a_body_where_the_walker_stops_and_slides_it_where_the_walker_slides) {
     SceneBuilder b = two_rooms(5.0);
     const Room room = room_of(b);
