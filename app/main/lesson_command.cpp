@@ -14,14 +14,16 @@
 namespace handrail {
 namespace {
 
-// Returns 0 if the expectations of every pupil are met; 1 if one is not, or if a script cannot be carried out.
-int check_lesson(const std::shared_ptr<TaughtWorld>& world, const LongWork& progress, std::ostream& out) {
+// 0: every pupil's expectations hold; 1: one does not, or a script cannot be done.
+int check_lesson(const std::shared_ptr<TaughtWorld>& world, RoomsKept& rooms_kept, const LongWork& progress,
+                 std::ostream& out) {
     bool all_hold = true;
     for (const LessonPupil& pupil : world->lesson().pupils) {
         RecordingAudio audio;
         RecordingSpeech speech;
         progress.at(phrase("progress.scenario", {{"title", pupil.name}}));
-        const auto outcome = run_pupil(world, pupil, audio, speech, {imported_scene, toml_beside_worlds()});
+        const auto outcome =
+            run_pupil(world, pupil, audio, speech, {imported_scene, toml_beside_worlds()}, &rooms_kept);
         progress.done();
         std::vector<std::string> failures =
             outcome ? outcome->failures : std::vector<std::string>{outcome.error().sentence()};
@@ -53,14 +55,13 @@ std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments
     };
     const auto file = lesson_given(arguments.file);
     if (!file) return refused(file.error());
-    const RoomsKept of_all_pupils;
+    RoomsKept of_all_pupils;
     progress.at(phrase("progress.lesson"));
-    auto world = read_taught_world(*file);
+    auto world = read_taught_world(*file, &of_all_pupils);
     progress.done();
     if (!world) return refused(world.error());
-    if (arguments.check) return check_lesson(*world, progress, out);
-    // Only for a lesson that can be taught: anything missing in its world is reported before printing.
-    if (arguments.protocol) {
+    if (arguments.check) return check_lesson(*world, of_all_pupils, progress, out);
+    if (arguments.protocol) {  // of what can be taught: what its world lacks is found before it is printed
         out << protocol_of((*world)->lesson(), learner);
         return 0;
     }

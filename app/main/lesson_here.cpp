@@ -68,14 +68,15 @@ Result<fs::path> lesson_given(const fs::path& word) {
     return fail(phrase("teaching.no_lesson", {{"word", word.string()}, {"names", names}}));
 }
 
-Result<std::shared_ptr<TaughtWorld>> read_taught_world(const fs::path& file) {
+Result<std::shared_ptr<TaughtWorld>> read_taught_world(const fs::path& file, RoomsKept* rooms_kept) {
     auto lesson = read_lesson(file, {world_folder()}, toml_beside_worlds());
     if (!lesson) return tl::unexpected(lesson.error());
     auto scene = imported_scene({.file = lesson->world});
     if (!scene) return tl::unexpected(scene.error());
     const std::string checksum =
         lesson->world_checksum.empty() ? std::string() : SideFile::checksum_of_world(lesson->world);
-    return TaughtWorld::find(std::move(*lesson), std::make_shared<const Scene>(std::move(*scene)), checksum);
+    return TaughtWorld::find(std::move(*lesson), std::make_shared<const Scene>(std::move(*scene)), checksum,
+                             rooms_kept);
 }
 
 // Offers the lessons for the current world.

@@ -63,10 +63,11 @@ void read_lessons_ahead(const std::filesystem::path& world, const std::stop_toke
 // Finds the lesson that a command names: a file, or a name such as "school". Names are those of the person's own
 // lessons and of those that come with the program. Fails with a list of what exists.
 Result<std::filesystem::path> lesson_given(const std::filesystem::path& word);
-// Reads a lesson and its world. Fails with file and line.
-Result<std::shared_ptr<TaughtWorld>> read_taught_world(const std::filesystem::path& file);
-// Which session of that lesson, from 0, comes next for the learner of these arguments; the first if nothing is
-// remembered. Faults of the learner's file are added to `news`.
+// A lesson in its world, both read. Fails with file and line. rooms_kept: as of TaughtWorld::find.
+Result<std::shared_ptr<TaughtWorld>> read_taught_world(const std::filesystem::path& file,
+                                                       RoomsKept* rooms_kept = nullptr);
+// The session of that lesson, from 0, which comes next for the learner of these arguments; the first one where nothing
+// is remembered. What is wrong with the file of it is added to `news`.
 std::size_t next_session(const ExploreArguments& arguments, const LessonFile& lesson, std::vector<std::string>& news);
 // The folder of the person's own lessons.
 std::filesystem::path lessons_folder();

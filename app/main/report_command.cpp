@@ -31,6 +31,7 @@ public:
         world_ = world;
         return scene_ = *scene;
     }
+    RoomsKept* rooms_kept() { return &rooms_kept_; }
 
 private:
     bool is_same(const RecordedWorld& other) const {
@@ -40,7 +41,7 @@ private:
         return !other.checksum.empty() && what(world_) == what(other);
     }
 
-    RoomsKept rooms_;
+    RoomsKept rooms_kept_;
     RecordedWorld world_;
     std::shared_ptr<const Scene> scene_;
 };
@@ -58,7 +59,7 @@ Result<SessionReport> report_of_folder(const fs::path& folder, WorldBefore& befo
     if (events.more_worlds) out << phrase("report.first_world") << '\n';
     progress.at(phrase("progress.measures"));
     const auto scene = before.read(*events.world);
-    auto report = scene ? report_of(*recording, events, *scene) : tl::unexpected(scene.error());
+    auto report = scene ? report_of(*recording, events, *scene, before.rooms_kept()) : tl::unexpected(scene.error());
     progress.done();
     return report;
 }

@@ -220,9 +220,10 @@ ReportTask whole(const RecordedEvents& events, std::span<const WayPoint> walk) {
 }  // namespace
 
 Result<SessionReport> report_of(const Recording& recording, const RecordedEvents& events,
-                                const std::shared_ptr<const Scene>& scene) {
+                                const std::shared_ptr<const Scene>& scene, RoomsKept* rooms_kept) {
     const BodySize size = body_size(*scene, Settings{}.walk.body_radius_m);
-    RoomsOfWorld rooms(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), at_once());
+    RoomsOfWorld rooms(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), at_once(), WaysKeeper{},
+                       rooms_kept);
     if (!rooms.ready() || !rooms.found())
         return fail(rooms.problem().empty() ? phrase("export.no_rooms") : rooms.problem(), scene->source_file);
     SessionReport report;

@@ -10,9 +10,12 @@
 
 namespace handrail {
 
-// Fails with a sentence if the rooms of the world cannot be found. `scene` is that of events.world.
+class RoomsKept;
+
+// Fails with a sentence where the rooms of the world cannot be found. scene: that of events.world. rooms_kept: of
+// other reports in the same world; may be null.
 Result<SessionReport> report_of(const Recording& recording, const RecordedEvents& events,
-                                const std::shared_ptr<const Scene>& scene);
+                                const std::shared_ptr<const Scene>& scene, RoomsKept* rooms_kept = nullptr);
 
 // For a session of which only the results were kept: has its tasks, but neither path nor course.
 SessionReport report_of(const KeptResults& results);

@@ -56,7 +56,7 @@ TeachingRun begin_lesson(const std::shared_ptr<TaughtWorld>& world, std::size_t 
 }
 
 Result<PupilOutcome> run_pupil(const std::shared_ptr<TaughtWorld>& world, const LessonPupil& pupil, AudioSink& audio,
-                               SpeechSink& speech, const WorldReader& read) {
+                               SpeechSink& speech, const WorldReader& read, RoomsKept* rooms_kept) {
     const LessonFile& lesson = world->lesson();
     const auto found = std::find_if(lesson.sessions.begin(), lesson.sessions.end(),
                                     [&](const TaughtSession& one) { return one.name == pupil.session; });
@@ -73,11 +73,12 @@ Result<PupilOutcome> run_pupil(const std::shared_ptr<TaughtWorld>& world, const 
     scenario.expectations = pupil.expectations;
     std::optional<TeachingRun> run;
     int ms = 0;
-    auto log = run_scenario(scenario, world->scene(), audio, speech, read, [&](HeadlessSession& headless) {
+    const auto teach = [&](HeadlessSession& headless) {
         if (ms++ % kTurn_ms != 0) return;
         if (!run) run.emplace(begin_lesson(world, session, {}, headless.app()));
         teach_on(*run, headless.app(), headless.app().take_events(), headless.now_s());
-    });
+    };
+    auto log = run_scenario(scenario, world->scene(), audio, speech, read, teach, nullptr, rooms_kept);
     if (!log) return tl::unexpected(log.error());
     PupilOutcome outcome{pupil.name, {}, run ? run->results() : std::vector<TaskResult>{}, {}, log->end_s};
     for (const PupilExpectation& expected : pupil.measured)

@@ -28,9 +28,9 @@ struct PupilOutcome {
     std::vector<LoggedLine> lines;
     double seconds = 0.0;  // in virtual time
 };
-// Fails only if the script demands something impossible. `read`: as for run_scenario.
+// Fails only where the script asks for something impossible. read, rooms_kept: as of run_scenario.
 Result<PupilOutcome> run_pupil(const std::shared_ptr<TaughtWorld>& world, const LessonPupil& pupil, AudioSink& audio,
-                               SpeechSink& speech, const WorldReader& read);
+                               SpeechSink& speech, const WorldReader& read, RoomsKept* rooms_kept = nullptr);
 
 // The protocol of a lesson for a learner, to be written down in advance: sessions, steps in their order, help in each
 // lap, and blocked doors.

@@ -218,12 +218,12 @@ Result<void> TaughtWorld::check_step(const TaughtStep& step) {
 }
 
 Result<std::shared_ptr<TaughtWorld>> TaughtWorld::find(LessonFile lesson, const std::shared_ptr<const Scene>& scene,
-                                                       const std::string& checksum) {
+                                                       const std::string& checksum, RoomsKept* rooms_kept) {
     std::shared_ptr<TaughtWorld> world(new TaughtWorld);
     world->scene_ = scene;
     const BodySize size = body_size(*scene, Settings{}.walk.body_radius_m);
     world->rooms_ = std::make_unique<RoomsOfWorld>(
-        scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), at_once());
+        scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), at_once(), WaysKeeper{}, rooms_kept);
     if (!world->rooms_->ready() || !world->rooms_->found())
         return fail(world->rooms_->problem(), lesson.file.filename().string());
     if (!lesson.world_checksum.empty() && !checksum.empty() && checksum != lesson.world_checksum)

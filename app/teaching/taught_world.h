@@ -24,10 +24,11 @@ struct TaughtPlace {
 
 class TaughtWorld {
 public:
-    // Fails with file and line if an object, room or door is not in the world (with the nearest name), if nobody can
-    // walk a route, or if a blocked door leaves no route. `checksum`: that of the world's file now; empty if unknown.
+    // Fails with file and line where a thing, room or door is not in the world (the nearest name is told), nobody can
+    // walk a route, or a block leaves no way. checksum: of the world's file now; empty: unknown. rooms_kept: of the
+    // sessions that will enter the same scene; null: the rooms are found for the lesson alone.
     static Result<std::shared_ptr<TaughtWorld>> find(LessonFile lesson, const std::shared_ptr<const Scene>& scene,
-                                                     const std::string& checksum = {});
+                                                     const std::string& checksum = {}, RoomsKept* rooms_kept = nullptr);
 
     const LessonFile& lesson() const { return lesson_; }
     const std::shared_ptr<const Scene>& scene() const { return scene_; }

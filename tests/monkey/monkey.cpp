@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/support/project_root.h"
+#include "tests/support/worlds_once.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
@@ -66,7 +67,7 @@ void Monkey::begin() {
         facts_[0].present = facts_[0].simulated = true;
         facts_[0].spec = *find_device_spec(chance(0.5) ? "sim-t" : "sim-f");
     }
-    session_ = std::make_unique<HeadlessSession>(Settings{}, facts_[0], audio_, speech_);
+    session_ = std::make_unique<HeadlessSession>(Settings{}, facts_[0], audio_, speech_, with_known_rooms());
     app().apply(WorldsKnown{{test::project_root() / "worlds/maps", {}}}, 0.0);
     if (chance(0.2)) app().apply(FirstMinutesBegun{"nobody", chance(0.5)}, 0.0);
     app().apply(WorldEntered{make_ready(worlds_[below(static_cast<std::uint32_t>(worlds_.size()))])}, 0.0);

@@ -1,6 +1,5 @@
-// Worlds that no test changes. They are read once per process, and their rooms are found once for all of its sessions
-// (RoomsKept), because these two take most of the time of a session test. Everything else that a session knows of rooms
-// is its own copy.
+// Worlds that no test writes, read once in a process, and their rooms found once for all sessions of its main thread
+// (RoomsKept), which saves a test of the session most of its time. Each session has its own copy of the rooms.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,13 +10,19 @@
 #include <string>
 #include <utility>
 
-#include "app/core/whereabouts/rooms_kept.h"
+#include "app/core/session/session_options.h"
 #include "worlds/base/language.h"
 #include "worlds/readers/reader.h"
 
 namespace handrail::test {
 
 inline RoomsKept rooms_of_this_process{3};
+
+// The options of a session in such a world.
+inline SessionOptions with_known_rooms(SessionOptions options = {}) {
+    if (!options.rooms_kept) options.rooms_kept = &rooms_of_this_process;
+    return options;
+}
 
 inline std::shared_ptr<const Scene> world_once(const std::filesystem::path& file) {
     // Some names of a world depend on the spoken language.

@@ -1,7 +1,7 @@
-// Decides in which tick the session receives a result from a background thread, such as rooms, haptic scenes or routes.
-// In a live session a result arrives as soon as it is ready, and the tick is reported to whoever records. In a replay,
-// results arrive in exactly the recorded ticks, and the session waits for them. Each query whether a result is ready
-// gets a number; the same session makes the same queries in the same order. Plain state; used on the session's thread.
+// Decides in which tick of a session the result of a background task (rooms, the hand's scene, routes) is there: as it
+// comes, which is reported to the recorder; or in exactly the ticks of a recording, for which the session waits. Every
+// query by the session is counted, and the same session queries in the same order. Owned by the owner of the session;
+// each background task gets it when it is made. Plain state; the session's thread.
 #pragma once
 
 #include <cstdint>
@@ -13,57 +13,54 @@
 namespace handrail {
 
 class Arrivals {
+    enum class Mode : std::uint8_t { Outside, Counts, LooksOnly };
+
 public:
-    // Live: results arrive as soon as they are ready. `tell` receives the number of each query that was answered with
-    // yes.
+    // As it comes; `tell` gets the number of each query that was answered with yes.
     explicit Arrivals(std::function<void(std::uint64_t asked)> tell) : tell_(std::move(tell)) {}
-    // Replay: exactly the queries with these numbers are answered with yes.
+    // Exactly these queries are answered with yes.
     explicit Arrivals(std::set<std::uint64_t> came) : came_(std::move(came)) {}
 
-    // While a Turn exists, this Arrivals object answers the queries of this thread. With null, results arrive as soon
-    // as they are ready and nothing is counted. looks_only: the session is being inspected between its ticks, so
-    // nothing new arrives.
+    // While one lives, queries are counted and answered so; outside of any, results are there as soon as they are done.
+    // looks_only: somebody reads the session between its ticks; nothing new is there then. of: null if nobody records.
     class Turn {
     public:
-        explicit Turn(Arrivals* of, bool looks_only = false) : before_{now_, looks_only_} {
-            now_ = of;
-            looks_only_ = of && looks_only;
+        explicit Turn(Arrivals* of, bool looks_only = false) : of_(of) {
+            if (of_) before_ = std::exchange(of_->mode_, looks_only ? Mode::LooksOnly : Mode::Counts);
         }
         ~Turn() {
-            now_ = before_.first;
-            looks_only_ = before_.second;
+            if (of_) of_->mode_ = before_;
         }
         Turn(const Turn&) = delete;
         Turn& operator=(const Turn&) = delete;
 
     private:
-        std::pair<Arrivals*, bool> before_;
+        Arrivals* of_;
+        Mode before_ = Mode::Outside;
     };
 
-    // Makes a query in this turn. `try_it` returns whether the result is ready; `wait` blocks until it is ready and is
-    // called at most once.
+    // Queries `of`, which may be null: `try_it` returns whether the result is there by now; `wait` makes sure that it
+    // is, and is called at most once.
     template <class TryIt, class Wait>
-    static bool there(TryIt try_it, Wait wait) {
-        if (!now_) return try_it();
-        if (looks_only_) return false;
-        const std::uint64_t asked = ++now_->asked_;
-        if (now_->came_) {
-            if (!now_->came_->contains(asked)) return false;
+    static bool there(Arrivals* of, TryIt try_it, Wait wait) {
+        if (!of || of->mode_ == Mode::Outside) return try_it();
+        if (of->mode_ == Mode::LooksOnly) return false;
+        const std::uint64_t asked = ++of->asked_;
+        if (of->came_) {
+            if (!of->came_->contains(asked)) return false;
             wait();
             return true;
         }
         const bool yes = try_it();
-        if (yes) now_->tell_(asked);
+        if (yes) of->tell_(asked);
         return yes;
     }
 
 private:
-    static inline thread_local Arrivals* now_ = nullptr;
-    static inline thread_local bool looks_only_ = false;
-
     std::function<void(std::uint64_t)> tell_;
     std::optional<std::set<std::uint64_t>> came_;
     std::uint64_t asked_ = 0;
+    Mode mode_ = Mode::Outside;
 };
 
 }  // namespace handrail

@@ -23,8 +23,10 @@ public:
     // The work must check `stop` often. A result that it returns after a stop request is dropped.
     using Work = std::function<Result(const std::stop_token& stop)>;
 
-    // The executor must outlive this object. name: the thread name, as in Executor::run.
-    BackgroundTask(const Executor& executor, const char* name) : executor_(executor), name_(name) {}
+    // The executor and the arrivals outlive this object. name: as Executor::run has it. arrivals: decide when take()
+    // gives the result; null: as soon as it is done.
+    BackgroundTask(const Executor& executor, const char* name, Arrivals* arrivals = nullptr)
+        : executor_(executor), name_(name), arrivals_(arrivals) {}
     ~BackgroundTask() {
         give_up();
         if (worker_.joinable()) worker_.join();
@@ -49,13 +51,14 @@ public:
     // Returns the result of the task begun last, once it is done; never, if memory ran out for it.
     std::optional<Result> take() {
         std::optional<Result> made;
-        Arrivals::there([&] { return (made = take_done()).has_value(); },
-                        [&] {
-                            while (run_ && !made) {
-                                run_->done.wait(false, std::memory_order_acquire);
-                                made = take_done();
-                            }
-                        });
+        Arrivals::there(
+            arrivals_, [&] { return (made = take_done()).has_value(); },
+            [&] {
+                while (run_ && !made) {
+                    run_->done.wait(false, std::memory_order_acquire);
+                    made = take_done();
+                }
+            });
         return made;
     }
 
@@ -100,6 +103,7 @@ private:
 
     const Executor& executor_;
     const char* name_;
+    Arrivals* arrivals_;
     Work next_;
     std::shared_ptr<Run> run_;
     std::thread worker_;

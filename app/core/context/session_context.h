@@ -17,6 +17,7 @@
 #include "app/core/kept/side_file.h"
 #include "app/core/world/body_state.h"
 #include "app/core/world/world_state.h"
+#include "worlds/base/arrivals.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/executor.h"
 #include "worlds/base/language.h"
@@ -24,7 +25,9 @@
 
 namespace handrail {
 
-// Actions that involve several features, so only the session can do them. The session sets all of them.
+class RoomsKept;
+
+// What takes more than one feature, so that the session alone can do it; it sets them all.
 struct SessionAsks {
     // Saves what the person added to the world. If another session has changed the same file, everybody reads it again.
     // Returns false if the file could not be written; that is announced, and saving is tried again later.
@@ -51,7 +54,9 @@ struct SessionContext {
     SideFile& additions;  // what the person added to the present world; each topic writes its own lists and tables
     Events& events;
     OwnerRequests& requests;
-    const Executor& executor;  // runs background tasks
+    const Executor& executor;  // of background tasks
+    Arrivals* arrivals;        // when their results are there; may be null
+    RoomsKept* rooms_kept;     // of other sessions in the same world; may be null
     SessionAsks asks = {};
     double tick_s = -1.0;  // time of the last tick; what a list or question triggers happens at this time
 

@@ -10,9 +10,10 @@
 namespace handrail {
 
 struct SessionState {
-    explicit SessionState(const Settings& settings, const HandFacts& hand = {}, const Executor& executor = at_once())
-        : person(settings), context{person.settings, person.keys, world,  body,     hands,   cues,
-                                    lists,           additions,   events, requests, executor} {
+    explicit SessionState(const Settings& settings, const HandFacts& hand = {}, const Executor& executor = at_once(),
+                          Arrivals* arrivals = nullptr, RoomsKept* rooms_kept = nullptr)
+        : person(settings), context{person.settings, person.keys, world,    body,     hands,    cues,      lists,
+                                    additions,       events,      requests, executor, arrivals, rooms_kept} {
         hands.right = hand;
     }
     SessionState(const SessionState&) = delete;  // the context refers to it

@@ -72,14 +72,14 @@ private:
     BodyState& body_;
     HandsState& hands_;
     std::shared_ptr<const HapticScene> haptic_;
-    double rounded_m_ = 0.0;            // rounding of the edges in it
-    Simplification plan_;               // from which it was made
-    OpenPortals portals_;               // the portals that the plan used
-    bool openings_awaited_ = false;     // the plan would use more portals once the rooms are found
-    int edits_ = 0;                     // counts changes of all worlds
-    std::optional<FeltOrder> ordered_;  // the last order for this world
-    BackgroundTask<FeltWorld> felt_{context_.executor, "touch"};
-    std::string told_;  // last sentence about simplifications
+    double rounded_m_ = 0.0;            // edges in it
+    Simplification plan_;               // by which it was made
+    OpenPortals portals_;               // that the plan knew
+    bool openings_awaited_ = false;     // the plan would know more if the rooms were found
+    int edits_ = 0;                     // of any world
+    std::optional<FeltOrder> ordered_;  // the last one of this world
+    BackgroundTask<FeltWorld> felt_{context_.executor, "touch", context_.arrivals};
+    std::string told_;  // of what is simplified
 };
 
 }  // namespace handrail

@@ -53,7 +53,7 @@ private:
     WorldState& world_;
     Rooms& rooms_;
     std::vector<Error> unreadable_;
-    BackgroundTask<std::shared_ptr<const Found>> looking_{context_.executor, "faults"};
+    BackgroundTask<std::shared_ptr<const Found>> looking_{context_.executor, "faults", context_.arrivals};
 };
 
 }  // namespace handrail

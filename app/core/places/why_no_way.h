@@ -22,7 +22,7 @@ public:
 
 private:
     Rooms& rooms_;
-    BackgroundTask<std::string> looking_{context_.executor, "why-no-way"};
+    BackgroundTask<std::string> looking_{context_.executor, "why-no-way", context_.arrivals};
 };
 
 }  // namespace handrail

@@ -275,7 +275,8 @@ LoggedTick logged(HeadlessSession& session, std::size_t hand) {
 
 Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<const Scene>& scene, AudioSink& audio,
                                 SpeechSink& speech, const WorldReader& read,
-                                const std::function<void(HeadlessSession&)>& each_ms, std::vector<int>* undone) {
+                                const std::function<void(HeadlessSession&)>& each_ms, std::vector<int>* undone,
+                                RoomsKept* rooms_kept) {
     const std::string file = scenario.file.filename().string();
     SettingsStore settings;
     if (const auto faults = settings.load_file(settings_beside(scenario.world.file), SettingSource::World, read.toml);
@@ -301,7 +302,7 @@ Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<
         facts[which].present = facts[which].simulated = true;
         facts[which].spec = *spec;
     }
-    HeadlessSession session(settings.values(), facts[0], audio, speech);
+    HeadlessSession session(settings.values(), facts[0], audio, speech, {.rooms_kept = rooms_kept});
     if (facts[1].present) session.give_left_hand(facts[1]);
     if (scenario.has_start)
         session.app().apply(WorldEntered{make_ready_at(scene, scenario.start_feet_m, scenario.start_heading_rad)}, 0.0);

@@ -13,14 +13,15 @@
 namespace handrail {
 
 class HeadlessSession;
+class RoomsKept;
 
-// Runs a scenario in its world from start to end and logs what happens. Fails only if the scenario itself requests
-// something impossible, such as an unknown device or setting. read: reads models and further worlds. each_ms: called
-// before each millisecond. undone: receives the file lines of actions that were impossible and therefore skipped; null:
-// the first of them fails.
+// Runs a scenario in its world from start to end and keeps what happened. Fails only where the scenario itself asks for
+// something impossible: an unknown device or setting. read: reads models, and further worlds that are entered. each_ms:
+// by whoever goes along, before each millisecond. undone: takes the file lines of actions that could not be done, which
+// are passed over; null: the first of them fails. rooms_kept: as of SessionOptions.
 Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<const Scene>& scene, AudioSink& audio,
                                 SpeechSink& speech, const WorldReader& read,
                                 const std::function<void(HeadlessSession&)>& each_ms = {},
-                                std::vector<int>* undone = nullptr);
+                                std::vector<int>* undone = nullptr, RoomsKept* rooms_kept = nullptr);
 
 }  // namespace handrail

@@ -24,8 +24,7 @@ constexpr double kAnswerFollows_s = 60.0;  // how long typed lines wait for an a
 }  // namespace
 
 Session::Session(const Settings& settings, const HandFacts& hand, const SessionOptions& options)
-    : state_(settings, hand, options.executor) {
-    watched_.arrivals = options.arrivals;
+    : state_(settings, hand, options.executor, options.arrivals, options.rooms_kept) {
     wire();
     bodies_.make_engines(options.bodies);
     if (!options.records_in.empty()) {
@@ -270,7 +269,7 @@ std::optional<Placement> Session::thing_at(const std::string& name) const {
 
 void Session::tick(double now_s, const ToolState& tool, const ToolState& left_tool) {
     contract_pre(std::isfinite(now_s));
-    const Arrivals::Turn turn(watched_.arrivals);
+    const Arrivals::Turn turn(state_.context.arrivals);
     state_.hands.tool = tool;
     state_.hands.left_tool = left_tool;
     if (!state_.world.scene) return;
@@ -357,7 +356,7 @@ Listener Session::listener() const {
 }
 
 ViewState Session::view(const ToolState& tool, const std::string& last_spoken) const {
-    const Arrivals::Turn looks(watched_.arrivals, true);
+    const Arrivals::Turn looks(state_.context.arrivals, true);
     ViewState view;
     view.scene = state_.world.scene;
     view.moved = bodies_.moved();

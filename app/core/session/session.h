@@ -199,8 +199,8 @@ private:
     LessonSession lesson_session_{state_.context, asked_to_leave_};
     Menu menu_{state_.context};
     SimplifiedList simplified_list_{state_.context, where_.rooms};
-    // A copy of the world with its things where they have come to rest.
-    BackgroundTask<std::shared_ptr<const Scene>> settled_{state_.context.executor, "settle"};
+    // The world with its things where they have come to rest.
+    BackgroundTask<std::shared_ptr<const Scene>> settled_{state_.context.executor, "settle", state_.context.arrivals};
     PlacesFeatures places_{state_, where_.rooms, guide_.planned()};
     Soundscape soundscape_;
     LearningFeatures learn_{state_, where_.rooms, soundscape_};
@@ -214,8 +214,7 @@ private:
     bool plan_view_ = false;
     struct Watched {
         std::vector<InputListener> inputs;
-        Arrivals* arrivals = nullptr;
-        bool leads = false, list_open = false;  // as last reported by Leading and ListShown
+        bool leads = false, list_open = false;  // as Leading and ListShown told last
     };
     Watched watched_;
     struct TooEarly {

@@ -8,7 +8,7 @@ namespace handrail {
 bool Session::apply(SessionInput input, double now_s) {
     for (const InputListener& listener : watched_.inputs)
         if (listener.comes) listener.comes(input, now_s);
-    const Arrivals::Turn turn(watched_.arrivals);
+    const Arrivals::Turn turn(state_.context.arrivals);
     bool taken = true;
     std::visit(Overloaded{
                    [&](const CommandDown& in) { press(in.command, now_s, in.times); },

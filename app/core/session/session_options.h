@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/core/bodies/body_engines.h"
+#include "app/core/whereabouts/rooms_kept.h"
 #include "worlds/base/arrivals.h"
 #include "worlds/base/executor.h"
 
@@ -20,6 +21,9 @@ struct SessionOptions {
     // Records or determines in which tick the result of a background task arrives; outlives the session. Null: results
     // arrive as soon as they are ready.
     Arrivals* arrivals = nullptr;
+    // Rooms of worlds that other sessions on this thread enter as well; outlives the session. Null: the session finds
+    // its own.
+    RoomsKept* rooms_kept = nullptr;
 };
 
 }  // namespace handrail

@@ -72,7 +72,7 @@ void Session::lay_blocked() {
 }
 
 LessonView Session::lesson_view() {
-    const Arrivals::Turn looks(watched_.arrivals, true);
+    const Arrivals::Turn looks(state_.context.arrivals, true);
     LessonView view;
     if (!state_.world.scene) return view;
     view.feet_m = feet_m();

@@ -51,7 +51,7 @@ public:
 private:
     Rooms& rooms_;
     std::shared_ptr<const WordFloor> floor_;
-    BackgroundTask<std::shared_ptr<const WordFloor>> making_{context_.executor, "word-floor"};
+    BackgroundTask<std::shared_ptr<const WordFloor>> making_{context_.executor, "word-floor", context_.arrivals};
 };
 
 }  // namespace handrail

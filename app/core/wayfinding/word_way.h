@@ -96,7 +96,7 @@ private:
         int times = 1;                // consecutive stops by the same door
     };
     std::optional<Stop> stopped_;
-    BackgroundTask<Planned> planning_{context_.executor, "word-route"};
+    BackgroundTask<Planned> planning_{context_.executor, "word-route", context_.arrivals};
 };
 
 }  // namespace handrail

@@ -20,7 +20,8 @@ std::shared_ptr<RoomsOfWorld> Rooms::enter_world(std::shared_ptr<const Scene> sc
     std::shared_ptr<RoomsOfWorld> left = std::move(of_world_);
     if (left) left->give_up();  // before the next search begins
     const WalkBody body = walk_body(*scene, size.radius_m, size.height_m, size.step_up_m);
-    of_world_ = std::make_shared<RoomsOfWorld>(std::move(scene), body, context_.executor, std::move(keeper));
+    of_world_ = std::make_shared<RoomsOfWorld>(std::move(scene), body, context_.executor, std::move(keeper),
+                                               context_.rooms_kept, context_.arrivals);
     leaves_of_.reset();
     patience_.reset();
     looked_for_ = told_ = false;

@@ -1,7 +1,7 @@
-// Rooms and routes of worlds that are entered repeatedly, found only once, as for a lesson with several pupils. While
-// such an object lives, a session on its thread takes the earlier result for the same scene, the same walker size and
-// the language spoken; otherwise it leaves its own result here. A scene is recognised by its address, and kept as long
-// as its result. Costs the memory of a WalkSpace for each stored world. Only the thread that made it uses it.
+// Rooms and routes of worlds that are entered again and again, found once: those of a lesson and each of its pupils. A
+// session that gets one takes what was found of the same scene, for a body of the same size, in the spoken language;
+// otherwise it leaves here what it finds. Scenes are compared by address, and kept as long as what was found of them.
+// Costs as much memory as a WalkSpace for each world. Owned by whoever enters the worlds; one thread.
 #pragma once
 
 #include <cstddef>
@@ -27,25 +27,18 @@ public:
         std::vector<std::string> out_of_reach;
     };
 
-    // Stores at most this many worlds, those found last.
-    explicit RoomsKept(std::size_t most = 1) : most_(most), before_(now_) { now_ = this; }
-    ~RoomsKept() { now_ = before_; }
+    // Keeps at most this many worlds, those that were found last.
+    explicit RoomsKept(std::size_t most = 1) : most_(most) {}
     RoomsKept(const RoomsKept&) = delete;
     RoomsKept& operator=(const RoomsKept&) = delete;
-
-    // The latest one of this thread; null: there is none.
-    static RoomsKept* here() { return now_; }
 
     // Null: not found yet. Valid until the next keep().
     const Found* of(const std::shared_ptr<const Scene>& scene, const WalkBody& body) const;
     void keep(Found found);
 
 private:
-    static inline thread_local RoomsKept* now_ = nullptr;
-
     std::size_t most_;
-    RoomsKept* before_;
-    std::deque<Found> found_;  // latest last
+    std::deque<Found> found_;  // the latest last
 };
 
 }  // namespace handrail

@@ -3,7 +3,6 @@
 #include <new>
 
 #include "app/core/whereabouts/rooms_kept.h"
-#include "worlds/base/arrivals.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 #include "worlds/navigation/reach.h"
@@ -13,11 +12,11 @@
 namespace handrail {
 
 RoomsOfWorld::RoomsOfWorld(std::shared_ptr<const Scene> scene, const WalkBody& body, const Executor& executor,
-                           WaysKeeper keeper)
-    : scene_(std::move(scene)), body_(body), keeper_(std::move(keeper)) {
+                           WaysKeeper keeper, RoomsKept* shared, Arrivals* arrivals)
+    : scene_(std::move(scene)), body_(body), keeper_(std::move(keeper)), arrivals_(arrivals) {
     contract_pre(scene_ != nullptr);
     contract_pre(body.radius_m > 0.0 && body.height_m > 0.0);
-    RoomsKept* const shared = keeper_ ? nullptr : RoomsKept::here();
+    if (keeper_) shared = nullptr;
     if (shared && take_from(*shared)) return;
     worker_ = executor.run("rooms", [this] { find(stop_.get_token()); });
     if (shared && !worker_.joinable() && navigation_)
@@ -90,7 +89,9 @@ void RoomsOfWorld::find(const std::stop_token& stop) {
 }
 
 bool RoomsOfWorld::ready() {
-    if (!known_) known_ = Arrivals::there([this] { return done_.load(); }, [this] { done_.wait(false); });
+    if (!known_)
+        known_ = Arrivals::there(
+            arrivals_, [this] { return done_.load(); }, [this] { done_.wait(false); });
     return known_;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/core/kept/ways_keeper.h"
+#include "worlds/base/arrivals.h"
 #include "worlds/base/executor.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/navigation/rooms.h"
@@ -20,11 +21,11 @@ class RoomsKept;
 
 class RoomsOfWorld {
 public:
-    // keeper: returns what was stored for this scene and walker size, and stores a new result after ready(). Without a
-    // keeper, the RoomsKept of this thread does so, if there is one.
+    // keeper: takes what was kept for this scene and body, and keeps what was found anew, after ready(). Without one
+    // `shared` does so, unless it is null. arrivals: decide when ready() is true; null: as soon as it is done.
     RoomsOfWorld(std::shared_ptr<const Scene> scene, const WalkBody& body, const Executor& executor,
-                 WaysKeeper keeper = {});
-    ~RoomsOfWorld();  // cancels what is not done yet, and waits for that
+                 WaysKeeper keeper = {}, RoomsKept* shared = nullptr, Arrivals* arrivals = nullptr);
+    ~RoomsOfWorld();  // gives up what is not done yet, and waits for that
     RoomsOfWorld(const RoomsOfWorld&) = delete;
     RoomsOfWorld& operator=(const RoomsOfWorld&) = delete;
 
@@ -53,6 +54,7 @@ private:
     WalkBody body_;
     bool kept_ = false;
     WaysKeeper keeper_;
+    Arrivals* arrivals_;
     std::shared_ptr<Navigation> navigation_;
     RoomGraph graph_;
     std::vector<std::string> out_of_reach_;

@@ -32,7 +32,7 @@ inline std::shared_ptr<const Scene> our_world(const char* file) {
 
 struct AppSession {
     explicit AppSession(const Settings& settings = {}, const HandFacts& hand = {}, const SessionOptions& options = {})
-        : app(settings, hand, options) {}
+        : app(settings, hand, with_known_rooms(options)) {}
     void run(double seconds) {
         for (const double until = now + seconds; now < until - 1e-9;) {
             now += 1.0 / 60.0;

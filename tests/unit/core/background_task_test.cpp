@@ -7,6 +7,7 @@
 #include <array>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace handrail {
 namespace background_task_test {
@@ -65,6 +66,28 @@ TEST(BackgroundTask, makes_nothing_where_memory_does_not_suffice_and_goes_on_aft
     }));
     task.begin([](const std::stop_token&) { return 7; });
     EXPECT_EQ(wait_for(task), 7);
+}
+
+TEST(BackgroundTask, queries_its_own_arrivals_while_another_session_has_its_turn) {
+    std::vector<std::uint64_t> told, told_to_other;
+    Arrivals own([&](std::uint64_t asked) { told.push_back(asked); }),
+        other([&](std::uint64_t asked) { told_to_other.push_back(asked); });
+    BackgroundTask<int> task(at_once(), "test", &own);
+    const auto begin = [&] { task.begin([](const std::stop_token&) { return 3; }); };
+    const Arrivals::Turn turn_of_other(&other);
+    begin();
+    EXPECT_EQ(task.take(), 3) << "outside of its session's turns";
+    EXPECT_TRUE(told.empty());
+    begin();
+    {
+        const Arrivals::Turn looks(&own, true);
+        EXPECT_FALSE(task.take()) << "somebody only reads the session";
+        const Arrivals::Turn turn(&own);
+        EXPECT_EQ(task.take(), 3);
+        EXPECT_FALSE(task.take());
+    }
+    EXPECT_EQ(told, std::vector<std::uint64_t>{1});
+    EXPECT_TRUE(told_to_other.empty());
 }
 
 TEST(BackgroundTask, is_done_when_it_was_begun_without_threads) {

@@ -19,7 +19,7 @@ public:
     // `device`: null for keys only. `before` is called before the world is entered.
     Explorer(std::shared_ptr<const Scene> scene, const char* device, const Settings& settings = {},
              const std::function<void(Session&, WorldEntered&)>& before = {})
-        : session_(settings, facts(device), audio_, speech_) {
+        : session_(settings, facts(device), audio_, speech_, with_known_rooms()) {
         WorldEntered world{make_ready(std::move(scene))};
         if (before) before(app(), world);
         app().apply(std::move(world), 0.0);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/core/scenario/session_log.h"
+#include "tests/support/worlds_once.h"
 
 namespace handrail::test {
 namespace {
@@ -25,8 +26,8 @@ std::string entry_of(std::string spoken) {
 }  // namespace
 
 Newcomer::Newcomer(std::shared_ptr<const Scene> world, const std::filesystem::path& records, const HandFacts& hand) {
-    session_ =
-        std::make_unique<HeadlessSession>(Settings{}, hand, audio_, speech_, SessionOptions{.records_in = records});
+    session_ = std::make_unique<HeadlessSession>(Settings{}, hand, audio_, speech_,
+                                                 test::with_known_rooms({.records_in = records}));
     session_->app().apply(WorldEntered{make_ready(std::move(world))}, 0.0);
     wait(1.0);
 }

@@ -252,32 +252,29 @@ TEST(RoomsKept, are_as_if_they_were_found_anew_and_the_sessions_own) {
     const WalkBody body = walk_body(*world, size.radius_m, size.height_m, size.step_up_m);
     RoomsKept kept;
     ASSERT_EQ(kept.of(world, body), nullptr);
-    RoomsOfWorld anew(world, body, at_once());
+    RoomsOfWorld anew(world, body, at_once(), {}, &kept);
     ASSERT_TRUE(anew.ready() && anew.found());
     ASSERT_NE(kept.of(world, body), nullptr);
-    anew.graph().rooms[0].name = "Vestibule";  // as a person may rename it
-    RoomsOfWorld before(world, body, at_once());
-    {
-        RoomsKept none(0);
-        RoomsOfWorld other(world, body, at_once());
-        ASSERT_TRUE(before.ready() && before.found() && other.ready() && other.found());
-        EXPECT_EQ(before.graph().rooms[0].name, other.graph().rooms[0].name);
-        EXPECT_EQ(before.graph().room_of_span, other.graph().room_of_span);
-        EXPECT_EQ(before.out_of_reach(), other.out_of_reach());
-        for (const Room& from : other.graph().rooms)
-            for (const Room& to : other.graph().rooms) {
-                const Route a = before.navigation().plan(from.middle_m, to.middle_m),
-                            b = other.navigation().plan(from.middle_m, to.middle_m);
-                EXPECT_EQ(a.points_m, b.points_m) << from.name << " to " << to.name;
-                EXPECT_EQ(a.reaches, b.reaches);
-            }
-    }
-    // Kept rooms are not used for another scene, another body size or another language.
+    anew.graph().rooms[0].name = "Vestibule";  // as a person may call it
+    RoomsOfWorld before(world, body, at_once(), {}, &kept);
+    RoomsOfWorld other(world, body, at_once());
+    ASSERT_TRUE(before.ready() && before.found() && other.ready() && other.found());
+    EXPECT_EQ(before.graph().rooms[0].name, other.graph().rooms[0].name);
+    EXPECT_EQ(before.graph().room_of_span, other.graph().room_of_span);
+    EXPECT_EQ(before.out_of_reach(), other.out_of_reach());
+    for (const Room& from : other.graph().rooms)
+        for (const Room& to : other.graph().rooms) {
+            const Route a = before.navigation().plan(from.middle_m, to.middle_m),
+                        b = other.navigation().plan(from.middle_m, to.middle_m);
+            EXPECT_EQ(a.points_m, b.points_m) << from.name << " to " << to.name;
+            EXPECT_EQ(a.reaches, b.reaches);
+        }
+    // Neither for another scene, nor for another body, nor in another language.
     EXPECT_EQ(kept.of(same_again, body), nullptr);
     EXPECT_EQ(kept.of(world, walk_body(*world, size.radius_m + 0.01, size.height_m, size.step_up_m)), nullptr);
     const test::InLanguage german("de");
     EXPECT_EQ(kept.of(world, body), nullptr);
-    RoomsOfWorld in_german(world, body, at_once());
+    RoomsOfWorld in_german(world, body, at_once(), {}, &kept);
     ASSERT_TRUE(in_german.ready() && in_german.found());
     EXPECT_EQ(in_german.graph().language, "de");
 }

@@ -1,5 +1,6 @@
 #include "tests/unit/sentences/text_session.h"
 
+#include "tests/support/worlds_once.h"
 #include "worlds/base/language.h"
 #include "worlds/base/typist.h"
 
@@ -18,7 +19,7 @@ Settings text_settings() {
 }  // namespace
 
 TextSession::TextSession(std::shared_ptr<const Scene> world, bool first_start)
-    : session_(text_settings(), HandFacts{}, audio_, speech_) {
+    : session_(text_settings(), HandFacts{}, audio_, speech_, with_known_rooms()) {
     speak_to(ActsBy::Lines);
     if (first_start) session_.app().apply(FirstMinutesBegun{phrase("voice.text_alone"), false}, 0.0);
     session_.app().apply(WorldEntered{make_ready(std::move(world))}, 0.0);

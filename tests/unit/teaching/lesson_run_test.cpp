@@ -21,9 +21,12 @@ namespace lesson_run_test {
 const std::filesystem::path kWorlds = test::project_root() / "worlds/maps";
 
 std::shared_ptr<const Scene> scene_of(const char* name) { return test::world_once(kWorlds / name); }
+Result<std::shared_ptr<TaughtWorld>> taught(LessonFile lesson, const std::shared_ptr<const Scene>& scene) {
+    return TaughtWorld::find(std::move(lesson), scene, {}, &test::rooms_of_this_process);
+}
 const std::shared_ptr<TaughtWorld>& school() {
     static const std::shared_ptr<TaughtWorld> kWorld =
-        *TaughtWorld::find(*read_lesson(kWorlds / "school.lesson.toml", {}), scene_of("school.map"));
+        *taught(*read_lesson(kWorlds / "school.lesson.toml", {}), scene_of("school.map"));
     return kWorld;
 }
 
@@ -32,7 +35,7 @@ class Walker20 {
 public:
     Walker20(const std::shared_ptr<TaughtWorld>& world, std::size_t session, const HandFacts& hand = {},
              bool hand_is_known = true)
-        : world_(world), headless_(Settings{}, hand, audio_, speech_) {
+        : world_(world), headless_(Settings{}, hand, audio_, speech_, test::with_known_rooms()) {
         headless_.app().apply(
             WorldEntered{make_ready_at(world->scene(), world->base().stand_m, world->base_heading_rad())}, 0.0);
         run_.emplace(begin_lesson(world, session, {}, headless_.app()));
@@ -126,7 +129,8 @@ TEST(LessonTaught, holds_what_its_pupils_expect_and_says_the_same_once_more) {
         for (int time = 0; time < 2; ++time) {
             RecordingAudio audio;
             RecordingSpeech speech;
-            const auto outcome = run_pupil(school(), pupil, audio, speech, {read_requested});
+            const auto outcome =
+                run_pupil(school(), pupil, audio, speech, {read_requested}, &test::rooms_of_this_process);
             ASSERT_TRUE(outcome) << outcome.error().sentence();
             said.emplace_back();
             for (const auto& one : speech.lines()) said.back().push_back(one.utterance.text);
@@ -207,7 +211,7 @@ std::shared_ptr<TaughtWorld> pointing_lesson() {
     point.pass_deg = 30.0;
     lesson.sessions = {{"Points", 0, false, {}, {point}, 1}};
     lesson.pupils.clear();
-    const auto found = TaughtWorld::find(lesson, school()->scene());
+    const auto found = taught(lesson, school()->scene());
     EXPECT_TRUE(found);
     return *found;
 }
@@ -236,7 +240,7 @@ TEST(Pointing, counts_within_the_degrees_of_the_lesson_which_is_said_and_measure
 TEST(Pointing, of_a_lesson_without_degrees_is_told_and_not_judged) {
     LessonFile lesson = pointing_lesson()->lesson();
     lesson.sessions[0].steps[0].pass_deg.reset();
-    const auto world = *TaughtWorld::find(lesson, school()->scene());
+    const auto world = *taught(lesson, school()->scene());
     Walker20 pupil(world, 0);
     pupil.live(1.0);
     pupil.answer_facing(bearing_deg(*world, "Trophy case") + 20.0);
@@ -271,7 +275,7 @@ TEST(Pointing, is_judged_from_where_one_was_put_for_the_question) {
     TaughtStep free;
     free.kind = StepKind::Free;
     lesson.sessions[0].steps.insert(lesson.sessions[0].steps.begin(), free);
-    const auto world = *TaughtWorld::find(lesson, school()->scene());
+    const auto world = *taught(lesson, school()->scene());
     Walker20 pupil(world, 0, HandFacts{true, true, *find_device_spec("sim-t")});
     pupil.live(1.0);
     pupil.headless().app().apply(Placed{{4.2, 8.6, 0.0}, 1.0}, pupil.headless().now_s());
@@ -309,7 +313,7 @@ TEST(Learning, that_is_done_at_once_is_stated_as_nothing_and_else_as_it_was_in_t
     learn.room = "Entrance hall";
     lesson.sessions = {{"Hall", 0, false, {}, {learn, learn}, 1}};
     lesson.pupils.clear();
-    const auto world = *TaughtWorld::find(lesson, school()->scene());
+    const auto world = *taught(lesson, school()->scene());
     Walker20 pupil(world, 0);
     LessonView elsewhere;
     elsewhere.rooms_known = true;
@@ -365,7 +369,7 @@ to = ["Stove"]
     ASSERT_TRUE(lesson) << lesson.error().sentence();
     auto scene = read_world(lesson->world);
     ASSERT_TRUE(scene) << scene.error().sentence();
-    const auto found = TaughtWorld::find(*lesson, std::make_shared<const Scene>(std::move(*scene)));
+    const auto found = taught(*lesson, std::make_shared<const Scene>(std::move(*scene)));
     ASSERT_TRUE(found) << found.error().sentence();
     const std::shared_ptr<TaughtWorld>& house = *found;
     Walker20 pupil(house, 0);
@@ -409,7 +413,7 @@ TEST(LessonTaught, leads_to_a_stop_that_hand_or_feet_are_near_from_the_start) {
     go.help_percent = {100, 0};
     lesson.sessions = {{"One", 0, false, {}, {learn, go}, 4}};
     lesson.pupils.clear();
-    const auto found = TaughtWorld::find(lesson, school()->scene());
+    const auto found = taught(lesson, school()->scene());
     ASSERT_TRUE(found) << found.error().sentence();
     const std::shared_ptr<TaughtWorld>& world = *found;
     for (const bool by_hand : {true, false}) {
@@ -453,7 +457,7 @@ TEST(WhoTeaches, hears_the_nearest_name_of_what_is_not_there) {
 TEST(WhoTeaches, blocks_a_door_on_the_way_as_the_lesson_does_and_never_the_last_way) {
     LessonFile lesson = *read_lesson(kWorlds / "school.lesson.toml", {});
     lesson.sessions[2].steps[0].block.clear();
-    const auto world = *TaughtWorld::find(lesson, school()->scene());
+    const auto world = *taught(lesson, school()->scene());
     Walker20 pupil(world, 2);
     pupil.live(1.0);
     EXPECT_EQ(carry_out_order(pupil.run(), "block Library door", pupil.headless().now_s()),
@@ -479,7 +483,7 @@ TEST(BlockedDoor, is_gone_round_by_ways_where_there_is_another_and_not_where_the
     lesson.sessions = {{"One", 0, false, {}, {go}, 4}};
     lesson.pupils.clear();
     const auto house = scene_of("house.map");
-    const auto found = TaughtWorld::find(lesson, house);
+    const auto found = taught(lesson, house);
     ASSERT_TRUE(found) << found.error().sentence();
     TaughtWorld& world = **found;
     const std::vector<TaughtPlace> hall{*world.place("Hall")};
@@ -494,7 +498,7 @@ TEST(BlockedDoor, is_gone_round_by_ways_where_there_is_another_and_not_where_the
         EXPECT_FALSE(none.reaches) << room;
     }
     lesson.sessions[0].steps[0].block = {"Front door", "Garden door"};
-    const auto shut_in = TaughtWorld::find(lesson, house);
+    const auto shut_in = taught(lesson, house);
     ASSERT_FALSE(shut_in);
     EXPECT_NE(shut_in.error().sentence().find("nobody can complete the route"), std::string::npos)
         << shut_in.error().sentence();
@@ -503,7 +507,7 @@ TEST(BlockedDoor, is_gone_round_by_ways_where_there_is_another_and_not_where_the
 TEST(LessonInItsWorld, is_refused_where_it_names_what_is_not_there) {
     const LessonFile lesson = *read_lesson(kWorlds / "school.lesson.toml", {});
     const auto refused = [&](LessonFile wrong) {
-        const auto found = TaughtWorld::find(std::move(wrong), school()->scene());
+        const auto found = taught(std::move(wrong), school()->scene());
         return found ? std::string("taken") : found.error().sentence();
     };
     LessonFile wrong = lesson;
@@ -523,8 +527,8 @@ TEST(LessonInItsWorld, is_refused_where_it_names_what_is_not_there) {
 
 TEST(LessonInItsWorld, may_ask_for_any_thing_of_it_and_for_nothing_that_is_under_the_learners_feet) {
     LessonFile lesson = *read_lesson(kWorlds / "school.lesson.toml", {});
-    lesson.sessions[0].steps[1].to = {"Lift door"};  // neither a landmark nor a stop
-    const auto world = TaughtWorld::find(lesson, school()->scene());
+    lesson.sessions[0].steps[1].to = {"Lift door"};  // which is neither a landmark nor a stop
+    const auto world = taught(lesson, school()->scene());
     ASSERT_TRUE(world) << world.error().sentence();
     ASSERT_TRUE((*world)->place("lift door"));
     EXPECT_FALSE((*world)->place("lift door")->box_m.empty());
@@ -533,13 +537,13 @@ TEST(LessonInItsWorld, may_ask_for_any_thing_of_it_and_for_nothing_that_is_under
     here.place_m = (*world)->base().stand_m;
     lesson.landmarks.push_back(here);
     lesson.sessions[0].steps[1].to = {"Trophy case", "Mat"};
-    const auto under_feet = TaughtWorld::find(lesson, school()->scene());
+    const auto under_feet = taught(lesson, school()->scene());
     ASSERT_FALSE(under_feet);
     EXPECT_NE(under_feet.error().sentence().find("The learner is standing at \"Mat\""), std::string::npos)
         << under_feet.error().sentence();
     lesson.sessions[0].steps[1].to = {"Trophy case"};
     lesson.sessions[2].steps[2].to = {"Mat", "Trophy case"};
-    EXPECT_FALSE(TaughtWorld::find(lesson, school()->scene())) << "nobody comes to it on the route";
+    EXPECT_FALSE(taught(lesson, school()->scene())) << "nobody comes to it on the route";
 }
 
 // The reader of a building adds ground around it. A base on that ground begins no session about walls.
@@ -555,14 +559,14 @@ TEST(LessonInItsWorld, has_no_percent_of_walls_outside_and_prepares_no_learning_
     learn.room = "Living room";
     learn.walls_percent = 90;
     lesson.sessions = {{"Walls", 0, false, {}, {learn}, 1}};
-    const auto inside = TaughtWorld::find(lesson, scene);
+    const auto inside = taught(lesson, scene);
     EXPECT_TRUE(inside) << inside.error().sentence();
     lesson.sessions[0].steps[0].room = "ground outside";
-    const auto outside = TaughtWorld::find(lesson, scene);
+    const auto outside = taught(lesson, scene);
     ASSERT_FALSE(outside);
     EXPECT_NE(outside.error().sentence().find("no walls of its own"), std::string::npos) << outside.error().sentence();
     lesson.sessions[0].steps[0].walls_percent = 0;
-    EXPECT_TRUE(TaughtWorld::find(lesson, scene)) << "it may be got to know without a number";
+    EXPECT_TRUE(taught(lesson, scene)) << "it may be got to know without a number";
 }
 
 }  // namespace lesson_run_test

@@ -18,7 +18,7 @@ const std::filesystem::path kSchool = test::project_root() / "worlds/maps/school
 class Instructor {
 public:
     explicit Instructor(const std::shared_ptr<const Scene>& scene)
-        : headless_(Settings{}, HandFacts{}, audio_, speech_) {
+        : headless_(Settings{}, HandFacts{}, audio_, speech_, test::with_known_rooms()) {
         headless_.app().apply(WorldEntered{make_ready(scene)}, 0.0);
         live(1.0);
     }
