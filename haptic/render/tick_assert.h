@@ -1,6 +1,6 @@
-// Assertions for the servo tick. They are checked only in the preset debug, where a broken one prints its place on
-// stderr and ends the program. Elsewhere the condition is not even computed, and the rules of the tick apply: in any
-// doubt the hand gets zero force.
+// Checks an invariant of the servo tick in the presets debug, asan and tsan: a failure prints its place on standard
+// error and ends the program. In all other builds the condition is not even computed, and if anything is wrong, the
+// hand gets zero force.
 #pragma once
 
 #include "worlds/base/contract.h"
