@@ -57,13 +57,13 @@ struct Settings {
         std::map<std::string, Override> devices;
     } workspace;
     struct Haptic {
-        // Share of the device's rated stiffness, 0 to 1; for surfaces that have no own value.
-        double stiffness_fraction = 0.8;
-        double friction_mu = 0.3;       // 0 to 2; for surfaces that have no own value
-        double damping_ns_per_m = 5.0;  // per hand speed, 0 to 20
-        double ball_diameter_mm = 4.0;  // of the proxy, as felt at scale 60, 1 to 10
-        double edge_rounding_mm = 1.5;  // of convex edges, as felt, 0 to 3; edges are sharp at scales below 30
-        bool simplify = true;           // narrow doorways feel wider, and things too small to feel are left out
+        double stiffness_fraction = 0.8;  // of the device's rating, 0 to 1; for surfaces that name none
+        double friction_mu = 0.3;         // 0 to 2
+        double damping_ns_per_m = 5.0;    // of hand speed, 0 to 20
+        double ball_diameter_mm = 4.0;    // felt, at scale 60, 1 to 10
+        double edge_rounding_mm = 1.5;    // of convex edges, felt, 0 to 3; finer than scale 30 edges are sharp
+        bool simplify = true;             // narrow doorways are felt wider and things too small to feel are left out
+        double mesh_tolerance_mm = 0.1;   // felt, 0 to 1: how far dense meshes may be off; 0: not simplified
         ForceCeiling ceiling = ForceCeiling::Normal;
         bool button_to_feel = false;       // force only while a device button is held
         std::string device = "auto";       // auto, none, or a device name

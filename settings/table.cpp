@@ -55,6 +55,8 @@ const std::array kTable{
     SettingInfo{"haptic.edge_rounding_mm", "hand_mm", kWorldToo,
                 NumberField{HANDRAIL_AT(haptic.edge_rounding_mm), 0.0, 3.0}},
     SettingInfo{"haptic.simplify", "", kWorldToo, SwitchField{HANDRAIL_AT(haptic.simplify)}},
+    SettingInfo{"haptic.mesh_tolerance_mm", "hand_mm", kWorldToo,
+                NumberField{HANDRAIL_AT(haptic.mesh_tolerance_mm), 0.0, 1.0}},
     SettingInfo{"haptic.ceiling", "", kPersonOnly,
                 ChoiceField{kCeilingWords, [](const Settings& s) { return static_cast<std::size_t>(s.haptic.ceiling); },
                             [](Settings& s, std::size_t i) { s.haptic.ceiling = static_cast<ForceCeiling>(i); }}},

@@ -418,11 +418,20 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
     CompileReport compiled;
     const Settings defaults;
     const EnteringWorld entered = make_ready(scene);
-    const double ball_m =
-        ball_radius_m(*entered.scene, defaults.haptic.ball_diameter_mm * 1e-3, defaults.workspace.scale);
-    const double rounding_m = felt_rounding_m(defaults.haptic.edge_rounding_mm, defaults.workspace.scale, ball_m);
-    const TouchModel touch = touch_model(*compile_haptic(*entered.scene, exploring(rounding_m), &compiled));
+    const double felt_scale = scale.value_or(defaults.workspace.scale);
+    const double ball_m = ball_radius_m(*entered.scene, defaults.haptic.ball_diameter_mm * 1e-3, felt_scale);
+    CompileOptions felt = exploring(felt_rounding_m(defaults.haptic.edge_rounding_mm, felt_scale, ball_m), 0,
+                                    defaults.haptic.mesh_tolerance_mm * 1e-3 * felt_scale);
+    felt.simplifies = [&](FeatureId feature, std::size_t triangles) {
+        progress.at(phrase("progress.simplify",
+                           {{"name", spoken_name(entered.scene->features[feature.value])}, {"triangles", triangles}}));
+    };
+    const TouchModel touch = touch_model(*compile_haptic(*entered.scene, felt, &compiled));
     for (std::string& sentence : compiled.mesh.sentences()) scene->report.simplified.push_back(std::move(sentence));
+    for (const CoarserMesh& mesh : compiled.coarser)
+        scene->report.simplified.push_back(
+            phrase("simplify.item", {{"name", sentence_case(spoken_name(entered.scene->features[mesh.feature.value]))},
+                                     {"what", coarser_words(mesh, felt_scale)}}));
     for (std::string& sentence : compiled.rounding.sentences()) scene->report.simplified.push_back(std::move(sentence));
     progress.at(phrase("progress.rooms"));
     std::string unreachable;

@@ -108,10 +108,19 @@ std::vector<SurfaceLabel> labels_of(const Solid& solid) {
     return labels;
 }
 
-// Triangles of one feature and material that are touched from the same side form one surface. label: replaces the
-// triangles' own labels; null: keep them.
+void add_coarser(std::vector<CoarserMesh>& all, const CoarserMesh& one) {
+    const auto known =
+        std::find_if(all.begin(), all.end(), [&](const CoarserMesh& other) { return other.feature == one.feature; });
+    if (known == all.end()) return all.push_back(one);
+    known->before += one.before;
+    known->after += one.after;
+    known->off_m = std::max(known->off_m, one.off_m);
+}
+
+// Triangles of one feature and material that are touched from the same side are one surface. label: instead of their
+// own. scale: how much larger they are in the world.
 void add_triangles_of(HapticSceneBuilder& builder, const std::vector<MeshTriangle>& triangles, TouchSide side,
-                      const SurfaceLabel* label, const MeshOptions& options, MeshReport& report) {
+                      const SurfaceLabel* label, double scale, const CompileOptions& options, CompileReport& report) {
     std::vector<SurfaceLabel> labels;
     std::map<std::pair<std::uint32_t, MaterialId>, std::uint32_t> known;
     std::vector<Vec3> corners_m;
@@ -128,20 +137,27 @@ void add_triangles_of(HapticSceneBuilder& builder, const std::vector<MeshTriangl
         surfaces.push_back(surface->second);
     }
     if (surfaces.empty()) return;
-    const PreparedMesh mesh = prepare_mesh(corners_m, surfaces, options);
+    MeshOptions how = options.mesh;
+    how.simplify_m /= scale;
+    const auto begins = [&](std::uint32_t surface, std::size_t count) {
+        if (options.simplifies) options.simplifies(labels[surface].feature, count);
+    };
+    const PreparedMesh mesh = prepare_mesh(corners_m, surfaces, how, options.stop, begins);
     std::vector<SurfaceLabel> of_triangles;
     of_triangles.reserve(mesh.surfaces.size());
     for (const std::uint32_t surface : mesh.surfaces) of_triangles.push_back(labels[surface]);
     builder.add_mesh(mesh.mesh, of_triangles, side);
     for (std::size_t i = 0; i < mesh.polygons.size(); ++i)
         builder.add_polygon(mesh.polygons[i].points_m, labels[mesh.polygon_surfaces[i]], side);
-    report += mesh.report;
+    report.mesh += mesh.report;
+    for (const CoarserSurface& one : mesh.coarser)
+        add_coarser(report.coarser, {labels[one.surface].feature, one.before, one.after, one.measured_m * scale});
 }
 
 void add_triangles(HapticSceneBuilder& builder, const std::vector<MeshTriangle>& triangles, const SurfaceLabel* label,
-                   const MeshOptions& options, MeshReport& report) {
+                   double scale, const CompileOptions& options, CompileReport& report) {
     for (const TouchSide side : {TouchSide::Both, TouchSide::Front, TouchSide::Back})
-        add_triangles_of(builder, triangles, side, label, options, report);
+        add_triangles_of(builder, triangles, side, label, scale, options, report);
 }
 
 // A round solid keeps its exact shape, under the name of its first face.
@@ -225,15 +241,27 @@ std::shared_ptr<const HapticScene> compile_model(const PlacedModel& placed, cons
         if (model.solids[i].role == SolidRole::Solid || model.solids[i].role == SolidRole::Mover)
             add_touchable(builder, model.solids[i], std::span(&label, 1), rounded.empty() ? nullptr : &rounded[i]);
     if (options.shade_meshes) builder.shade_meshes();
-    add_triangles(builder, model.triangles, &label, options.mesh, report.mesh);
+    add_triangles(builder, model.triangles, &label, placed.at.scale, options, report);
     return builder.build();
 }
 
 }  // namespace
 
-CompileOptions exploring(double edge_rounding_m, std::uint32_t world) {
+CompileOptions exploring(double edge_rounding_m, std::uint32_t world, double mesh_tolerance_m) {
     contract_pre(edge_rounding_m >= 0.0);
-    return {MaterialSource::Library, world, MeshOptions{}, true, edge_rounding_m, {}};
+    contract_pre(mesh_tolerance_m >= 0.0);
+    CompileOptions options{MaterialSource::Library, world, MeshOptions{}, true, edge_rounding_m, {}, {}};
+    options.mesh.simplify_m = mesh_tolerance_m;
+    options.mesh.simplify_from = kDenseFrom;
+    return options;
+}
+
+bool has_dense_mesh(const Scene& scene) {
+    std::vector<std::size_t> triangles(scene.features.size(), 0);
+    for (const MeshTriangle& t : scene.triangles)
+        if (t.feature.value < triangles.size() && ++triangles[t.feature.value] >= kDenseFrom) return true;
+    return std::any_of(scene.placed.begin(), scene.placed.end(),
+                       [](const PlacedModel& placed) { return placed.model->triangles.size() >= kDenseFrom; });
 }
 
 std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, MaterialSource materials) {
@@ -275,15 +303,17 @@ std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, const Comp
         }
     }
     if (options.shade_meshes) builder.shade_meshes();
-    add_triangles(builder, scene.triangles, nullptr, options.mesh, done.mesh);
+    add_triangles(builder, scene.triangles, nullptr, 1.0, options, done);
     for (const PlacedModel& placed : scene.placed) {
         if (options.stop.stop_requested()) return nullptr;
         builder.add_body(placed.feature, compile_model(placed, options, done), placed.at);
     }
+    if (options.stop.stop_requested()) return nullptr;
     add_effects(builder, scene);
     if (report) {
         report->mesh += done.mesh;
         report->rounding += done.rounding;
+        for (const CoarserMesh& one : done.coarser) add_coarser(report->coarser, one);
     }
     return builder.build(options.world);
 }

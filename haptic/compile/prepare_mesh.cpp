@@ -129,7 +129,84 @@ void tidy_triangles(TriangleMesh& mesh, std::vector<std::uint32_t>& surfaces, Me
     keep(mesh, surfaces, dropped);
 }
 
-// Removes points that no triangle uses.
+// The triangles of each surface, by their numbers.
+std::vector<std::vector<std::uint32_t>> by_surface(std::span<const std::uint32_t> surfaces) {
+    std::vector<std::vector<std::uint32_t>> triangles;
+    for (std::uint32_t t = 0; t < surfaces.size(); ++t) {
+        if (surfaces[t] >= triangles.size()) triangles.resize(surfaces[t] + std::size_t{1});
+        triangles[surfaces[t]].push_back(t);
+    }
+    return triangles;
+}
+
+// One surface of a mesh by itself. Its borders with others are fixed.
+struct SurfaceAlone {
+    TriangleMesh mesh;
+    std::vector<std::uint32_t> point_of;  // of the whole mesh
+    std::vector<bool> fixed;
+};
+SurfaceAlone surface_alone(const TriangleMesh& whole, std::span<const std::uint32_t> triangles,
+                           const std::vector<bool>& at_border) {
+    SurfaceAlone alone;
+    std::vector<std::uint32_t> place(whole.points_m.size(), kNoPoint);
+    for (const std::uint32_t t : triangles) {
+        Corners corners = whole.triangles[t];
+        for (std::uint32_t& corner : corners) {
+            if (place[corner] == kNoPoint) {
+                place[corner] = static_cast<std::uint32_t>(alone.point_of.size());
+                alone.point_of.push_back(corner);
+                alone.mesh.points_m.push_back(whole.points_m[corner]);
+                alone.fixed.push_back(at_border[corner]);
+            }
+            corner = place[corner];
+        }
+        alone.mesh.triangles.push_back(corners);
+    }
+    return alone;
+}
+
+// Makes each dense surface coarser. The triangles of the others come first, in their order.
+void simplify_surfaces(TriangleMesh& mesh, std::vector<std::uint32_t>& surfaces, const MeshOptions& options,
+                       const std::stop_token& stop, const SurfaceBegins& begins, PreparedMesh& out) {
+    MeshReport& report = out.report;
+    report.simplify_bound_m = options.simplify_m;
+    std::vector<std::uint32_t> surface_of(mesh.points_m.size(), kNoPoint);
+    std::vector<bool> at_border(mesh.points_m.size(), false);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        for (const std::uint32_t corner : mesh.triangles[t]) {
+            if (surface_of[corner] == kNoPoint) surface_of[corner] = surfaces[t];
+            else if (surface_of[corner] != surfaces[t]) at_border[corner] = true;
+        }
+    std::vector<bool> dropped(mesh.triangles.size(), false);
+    std::vector<Corners> coarser;
+    std::vector<std::uint32_t> coarser_surfaces;
+    const auto triangles_of = by_surface(surfaces);
+    for (std::uint32_t surface = 0; surface < triangles_of.size(); ++surface) {
+        const std::vector<std::uint32_t>& triangles = triangles_of[surface];
+        if (triangles.empty() || triangles.size() < options.simplify_from) continue;
+        if (stop.stop_requested()) break;
+        if (begins) begins(surface, triangles.size());
+        const SurfaceAlone alone = surface_alone(mesh, triangles, at_border);
+        const SimplifiedMesh coarse = simplify_mesh(alone.mesh, alone.fixed, options.simplify_m, stop);
+        report.simplify_spacing_m = std::max(report.simplify_spacing_m, coarse.spacing_m);
+        const std::size_t after = coarse.mesh.triangles.size();
+        if (after == triangles.size()) continue;
+        report.simplify_measured_m = std::max(report.simplify_measured_m, coarse.measured_m);
+        report.simplified += triangles.size() - after;
+        out.coarser.push_back({surface, triangles.size(), after, coarse.measured_m});
+        for (const std::uint32_t t : triangles) dropped[t] = true;
+        for (Corners corners : coarse.mesh.triangles) {
+            for (std::uint32_t& corner : corners) corner = alone.point_of[corner];
+            coarser.push_back(corners);
+            coarser_surfaces.push_back(surface);
+        }
+    }
+    keep(mesh, surfaces, dropped);
+    mesh.triangles.insert(mesh.triangles.end(), coarser.begin(), coarser.end());
+    surfaces.insert(surfaces.end(), coarser_surfaces.begin(), coarser_surfaces.end());
+}
+
+// Leaves out points that no triangle uses.
 void compact(TriangleMesh& mesh) {
     std::vector<std::uint32_t> place(mesh.points_m.size(), kNoPoint);
     std::vector<Vec3> points;
@@ -205,23 +282,16 @@ TriangleMesh weld_corners(std::span<const Vec3> corners_m, double tolerance_m, M
 }
 
 PreparedMesh prepare_mesh(std::span<const Vec3> corners_m, std::span<const std::uint32_t> surfaces,
-                          const MeshOptions& options) {
+                          const MeshOptions& options, const std::stop_token& stop, const SurfaceBegins& begins) {
     contract_pre(corners_m.size() == 3 * surfaces.size());
+    contract_pre(options.simplify_m >= 0.0);
     PreparedMesh out;
     MeshReport& report = out.report;
     report.triangles = surfaces.size();
     TriangleMesh mesh = weld_corners(corners_m, options.weld_m, report);
     std::vector<std::uint32_t> own(surfaces.begin(), surfaces.end());
     if (options.tidy) tidy_triangles(mesh, own, report);
-    if (options.simplify_m > 0.0) {
-        report.simplify_bound_m = options.simplify_m;
-        SimplifiedMesh coarse = simplify_mesh(mesh, own, options.simplify_m);
-        report.simplify_measured_m = coarse.measured_m;
-        report.simplify_spacing_m = coarse.spacing_m;
-        report.simplified = mesh.triangles.size() - coarse.mesh.triangles.size();
-        mesh = std::move(coarse.mesh);
-        own = std::move(coarse.surfaces);
-    }
+    if (options.simplify_m > 0.0) simplify_surfaces(mesh, own, options, stop, begins, out);
     if (options.merge) {
         FlatMerge flat = merge_flat(mesh, own, options.flat_m, options.keep_curves);
         report.flat_bound_m = options.flat_m;

@@ -1,11 +1,13 @@
-// Turns a triangle soup from a file into a surface for the hand. It welds equal points, drops triangles without area
-// that lie on their neighbours, merges flat patches into convex polygons and, on request, simplifies tessellated curves
-// within a stated error. It counts what it does. Pure functions, background thread; 2 to 4 us per triangle without
-// simplification.
+// A soup of triangles from a file becomes what a hand should meet: points that are one are made one, what has no area
+// and lies on its neighbours goes, flat patches become convex polygons, and on request dense surfaces become coarser
+// within a stated error. What was done is counted. Pure functions, worker thread; 2 to 4 us per triangle without
+// simplification, which costs 0.1 to 1 ms per triangle.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -24,12 +26,18 @@ struct MeshOptions {
     // digits. Above 1e-4 m, facets of tessellated curves become larger, and their edges are felt.
     double flat_m = 1e-5;
     bool keep_curves = true;  // facets that shading rounds stay triangles
-    double simplify_m = 0.0;  // largest distance between the original and the simplified mesh; 0: no simplification
+    double simplify_m = 0.0;  // largest distance between a surface as it was and a coarser one; 0: as fine as it is
+    std::size_t simplify_from = 0;  // triangles; surfaces with fewer stay as fine as they are
 };
 
-// The options of `touch`: nothing moves by more than rounding.
-inline constexpr MeshOptions kExactMesh{
-    .weld_m = 0.0, .tidy = false, .merge = true, .flat_m = 1e-9, .keep_curves = false, .simplify_m = 0.0};
+// What `touch` uses: nothing moves by more than rounding.
+inline constexpr MeshOptions kExactMesh{.weld_m = 0.0,
+                                        .tidy = false,
+                                        .merge = true,
+                                        .flat_m = 1e-9,
+                                        .keep_curves = false,
+                                        .simplify_m = 0.0,
+                                        .simplify_from = 0};
 
 struct MeshReport {
     std::size_t triangles = 0;      // number before processing
@@ -51,18 +59,29 @@ struct MeshReport {
     std::vector<std::string> sentences() const;
 };
 
+// A surface with fewer triangles than it had.
+struct CoarserSurface {
+    std::uint32_t surface = 0;
+    std::size_t before = 0, after = 0;
+    double measured_m = 0.0;  // Hausdorff distance, both ways, at samples
+};
+
 struct PreparedMesh {
     TriangleMesh mesh;                    // the triangles that remain
     std::vector<std::uint32_t> surfaces;  // for each of these triangles
     std::vector<FlatPolygon> polygons;    // `triangles` is empty in these
     std::vector<std::uint32_t> polygon_surfaces;
+    std::vector<CoarserSurface> coarser;  // in rising order of the surfaces
     MeshReport report;
 };
 
-// corners_m: three for each triangle. surfaces: one number for each triangle. Only triangles with the same number are
-// joined, and borders between different numbers do not move.
+// corners: three for each triangle. surfaces: one number for each; only what has the same is joined, and no border
+// between different ones moves. stop: soon after a request from another thread the mesh comes back less simplified.
+// begins: called before a surface is simplified, with its number and its triangles.
+using SurfaceBegins = std::function<void(std::uint32_t surface, std::size_t triangles)>;
 PreparedMesh prepare_mesh(std::span<const Vec3> corners_m, std::span<const std::uint32_t> surfaces,
-                          const MeshOptions& options);
+                          const MeshOptions& options, const std::stop_token& stop = {},
+                          const SurfaceBegins& begins = {});
 
 // Merges points that are at most tolerance_m apart into the first of them (0: only identical ones; -0 counts as 0).
 // Triangles keep their order.

@@ -11,6 +11,7 @@
 #include <OpenMesh/Tools/Decimater/ModHausdorffT.hh>
 #include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
+#include <OpenMesh/Tools/Decimater/Observer.hh>
 #pragma GCC diagnostic pop
 
 #include <algorithm>
@@ -26,11 +27,26 @@ namespace {
 struct Traits : OpenMesh::DefaultTraits {
     using Point = OpenMesh::Vec3d;
     using Normal = OpenMesh::Vec3d;
-    FaceTraits { std::uint32_t surface = 0; };
 };
 using HalfEdgeMesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
 
-SimplifiedMesh collapsed(const TriangleMesh& mesh, std::span<const std::uint32_t> surfaces, double bound_m) {
+// Ends the collapses when somebody requests it.
+class StopObserver final : public OpenMesh::Decimater::Observer {
+public:
+    explicit StopObserver(const std::stop_token& stop) : Observer(kCollapses), stop_(stop) {}
+    void notify(std::size_t /*collapses*/) override {}
+    bool abort() const override { return stop_.stop_requested(); }
+
+private:
+    static constexpr std::size_t kCollapses = 64;  // between two looks
+    const std::stop_token& stop_;
+};
+
+SimplifiedMesh collapsed(const TriangleMesh& mesh, const std::vector<bool>& fixed, double bound_m,
+                         const std::stop_token& stop) {
+    // What does not fit the library's structure is an answer here and no message. Never enabled again, since the
+    // stream is shared by all threads.
+    [[maybe_unused]] static const bool kQuiet = (omerr().disable(), true);
     HalfEdgeMesh half;
     half.request_vertex_status();
     half.request_edge_status();
@@ -41,24 +57,14 @@ SimplifiedMesh collapsed(const TriangleMesh& mesh, std::span<const std::uint32_t
     points.reserve(mesh.points_m.size());
     for (const Vec3& p : mesh.points_m) points.push_back(half.add_vertex({p.x, p.y, p.z}));
     SimplifiedMesh out;
-    std::vector<bool> locked(points.size(), false);
-    std::vector<std::uint32_t> surface_of(points.size(), 0xFFFFFFFFU);
-    omerr().disable();  // triangles that do not fit are an expected result here
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const Corners& c = mesh.triangles[t];
+    std::vector<bool> locked = fixed;
+    locked.resize(points.size(), false);
+    for (const Corners& c : mesh.triangles) {
         const bool three = c[0] != c[1] && c[1] != c[2] && c[2] != c[0];
-        const auto face = three ? half.add_face(points[c[0]], points[c[1]], points[c[2]]) : HalfEdgeMesh::FaceHandle();
-        if (face.is_valid()) half.data(face).surface = surfaces[t];
-        for (const std::uint32_t corner : c) {
-            if (!face.is_valid() || (surface_of[corner] != 0xFFFFFFFFU && surface_of[corner] != surfaces[t]))
-                locked[corner] = true;
-            surface_of[corner] = surfaces[t];
-        }
-        if (face.is_valid()) continue;
+        if (three && half.add_face(points[c[0]], points[c[1]], points[c[2]]).is_valid()) continue;
+        for (const std::uint32_t corner : c) locked[corner] = true;
         out.mesh.triangles.push_back(c);
-        out.surfaces.push_back(surfaces[t]);
     }
-    omerr().enable();
     for (std::size_t i = 0; i < points.size(); ++i)
         if (locked[i]) half.status(points[i]).set_locked(true);
     half.update_face_normals();
@@ -72,6 +78,8 @@ SimplifiedMesh collapsed(const TriangleMesh& mesh, std::span<const std::uint32_t
     decimater.module(quadric).unset_max_err();
     decimater.module(hausdorff).set_tolerance(bound_m);
     decimater.module(flipping).set_max_normal_deviation(60.0);
+    StopObserver observer(stop);
+    decimater.set_observer(&observer);
     if (decimater.initialize()) decimater.decimate();
 
     // Points keep their numbers; points that are gone are no longer used.
@@ -81,14 +89,13 @@ SimplifiedMesh collapsed(const TriangleMesh& mesh, std::span<const std::uint32_t
         std::size_t k = 0;
         for (const auto vertex : half.fv_range(face)) c[k++] = static_cast<std::uint32_t>(vertex.idx());
         out.mesh.triangles.push_back(c);
-        out.surfaces.push_back(half.data(face).surface);
     }
     return out;
 }
 
 }  // namespace
 
-double measured_distance(const TriangleMesh& a, const TriangleMesh& b, double spacing_m) {
+double measured_distance(const TriangleMesh& a, const TriangleMesh& b, double spacing_m, const std::stop_token& stop) {
     contract_pre(spacing_m > 0.0);
     constexpr double kMostSteps = 2000.0;
     std::vector<TriangleShape> shapes;
@@ -102,6 +109,7 @@ double measured_distance(const TriangleMesh& a, const TriangleMesh& b, double sp
     double farthest = 0.0;
     std::uint32_t last = 0;  // neighbouring points of a have neighbouring places in b
     for (const Corners& t : a.triangles) {
+        if (stop.stop_requested()) return farthest;
         const Vec3 p = a.points_m[t[0]], q = a.points_m[t[1]], r = a.points_m[t[2]];
         const double longest = std::max({glm::length(q - p), glm::length(r - q), glm::length(p - r)});
         const int steps = static_cast<int>(std::clamp(std::ceil(longest / spacing_m), 1.0, kMostSteps));
@@ -123,10 +131,11 @@ double measured_distance(const TriangleMesh& a, const TriangleMesh& b, double sp
     return farthest;
 }
 
-SimplifiedMesh simplify_mesh(const TriangleMesh& mesh, std::span<const std::uint32_t> surfaces, double bound_m) {
-    contract_pre(surfaces.size() == mesh.triangles.size());
+SimplifiedMesh simplify_mesh(const TriangleMesh& mesh, const std::vector<bool>& fixed, double bound_m,
+                             const std::stop_token& stop) {
+    contract_pre(fixed.empty() || fixed.size() == mesh.points_m.size());
     contract_pre(bound_m >= 0.0);
-    SimplifiedMesh as_it_was{mesh, {surfaces.begin(), surfaces.end()}, 0.0, bound_m};
+    SimplifiedMesh as_it_was{mesh, 0.0, bound_m};
     if (mesh.triangles.empty()) return as_it_was;
     constexpr int kTries = 6;
     constexpr double kMostSamples = 2e6;
@@ -137,12 +146,14 @@ SimplifiedMesh simplify_mesh(const TriangleMesh& mesh, std::span<const std::uint
     const double spacing_m = std::max(bound_m, std::sqrt(area / kMostSamples));
     double allowed = bound_m;
     for (int i = 0; i < kTries;
-         ++i, allowed *= 0.75) {  // the collapses check only corners, while faces may be up to a third farther away
-        SimplifiedMesh coarse = collapsed(mesh, surfaces, allowed);
+         ++i, allowed *= 0.75) {  // what is checked on the way are corners; faces lie up to a third farther off
+        SimplifiedMesh coarse = collapsed(mesh, fixed, allowed, stop);
+        if (stop.stop_requested()) return as_it_was;
         if (coarse.mesh.triangles.size() >= mesh.triangles.size() || coarse.mesh.triangles.empty()) return as_it_was;
         coarse.spacing_m = spacing_m;
-        coarse.measured_m = std::max(measured_distance(coarse.mesh, mesh, coarse.spacing_m),
-                                     measured_distance(mesh, coarse.mesh, coarse.spacing_m));
+        coarse.measured_m = std::max(measured_distance(coarse.mesh, mesh, coarse.spacing_m, stop),
+                                     measured_distance(mesh, coarse.mesh, coarse.spacing_m, stop));
+        if (stop.stop_requested()) return as_it_was;
         if (coarse.measured_m <= bound_m) return coarse;
     }
     return as_it_was;

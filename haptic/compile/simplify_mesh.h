@@ -5,8 +5,7 @@
 // refused).
 #pragma once
 
-#include <cstdint>
-#include <span>
+#include <stop_token>
 #include <vector>
 
 #include "worlds/geometry/triangle_mesh.h"
@@ -14,19 +13,21 @@
 namespace handrail {
 
 struct SimplifiedMesh {
-    TriangleMesh mesh;
-    std::vector<std::uint32_t> surfaces;
-    double measured_m = 0.0;  // the greater one of both directions; at most the bound
-    double spacing_m = 0.0;   // distance between samples
+    TriangleMesh mesh;        // with the points of the given one; some are not used any more
+    double measured_m = 0.0;  // the greater of both directions; at most the bound
+    double spacing_m = 0.0;   // between samples
 };
 
-// Borders between surfaces stay. So does every point of a triangle that does not fit a half-edge structure (more than
-// two at an edge, fans that only touch). If the measured distance exceeds the bound after all, it tries again with a
-// smaller one; at worst the mesh is returned unchanged.
-SimplifiedMesh simplify_mesh(const TriangleMesh& mesh, std::span<const std::uint32_t> surfaces, double bound_m);
+// fixed: points that stay, one flag for each point; empty: none. Every point of a triangle that does not fit a
+// half-edge structure (more than two at an edge, fans that only touch) stays, too. If the measured distance is above
+// the bound after all, a smaller one is tried; at worst the mesh comes back as it was. So it does soon after a stop
+// request.
+SimplifiedMesh simplify_mesh(const TriangleMesh& mesh, const std::vector<bool>& fixed, double bound_m,
+                             const std::stop_token& stop = {});
 
-// The greatest distance from a point of a to b, taken at a's corners and at samples at most spacing_m apart. The true
-// value is at most spacing_m / sqrt(3) greater.
-double measured_distance(const TriangleMesh& a, const TriangleMesh& b, double spacing_m);
+// The farthest that a point of a lies from b, taken at a's corners and at samples no farther than spacing_m apart. The
+// true value is at most spacing_m / sqrt(3) greater. After a stop request the value means nothing.
+double measured_distance(const TriangleMesh& a, const TriangleMesh& b, double spacing_m,
+                         const std::stop_token& stop = {});
 
 }  // namespace handrail

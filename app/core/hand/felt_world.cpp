@@ -1,9 +1,9 @@
 #include "app/core/hand/felt_world.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/core/context/workspace_scale.h"
-#include "haptic/compile/compile_haptic.h"
 #include "haptic/render/validate_scene.h"
 #include "worlds/base/contract.h"
 
@@ -15,7 +15,8 @@ bool FeltOrder::same_as(const FeltOrder& other) const {
     return edit == other.edit && simplify.has_value() == other.simplify.has_value() &&
            mine.world_m_per_hand_m == others.world_m_per_hand_m && mine.openings_m == others.openings_m &&
            mine.kept_m == others.kept_m && world_m_per_hand_m == other.world_m_per_hand_m &&
-           ball_diameter_hand_m == other.ball_diameter_hand_m && edge_rounding_hand_mm == other.edge_rounding_hand_mm;
+           ball_diameter_hand_m == other.ball_diameter_hand_m && edge_rounding_hand_mm == other.edge_rounding_hand_mm &&
+           mesh_tolerance_hand_mm == other.mesh_tolerance_hand_mm;
 }
 
 double felt_rounding_m(double edge_rounding_hand_mm, double world_m_per_hand_m, double ball_radius_m) {
@@ -30,12 +31,18 @@ FeltWorld make_felt(const FeltOrder& order, const FeltWorld& before, const std::
     const double radius_m =
         ball_radius_m(*order.scene, order.ball_diameter_hand_m, order.world_m_per_hand_m, felt.plan);
     felt.rounding_m = felt_rounding_m(order.edge_rounding_hand_mm, order.world_m_per_hand_m, radius_m);
-    if (felt.plan == before.plan && felt.rounding_m == before.rounding_m) return felt;
-    CompileOptions options = exploring(felt.rounding_m, order.world);
+    if (has_dense_mesh(*order.scene))
+        felt.mesh_tolerance_m = order.mesh_tolerance_hand_mm * 1e-3 * order.world_m_per_hand_m;
+    if (felt.plan == before.plan && felt.rounding_m == before.rounding_m &&
+        felt.mesh_tolerance_m == before.mesh_tolerance_m)
+        return felt;
+    CompileOptions options = exploring(felt.rounding_m, order.world, felt.mesh_tolerance_m);
     options.stop = stop;
-    felt.haptic = felt.plan.changes_nothing() ? compile_haptic(*order.scene, options)
-                                              : compile_haptic(simplified(*order.scene, felt.plan), options);
-    contract_valid(validate(*felt.haptic));
+    CompileReport report;
+    felt.haptic = felt.plan.changes_nothing() ? compile_haptic(*order.scene, options, &report)
+                                              : compile_haptic(simplified(*order.scene, felt.plan), options, &report);
+    felt.coarser = std::move(report.coarser);
+    if (felt.haptic) contract_valid(validate(*felt.haptic));
     return felt;
 }
 

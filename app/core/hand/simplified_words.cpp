@@ -22,7 +22,7 @@ bool asks_for_openings(double world_m_per_hand_m, double body_radius_m) {
     return kLeastGap_hand_m * world_m_per_hand_m > 2.0 * body_radius_m;
 }
 
-std::string simplified_sentence(const Simplification& plan) {
+std::string simplified_sentence(const Simplification& plan, std::size_t coarser) {
     std::string list;
     const auto add = [&](const char* key, std::size_t count) {
         if (count == 0) return;
@@ -32,6 +32,7 @@ std::string simplified_sentence(const Simplification& plan) {
     add("simplify.widened", plan.widened());
     add("simplify.narrow", plan.staying_narrow());
     add("simplify.left_out", plan.left_out.size());
+    add("simplify.coarser", coarser);
     return list.empty() ? list : phrase("simplify.sentence", {{"what", list}});
 }
 
@@ -42,6 +43,12 @@ std::string opening_name(const Scene& scene, const NarrowOpening& opening, const
     const Portal& portal = graph->portals[portals.portals[static_cast<std::size_t>(opening.place)]];
     return phrase("simplify.opening_between",
                   {{"one", graph->rooms[portal.rooms[0]].name}, {"other", graph->rooms[portal.rooms[1]].name}});
+}
+
+std::string coarser_words(const CoarserMesh& mesh, double world_m_per_hand_m) {
+    return phrase("simplify.is_coarser", {{"after", mesh.after},
+                                          {"before", mesh.before},
+                                          {"off", std::ceil(1e5 * mesh.off_m / world_m_per_hand_m) / 100.0}});
 }
 
 std::string opening_words(const NarrowOpening& opening) {

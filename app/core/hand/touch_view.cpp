@@ -20,7 +20,8 @@ void TouchView::enter_world(std::shared_ptr<const HapticScene> sharp, double now
     ordered_.reset();
     told_.clear();
     plan_ = {};
-    rounded_m_ = 0.0;
+    rounded_m_ = mesh_tolerance_m_ = 0.0;
+    coarser_.clear();
     haptic_ = sharp ? std::move(sharp) : compile_haptic(*world_.scene, exploring(0.0));
     retune();
     adapt();
@@ -32,6 +33,9 @@ void TouchView::change_world(double now_s) {
     felt_.give_up();
     ++edits_;
     retune();
+    // Dense meshes are felt as they are until the background task has simplified them again, which takes seconds.
+    mesh_tolerance_m_ = 0.0;
+    coarser_.clear();
     const CompileOptions options = exploring(rounded_m_, haptic_->world);
     haptic_ = plan_.changes_nothing() ? compile_haptic(*world_.scene, options)
                                       : compile_haptic(simplified(*world_.scene, plan_), options);
@@ -46,9 +50,8 @@ void TouchView::change_world(double now_s) {
 void TouchView::adapt() {
     if (!stale()) return;
     ordered_ = order();
-    felt_.begin([order = *ordered_, before = FeltWorld{nullptr, plan_, {}, rounded_m_}](const std::stop_token& stop) {
-        return make_felt(order, before, stop);
-    });
+    felt_.begin([order = *ordered_, before = FeltWorld{nullptr, plan_, {}, rounded_m_, mesh_tolerance_m_, {}}](
+                    const std::stop_token& stop) { return make_felt(order, before, stop); });
 }
 
 void TouchView::retune() {
@@ -118,6 +121,8 @@ FeltOrder TouchView::order() {
     order.ball_diameter_hand_m = context_.settings.haptic.ball_diameter_mm * 1e-3;
     // Without a hand nobody feels the edges.
     order.edge_rounding_hand_mm = hands_.right.present ? context_.settings.haptic.edge_rounding_mm : 0.0;
+    if (hands_.right.present && context_.settings.haptic.simplify)
+        order.mesh_tolerance_hand_mm = context_.settings.haptic.mesh_tolerance_mm;
     order.world = haptic_->world;
     return order;
 }
@@ -131,6 +136,8 @@ bool TouchView::take_made(double now_s) {
     if (!felt->haptic) return false;
     plan_ = std::move(felt->plan);
     rounded_m_ = felt->rounding_m;
+    mesh_tolerance_m_ = felt->mesh_tolerance_m;
+    coarser_ = std::move(felt->coarser);
     haptic_ = std::move(felt->haptic);
     retune();
     world_.things.feel_as(*world_.scene, *haptic_, plan_, now_s);
@@ -144,7 +151,7 @@ void TouchView::widen_openings(bool rooms_known) {
 }
 
 std::string TouchView::news() {
-    std::string sentence = simplified_sentence(plan_);
+    std::string sentence = simplified_sentence(plan_, coarser_.size());
     if (sentence == std::exchange(told_, sentence)) return {};
     return sentence.empty() ? phrase("simplify.nothing") : sentence;
 }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/core/context/session_part.h"
 #include "app/core/hand/felt_world.h"
@@ -45,8 +46,10 @@ public:
     void widen_openings(bool rooms_known);
 
     const std::shared_ptr<const HapticScene>& felt() const { return haptic_; }
-    const Simplification& plan() const { return plan_; }     // of the rendered scene
-    const OpenPortals& portals() const { return portals_; }  // openings in plan() are those of these portals
+    const Simplification& plan() const { return plan_; }     // of what is felt
+    const OpenPortals& portals() const { return portals_; }  // that its openings are those of
+    // The things of what is felt whose meshes are coarser than in truth.
+    const std::vector<CoarserMesh>& coarser() const { return coarser_; }
     ServoTuning left_tuning() const;
     // The sentence on simplifications if it differs from the last one announced; otherwise empty.
     std::string news();
@@ -73,6 +76,8 @@ private:
     HandsState& hands_;
     std::shared_ptr<const HapticScene> haptic_;
     double rounded_m_ = 0.0;            // edges in it
+    double mesh_tolerance_m_ = 0.0;     // of its dense meshes
+    std::vector<CoarserMesh> coarser_;  // in it
     Simplification plan_;               // by which it was made
     OpenPortals portals_;               // that the plan knew
     bool openings_awaited_ = false;     // the plan would know more if the rooms were found

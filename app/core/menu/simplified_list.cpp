@@ -11,7 +11,8 @@
 
 namespace handrail {
 
-void SimplifiedList::open(const Simplification& plan, const OpenPortals& portals, double now_s) {
+void SimplifiedList::open(const Simplification& plan, const OpenPortals& portals, std::span<const CoarserMesh> coarser,
+                          double now_s) {
     contract_pre(context_.world.scene != nullptr);
     if (!context_.hands.right.present) return context_.answer(phrase("session.no_hand"), now_s);
     if (!context_.settings.haptic.simplify) return context_.answer(phrase("simplify.off"), now_s);
@@ -33,6 +34,10 @@ void SimplifiedList::open(const Simplification& plan, const OpenPortals& portals
     for (const FeatureId id : plan.left_out) {
         const Feature& thing = scene.features[id.value];
         add(sentence_case(spoken_name(thing)), thing.bounds_m, id, phrase("simplify.is_left_out"));
+    }
+    for (const CoarserMesh& mesh : coarser) {
+        const Feature& thing = scene.features[mesh.feature.value];
+        add(sentence_case(spoken_name(thing)), thing.bounds_m, mesh.feature, coarser_words(mesh, scale(context_)));
     }
     if (goals.empty()) return context_.answer(phrase("simplify.nothing"), now_s);
     list.chosen = [this, goals](std::size_t i) { on_choose(goals[i], context_.tick_s); };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 
 #include "app/core/context/session_part.h"
 #include "app/core/hand/simplified_words.h"
@@ -14,8 +15,9 @@ class SimplifiedList : SessionPart {
 public:
     SimplifiedList(const SessionContext& context, Rooms& rooms) : SessionPart(context), rooms_(rooms) {}
 
-    // portals: the openings that were used for `plan`.
-    void open(const Simplification& plan, const OpenPortals& portals, double now_s);
+    // portals: the openings that `plan` knew.
+    void open(const Simplification& plan, const OpenPortals& portals, std::span<const CoarserMesh> coarser,
+              double now_s);
 
     // Set by the session; called if an item was chosen, to find it or go to it.
     std::function<void(const Goal& goal, double now_s)> on_choose;

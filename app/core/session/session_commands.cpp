@@ -176,7 +176,8 @@ void Session::carry_out(Command command, double now_s, int times) {
 bool Session::act_itself(Command command, double now_s) {
     switch (command) {
         case Command::Simplified:
-            simplified_list_.open(hand_.touch_view.plan(), hand_.touch_view.portals(), now_s);
+            simplified_list_.open(hand_.touch_view.plan(), hand_.touch_view.portals(), hand_.touch_view.coarser(),
+                                  now_s);
             break;
         case Command::Understood:
             open_understood(

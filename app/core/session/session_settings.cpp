@@ -44,6 +44,7 @@ constexpr std::array kConsequences{
     Consequence{"haptic.ball_diameter_mm", Follows::UnderHand},
     Consequence{"haptic.edge_rounding_mm", Follows::UnderHand},
     Consequence{"haptic.simplify", Follows::UnderHand},
+    Consequence{"haptic.mesh_tolerance_mm", Follows::UnderHand},
     Consequence{"walk.body_radius_m", Follows::UnderHand},
     Consequence{"keyboard.hand", Follows::Keys},
     Consequence{"keys.", Follows::Keys},

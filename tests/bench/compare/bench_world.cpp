@@ -97,8 +97,7 @@ BenchWorld sphere_world(int frequency, int ticks, std::uint32_t seed, double sim
     for (Vec3& p : mesh.points_m) p = motion(p);
     world.family = fmt::format("sphere of {} triangles", mesh.triangles.size());
     if (simplify_m > 0.0) {
-        SimplifiedMesh simplified =
-            simplify_mesh(mesh, std::vector<std::uint32_t>(mesh.triangles.size(), 0), simplify_m);
+        SimplifiedMesh simplified = simplify_mesh(mesh, {}, simplify_m);
         mesh = std::move(simplified.mesh);
         world.family = fmt::format("simplified {}, within {:g} mm", world.family, simplify_m * 1e3);
         world.simplify_bound_m = simplify_m;

@@ -1,5 +1,9 @@
 #include "haptic/compile/compile_haptic.h"
+
+#include <gmock/gmock.h>
+
 #include "haptic/render/touch.h"
+#include "tests/support/sphere_mesh.h"
 
 namespace handrail {
 namespace compile_haptic_test {
@@ -102,6 +106,70 @@ TEST(CompileHaptic, lays_textures_and_shading_on_what_moves_as_on_what_stands) {
     const Vec3 here = press(Vec3(0.0));
     EXPECT_LE(glm::length(press({0.25, -0.5, 0.125}) - here), 1e-6);
     EXPECT_LE(glm::length(press({0.003, 0.0041, 0.0017}) - here), 1e-6);
+}
+
+std::vector<MeshTriangle> dense_sphere(FeatureId feature) {
+    const TriangleMesh sphere = test::sphere_mesh(23, 0.5);  // 10,580 triangles
+    std::vector<MeshTriangle> triangles;
+    for (const Corners& t : sphere.triangles)
+        triangles.push_back({sphere.points_m[t[0]], sphere.points_m[t[1]], sphere.points_m[t[2]], feature, 0});
+    return triangles;
+}
+
+TEST(CompileHaptic, makes_dense_meshes_coarser_within_the_tolerance_and_says_which) {
+    Scene scene;
+    scene.materials.resize(1);
+    scene.features.resize(3);
+    scene.triangles = dense_sphere(FeatureId{1});
+    scene.triangles.push_back({{2, 0, 0}, {3, 0, 0}, {2, 1, 0}, FeatureId{0}, 0});
+    auto model = std::make_shared<Scene>();
+    model->materials.resize(1);
+    model->triangles = dense_sphere(kNoFeature);
+    PlacedModel placed;
+    placed.feature = FeatureId{2};
+    placed.at.scale = 2.0;
+    placed.model = model;
+    scene.placed.push_back(placed);
+    ASSERT_TRUE(has_dense_mesh(scene));
+    const auto obstacles = [](const HapticScene& felt) {
+        return std::pair(felt.obstacles.size(), felt.bodies[0].shape->obstacles.size());
+    };
+    EXPECT_EQ(obstacles(*compile_haptic(scene, exploring(0.0))),
+              std::pair(scene.triangles.size(), model->triangles.size()));
+    constexpr double kTolerance_m = 0.006;
+    CompileOptions options = exploring(0.0, 0, kTolerance_m);
+    std::vector<std::pair<FeatureId, std::size_t>> begun;
+    options.simplifies = [&](FeatureId feature, std::size_t triangles) { begun.emplace_back(feature, triangles); };
+    CompileReport report;
+    const auto felt = compile_haptic(scene, options, &report);
+    EXPECT_THAT(begun, testing::ElementsAre(std::pair(FeatureId{1}, std::size_t{10'580}),
+                                            std::pair(FeatureId{2}, std::size_t{10'580})));
+    ASSERT_EQ(report.coarser.size(), 2U);
+    for (const CoarserMesh& mesh : report.coarser) {
+        EXPECT_EQ(mesh.before, 10'580U);
+        EXPECT_LT(mesh.after, mesh.before / 4);
+        EXPECT_LE(mesh.off_m, kTolerance_m) << "also in the world of the larger one";
+        EXPECT_GT(mesh.off_m, 0.3 * kTolerance_m);
+    }
+    EXPECT_EQ(report.coarser[0].feature, FeatureId{1});
+    EXPECT_EQ(report.coarser[1].feature, FeatureId{2});
+    EXPECT_GT(report.coarser[1].after, report.coarser[0].after) << "the larger one may be less far off in its own size";
+    EXPECT_EQ(obstacles(*felt), std::pair(report.coarser[0].after + 1, report.coarser[1].after));
+    std::stop_source stop;
+    options.stop = stop.get_token();
+    options.simplifies = [&](FeatureId, std::size_t) { stop.request_stop(); };
+    EXPECT_EQ(compile_haptic(scene, options), nullptr);
+}
+
+TEST(CompileHaptic, counts_the_triangles_of_each_thing_before_it_calls_a_mesh_dense) {
+    Scene scene;
+    scene.features.resize(2);
+    scene.triangles = dense_sphere(FeatureId{0});
+    for (std::size_t t = 0; t < 700; ++t) scene.triangles[t].feature = FeatureId{1};
+    EXPECT_FALSE(has_dense_mesh(scene)) << "9,880 and 700";
+    scene.triangles[0].feature = FeatureId{0};
+    scene.triangles.resize(kDenseFrom + 700);
+    EXPECT_FALSE(has_dense_mesh(scene));
 }
 
 TEST(CompileHaptic, keeps_slanted_solids_as_brushes_and_names_their_faces) {

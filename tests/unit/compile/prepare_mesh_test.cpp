@@ -3,7 +3,9 @@
 // shuffled.
 #include "haptic/compile/prepare_mesh.h"
 
+#include <array>
 #include <random>
+#include <set>
 
 #include "haptic/compile/simplify_mesh.h"
 #include "haptic/render/haptic_scene.h"
@@ -337,6 +339,100 @@ TEST(PrepareMesh, makes_curves_coarser_within_the_bound_and_says_how_far_off_the
         EXPECT_LE(farthest(soup, sheets, random, 200), allowed);
         EXPECT_LE(farthest(sheets, soup, random, 200), allowed);
     }
+}
+
+// Half of a sphere; a band along its rim is another surface with fewer triangles.
+struct TwoSurfaces {
+    Soup soup;
+    std::vector<std::uint32_t> surfaces;
+    std::size_t dense = 0, few = 0;
+};
+TwoSurfaces dense_beside_few() {
+    TwoSurfaces two;
+    const TriangleMesh sphere = sphere_mesh(10, 0.5);
+    const auto add = [&](const Corners& t, std::uint32_t surface) {
+        for (const std::uint32_t corner : t) two.soup.push_back(sphere.points_m[corner]);
+        two.surfaces.push_back(surface);
+        ++(surface == 2 ? two.dense : two.few);
+    };
+    for (const Corners& t : sphere.triangles) {
+        const Vec3 middle = (sphere.points_m[t[0]] + sphere.points_m[t[1]] + sphere.points_m[t[2]]) / 3.0;
+        if (middle.z > 0.1) add(t, 2);
+        else if (middle.z > 0.0) add(t, 5);
+    }
+    return two;
+}
+
+TEST(PrepareMesh, makes_dense_surfaces_alone_coarser_and_leaves_their_borders_where_they_are) {
+    const TwoSurfaces two = dense_beside_few();
+    ASSERT_GT(two.dense, two.few);
+    MeshOptions options;
+    options.merge = false;
+    options.simplify_m = 5e-3;
+    options.simplify_from = two.few + 1;
+    std::vector<std::pair<std::uint32_t, std::size_t>> begun;
+    const PreparedMesh mesh =
+        prepare_mesh(two.soup, two.surfaces, options, {},
+                     [&](std::uint32_t surface, std::size_t n) { begun.emplace_back(surface, n); });
+    EXPECT_EQ(begun, (std::vector<std::pair<std::uint32_t, std::size_t>>{{2, two.dense}}));
+    ASSERT_EQ(mesh.coarser.size(), 1U);
+    const CoarserSurface& coarser = mesh.coarser[0];
+    EXPECT_EQ(coarser.surface, 2U);
+    EXPECT_EQ(coarser.before, two.dense);
+    EXPECT_LT(coarser.after, two.dense / 2);
+    EXPECT_EQ(mesh.report.simplified, coarser.before - coarser.after);
+    EXPECT_GT(coarser.measured_m, 0.0);
+    EXPECT_LE(coarser.measured_m, options.simplify_m);
+    EXPECT_EQ(mesh.report.simplify_measured_m, coarser.measured_m);
+    ASSERT_EQ(mesh.mesh.triangles.size(), two.few + coarser.after);
+    // The few are there as they were, and each of their corners that the dense ones touched is still a corner of both.
+    const auto corners_of = [](const std::vector<Vec3>& points, const auto& in) {
+        std::set<std::array<double, 3>> corners;
+        for (std::size_t i = 0; i < points.size(); ++i)
+            if (in(i)) corners.insert({points[i].x, points[i].y, points[i].z});
+        return corners;
+    };
+    const Soup felt = sheets_of(mesh);
+    const auto of = [&](std::uint32_t surface) {
+        return std::pair(corners_of(two.soup, [&](std::size_t i) { return two.surfaces[i / 3] == surface; }),
+                         corners_of(felt, [&](std::size_t i) { return mesh.surfaces[i / 3] == surface; }));
+    };
+    const auto [few, few_felt] = of(5);
+    const auto [dense, dense_felt] = of(2);
+    EXPECT_EQ(few, few_felt);
+    std::size_t shared = 0;
+    for (const auto& corner : few)
+        if (dense.contains(corner)) {
+            ++shared;
+            EXPECT_TRUE(dense_felt.contains(corner));
+        }
+    EXPECT_GT(shared, 20U);
+}
+
+TEST(PrepareMesh, keeps_every_triangle_of_surfaces_with_fewer_than_asked_for) {
+    const TwoSurfaces two = dense_beside_few();
+    MeshOptions options;
+    options.simplify_m = 5e-3;
+    options.simplify_from = two.dense + 1;
+    const PreparedMesh same = prepare_mesh(two.soup, two.surfaces, options),
+                       fine = prepare_mesh(two.soup, two.surfaces, {});
+    EXPECT_TRUE(same.coarser.empty());
+    EXPECT_EQ(same.report.simplified, 0U);
+    EXPECT_EQ(same.mesh.points_m, fine.mesh.points_m);
+    EXPECT_EQ(same.mesh.triangles, fine.mesh.triangles);
+    EXPECT_EQ(same.surfaces, fine.surfaces);
+}
+
+TEST(PrepareMesh, leaves_a_surface_as_it_is_when_it_is_stopped_meanwhile) {
+    const TwoSurfaces two = dense_beside_few();
+    MeshOptions options;
+    options.merge = false;
+    options.simplify_m = 5e-3;
+    std::stop_source stop;
+    const PreparedMesh mesh = prepare_mesh(two.soup, two.surfaces, options, stop.get_token(),
+                                           [&](std::uint32_t, std::size_t) { stop.request_stop(); });
+    EXPECT_EQ(mesh.mesh.triangles.size(), two.dense + two.few);
+    EXPECT_TRUE(mesh.coarser.empty());
 }
 
 TEST(MeasuredDistance, finds_the_farthest_point_of_simple_shapes) {

@@ -11,6 +11,7 @@
 #include "tests/support/random_families.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
+#include "tests/support/sphere_mesh.h"
 #include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/core/explorer.h"
@@ -115,6 +116,60 @@ TEST(Simplified, is_off_by_a_setting_at_once_and_says_so) {
     p.app().apply(SettingsChanged{settings}, p.now_s());
     p.run(0.1);
     EXPECT_FALSE(is_felt(*p.app().haptic_scene(), coats));
+}
+
+// A room with a globe of 10,580 triangles on a post.
+test::SceneBuilder room_with_globe() {
+    test::SceneBuilder b;
+    b.box({0, 0, -0.2}, {6, 6, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
+    b.box({2.9, 3.9, 0}, {3.1, 4.1, 0.5}, "post");
+    b.box({4.9, 4.9, 0}, {5.0, 5.0, 0.5}, "globe");
+    const FeatureId globe{static_cast<std::uint32_t>(b.scene().features.size() - 1)};
+    b.scene().solids.pop_back();
+    const TriangleMesh sphere = test::sphere_mesh(23, 0.5);
+    for (const Corners& t : sphere.triangles)
+        b.scene().triangles.push_back({sphere.points_m[t[0]] + Vec3(3, 4, 1), sphere.points_m[t[1]] + Vec3(3, 4, 1),
+                                       sphere.points_m[t[2]] + Vec3(3, 4, 1), globe, 0});
+    b.scene().features[globe.value].bounds_m = {{2.5, 3.5, 0.5}, {3.5, 4.5, 1.5}};
+    b.start({3, 1, 0}, 0.0);
+    return b;
+}
+
+TEST(Simplified, feels_dense_meshes_with_fewer_triangles_at_coarse_scales_and_says_how_far_off_they_are) {
+    const auto world = room_with_globe().share();
+    Explorer p(world, "sim-t");
+    const auto triangles = [&] { return p.app().haptic_scene()->mesh.triangles.size(); };
+    EXPECT_TRUE(p.heard("1 fine mesh made coarser.")) << p.all_heard();
+    const std::size_t at_room = triangles();
+    EXPECT_LT(at_room, world->triangles.size() / 4);
+    p.key("Shift+6");
+    const std::vector<ListItem> items = p.app().dialogue().view().items;
+    const auto globe =
+        std::find_if(items.begin(), items.end(), [](const ListItem& one) { return one.name == "Globe"; });
+    ASSERT_NE(globe, items.end());
+    EXPECT_THAT(globe->value, HasSubstr(fmt::format("felt with {} of 10580 triangles, at most 0.", at_room)));
+    EXPECT_THAT(globe->value, HasSubstr(" millimetres off in the hand, "));
+    p.leave_lists();
+    p.tap(Command::ScaleDetail, 5.0);
+    const std::size_t at_detail = triangles();
+    EXPECT_GT(at_detail, at_room) << "a tenth of a millimetre of the hand is less of the world";
+    EXPECT_LE(at_detail, world->triangles.size());
+    std::size_t from = p.lines();
+    p.tap(Command::ScaleRoom, 5.0);
+    EXPECT_EQ(triangles(), at_room);
+    ASSERT_TRUE(p.app().apply(SettingSet{"haptic.mesh_tolerance_mm", "0"}, p.now_s()));
+    p.run(0.3);
+    EXPECT_EQ(triangles(), world->triangles.size());
+    EXPECT_TRUE(p.heard("Nothing is simplified.", from)) << p.all_heard(from);
+    ASSERT_TRUE(p.app().apply(SettingSet{"haptic.mesh_tolerance_mm", "0.1"}, p.now_s()));
+    p.run(0.3);
+    EXPECT_EQ(triangles(), at_room);
+    ASSERT_TRUE(p.app().apply(SettingSet{"haptic.simplify", "false"}, p.now_s()));
+    p.run(0.3);
+    EXPECT_EQ(triangles(), world->triangles.size()) << "one switch for all that is simplified";
+    EXPECT_EQ(p.app().scene()->triangles.size(), world->triangles.size()) << "the true scene stays";
+    EXPECT_EQ(Explorer(world, nullptr).app().haptic_scene()->mesh.triangles.size(), world->triangles.size())
+        << "nobody waits for it without a hand";
 }
 
 TEST(Simplified, needs_a_hand_and_keeps_what_bears_a_mark) {

@@ -7,6 +7,7 @@
 #include "tests/support/office_ifc.h"
 #include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
+#include "tests/support/sphere_mesh.h"
 #include "tests/support/temporary_folder.h"
 
 namespace handrail {
@@ -43,6 +44,21 @@ TEST(InfoCommand, tells_which_forces_hang_in_space) {
         testing::HasSubstr(
             "Forces in open space: magnet 4, detent 1, button 1, fly-paper 1, inertia 1, force 3, vibration 1."));
     EXPECT_EQ(nlohmann::json::parse(info(world, true).out)["effects"], 12);
+}
+
+TEST(InfoCommand, says_which_dense_meshes_are_felt_coarser_and_how_far_off_they_are) {
+    const test::TemporaryFolder folder;
+    std::string obj = "o globe\n";
+    const TriangleMesh sphere = test::sphere_mesh(23, 0.5);
+    for (const Vec3& p : sphere.points_m) obj += fmt::format("v {} {} {}\n", p.x, p.y, p.z);
+    for (const Corners& t : sphere.triangles) obj += fmt::format("f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1);
+    const std::filesystem::path world = folder.write("globe.obj", obj);
+    const nlohmann::json json = nlohmann::json::parse(info(world, true).out);
+    EXPECT_LT(json["touch_model"]["triangles"], 10'580 / 4);
+    EXPECT_THAT(
+        json["simplified"].dump(),
+        testing::ContainsRegex("Globe: felt with [0-9]+ of 10580 triangles, at most 0[.][0-9]+ millimetres off"));
+    EXPECT_THAT(info(world, false).out, testing::HasSubstr("removed by making the mesh coarser"));
 }
 
 TEST(InfoCommand, prints_every_key_as_one_json_object) {
