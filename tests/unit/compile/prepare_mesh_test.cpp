@@ -368,7 +368,7 @@ TEST(PrepareMesh, makes_dense_surfaces_alone_coarser_and_leaves_their_borders_wh
     ASSERT_GT(two.dense, two.few);
     MeshOptions options;
     options.merge = false;
-    options.simplify_m = 5e-3;
+    options.simplify_m = 1e-2;
     options.simplify_from = two.few + 1;
     std::vector<std::pair<std::uint32_t, std::size_t>> begun;
     const PreparedMesh mesh =

@@ -1,5 +1,6 @@
-// Bodies that are free to move, in a session. A walker pushes them; keys take, move, lift, turn and drop them; and they
-// stop where they meet the hand, the walker or the walls of the world.
+// Things that are free to move, in a session: who walks pushes them, keys take, move, lift, turn and drop them, and
+// they end where the hand, the body and the ways of the world meet them.
+#include <algorithm>
 #include <random>
 
 #include "tests/support/map_text.h"
@@ -58,7 +59,7 @@ TEST(FreeBodies, a_light_crate_goes_along_with_who_walks_into_it_and_is_never_in
     EXPECT_GT(walk.app.feet_m().y, 5.0) << "farther than where it stood";
     EXPECT_GT(walk.at("Crate").y, walk.app.feet_m().y + 0.25 + 0.25 - 0.01);
     EXPECT_NEAR(walk.at("Crate").z, 0.25, 2e-3);
-    EXPECT_TRUE(walk.heard("Crate moves with you."));
+    EXPECT_EQ(std::count(walk.said.begin(), walk.said.end(), "Crate moves with you."), 1) << "when it begins";
     EXPECT_TRUE(walk.bumped.empty()) << "what gives way is no bump";
 }
 
@@ -87,6 +88,35 @@ TEST(FreeBodies, what_is_pushed_against_a_wall_is_in_the_way) {
     EXPECT_NEAR(walk.app.feet_m().y, 20.0 - 0.5 - 0.25, 0.02);
     EXPECT_TRUE(walk.stands_free());
     EXPECT_FALSE(walk.bumped.empty());
+}
+
+TEST(FreeBodies, what_overlaps_the_body_stops_it_with_a_bump_and_lets_it_leave) {
+    Walk walk(hall(box("Safe", 400.0, 5.0, 4.0)));
+    walk.app.apply(Placed{{5.0, 3.52, 0.0}, 0.0}, walk.now);
+    walk.walk(1.0);
+    EXPECT_LT(walk.app.feet_m().y, 3.53) << "not farther in";
+    EXPECT_NEAR(walk.at("Safe").y, 4.0, 0.03);
+    EXPECT_EQ(walk.bumped, std::vector<FeatureId>{walk.app.world().scene->bodies[0].feature}) << "once";
+    walk.hold(Command::Back, 1.0);
+    EXPECT_LT(walk.app.feet_m().y, 3.2);
+}
+
+TEST(FreeBodies, a_crate_behind_a_door_is_pushed_aside_by_its_leaf) {
+    const std::string wall = entity("func_wall", key("name", "cross wall"),
+                                    box_brush(0, 96, 0, 144, 104, 128) + box_brush(176, 96, 0, 320, 104, 128) +
+                                        box_brush(144, 96, 72, 176, 104, 128));
+    const std::string door = entity("func_door", key("name", "Oak door") + key("hinge", "west") + key("opens", "north"),
+                                    box_brush(144, 98, 0, 176, 102, 72));
+    Walk walk(hall(wall + door + box("Crate", 4.0, 5.3, 3.6)));
+    walk.run(1.0);
+    ASSERT_NEAR(walk.at("Crate").y, 3.6, 1e-3);
+    walk.app.apply(Placed{{5.0, 2.4, 0.0}, 0.0}, walk.now);
+    walk.tap(Command::Use, 4.0);
+    ASSERT_TRUE(walk.heard("Oak door opens"));
+    EXPECT_GT(walk.at("Crate").y, 3.7);
+    const Vec3 there = walk.at("Crate");
+    walk.run(2.0);
+    EXPECT_LT(glm::length(walk.at("Crate") - there), 0.01) << "and rests there";
 }
 
 TEST(FreeBodies, keys_take_move_lift_and_drop_a_crate) {

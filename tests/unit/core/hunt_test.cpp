@@ -61,8 +61,37 @@ TEST(Hunt, hides_where_one_can_walk_far_enough_away_and_leads_there) {
     EXPECT_FALSE(finds(world, {5.8, 1, 0}, {6.5, 1, 0})) << "through a wall nothing is found";
 }
 
-// Where the clock is heard through open air, the player follows the sound. Where walls or doors muffle it, the player
-// requests a hint and obeys it.
+TEST(Hunt, hides_as_far_away_as_it_can_where_nothing_is_far_enough) {
+    const auto scene = rooms();
+    const BodyWorld world(scene);
+    const HuntGround ground(world, {1, 1, 0}, body_size(*scene, 0.25));
+    const Vec3 clock = ground.hiding_place(3, 1000.0);
+    ASSERT_TRUE(ground.way_m(clock));
+    for (std::uint64_t number = 0; number < 40; ++number)
+        EXPECT_LE(*ground.way_m(ground.hiding_place(number, 0.0)), *ground.way_m(clock));
+}
+
+// A floor of 4 by 4 m at this height, with a plinth as high as stated in its middle.
+std::size_t places_around_a_plinth(double floor_m, double plinth_m) {
+    SceneBuilder b;
+    b.box({0, 0, floor_m - 0.2}, {4, 4, floor_m}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
+    b.box({1.5, 1.5, floor_m}, {2.5, 2.5, floor_m + plinth_m}, "plinth");
+    b.start({0.5, 0.5, floor_m}, 0.0);
+    const auto scene = b.share();
+    const BodyWorld world(scene);
+    return HuntGround(world, {0.5, 0.5, floor_m}, body_size(*scene, 0.25)).size();
+}
+
+TEST(Hunt, knows_each_place_once_and_none_that_nobody_can_step_up_to) {
+    const std::size_t around = places_around_a_plinth(0.0, 2.0);
+    EXPECT_GT(around, 100U);
+    EXPECT_EQ(places_around_a_plinth(0.0, 0.4), around) << "too high for a step";
+    EXPECT_GT(places_around_a_plinth(0.0, 0.2), around) << "a step";
+    EXPECT_EQ(places_around_a_plinth(0.25, 2.0), around) << "on a border between two heights of its table";
+    EXPECT_EQ(places_around_a_plinth(-0.25, 2.0), around);
+}
+
+// Where the clock is heard through open air, ears lead; where walls or doors muffle it, a hint is asked for and obeyed.
 TEST(Hunt, is_won_in_the_house_by_a_newcomer_with_keys_and_ears_and_the_best_time_is_kept) {
     auto scene = read_world(test::project_root() / "worlds" / "maps" / "house.map");
     ASSERT_TRUE(scene);
