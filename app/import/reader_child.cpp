@@ -144,7 +144,7 @@ int answer_with_toml() {
 int reader_process(int argc, char** argv) {
     if (argc != kReaderWords) return kWrongUse;
     const auto parent = number<pid_t>(argv[3]);
-    // The parent may have ended before the kernel was told to end this process with it.
+    // The parent may have ended before the kernel knew that it must end this process with it.
     if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || ::getppid() != parent) return kWrongUse;
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, kMostHandedOver_bytes);

@@ -1,4 +1,4 @@
-// A learner: a person under a chosen name, and what that person has agreed to. Kept in learner.toml in the learner's
+// A learner: a person under a chosen name, and what the person has agreed to. Kept in learner.toml in the learner's
 // own folder; unknown keys stay in it. Plain values and pure functions; any thread.
 #pragma once
 

@@ -70,7 +70,7 @@ std::string part_words() {
     return words;
 }
 
-// The whole grammar. It lives as long as one parse, which fills in the arguments of the commands.
+// The whole grammar. It lives during one parse, which fills in the arguments of the commands.
 struct Grammar {
     CLI::App app{phrase("help.program")};
     ExploreCall explore;

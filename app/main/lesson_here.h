@@ -60,8 +60,8 @@ private:
 // Reads the lessons that will be offered in a world, so that toml_beside_worlds already has them when the app thread
 // asks.
 void read_lessons_ahead(const std::filesystem::path& world, const std::stop_token& stop);
-// Finds the lesson that a command names: a file, or a name such as "school". Names are those of the person's own
-// lessons and of those that come with the program. Fails with a list of what exists.
+// Finds the lesson that a command names: a file, or a name such as "school". A name is that of one of the person's own
+// lessons or of a lesson that comes with the program. Fails with a list of what exists.
 Result<std::filesystem::path> lesson_given(const std::filesystem::path& word);
 // A lesson in its world, both read. Fails with file and line. rooms_kept: as of TaughtWorld::find.
 Result<std::shared_ptr<TaughtWorld>> read_taught_world(const std::filesystem::path& file,

@@ -24,9 +24,9 @@ struct TaughtPlace {
 
 class TaughtWorld {
 public:
-    // Fails with file and line where a thing, room or door is not in the world (the nearest name is told), nobody can
-    // walk a route, or a block leaves no way. checksum: of the world's file now; empty: unknown. rooms_kept: of the
-    // sessions that will enter the same scene; null: the rooms are found for the lesson alone.
+    // Fails with file and line where a thing, room or door is not in the world (the message gives the nearest name),
+    // nobody can walk a route, or a block leaves no way. checksum: of the world's file now; empty: unknown. rooms_kept:
+    // of the sessions that will enter the same scene; null: the rooms are found for the lesson alone.
     static Result<std::shared_ptr<TaughtWorld>> find(LessonFile lesson, const std::shared_ptr<const Scene>& scene,
                                                      const std::string& checksum = {}, RoomsKept* rooms_kept = nullptr);
 

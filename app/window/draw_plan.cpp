@@ -154,7 +154,7 @@ void PlanDrawing::draw(const ViewState& view, ImFont& font, PixelSize picture) {
     const PlanLayout layout = lay_out_plan(view.scene->bounds_m, view.feet_m, view.heading_rad, view.north_up, box);
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     list.PushClipRect({0.0F, 0.0F}, im(box.max_px));
-    // A step up or down cuts the plan anew; the small height changes of walking on a slope do not.
+    // A step up or down cuts the plan again; the small height changes of walking on a slope do not.
     if (!cut_ || std::abs(cut_->feet_height_m - view.feet_m.z) > 0.1) cut(view);
     for (const PlanShape& shape : cut_->shapes) draw_shape(list, layout, shape);
     const auto where_free = [&](std::size_t thing) -> std::optional<Placement> {

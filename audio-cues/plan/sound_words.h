@@ -18,7 +18,7 @@ public:
 
     // Returns the text for a sound that starts, or for a loop that sounds or changes; empty: nothing new.
     std::string tell(const SoundCue& cue, const Listener& ears, double now_s);
-    // The loop has ended, so it is reported anew when it comes again.
+    // The loop has ended, so it is reported again when it comes again.
     void forget(SoundKind kind, std::uint32_t source) { told_.erase({kind, source}); }
 
 private:

@@ -19,7 +19,7 @@ public:
 
     // Starts at this time: nothing is due from before it.
     void begin_at(double now_s) { rendered_until_s_ = now_s; }
-    // Call it after the device was opened anew.
+    // Call it after the device was opened again.
     void restart(double now_s);
     // Renders and discards the samples for the time that has passed. Less than a whole block waits for the next call.
     void discard_elapsed(double now_s);

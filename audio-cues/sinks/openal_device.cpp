@@ -127,7 +127,7 @@ bool OpenALDevice::connected() const {
     return answer == ALC_TRUE;
 }
 
-// Looks for a device without closing the loopback device, which would have to be set up anew.
+// Looks for a device without closing the loopback device, which would have to be set up again.
 bool OpenALDevice::playback_is_there() const {
     ALCdevice* found = alcOpenDevice(wanted_.empty() ? nullptr : wanted_.c_str());
     if (found != nullptr) alcCloseDevice(found);

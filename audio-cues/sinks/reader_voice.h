@@ -63,7 +63,7 @@ public:
     double patience_s() const override { return kPatience_s; }
 
     void say(const Utterance& utterance) override;
-    // Withdraws what has not been read yet. Reading itself is stopped by the key with which the person asked for
+    // Withdraws what has not been read yet. Reading itself is stopped by the key with which the person requests
     // silence, because the reader receives every key first.
     void stop() override;
     bool speaking() const override { return now_s_ < speaks_until_s_; }

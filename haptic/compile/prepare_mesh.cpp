@@ -139,7 +139,7 @@ std::vector<std::vector<std::uint32_t>> by_surface(std::span<const std::uint32_t
     return triangles;
 }
 
-// One surface of a mesh by itself. Its borders with others are fixed.
+// One surface of a mesh alone. Its borders with others are fixed.
 struct SurfaceAlone {
     TriangleMesh mesh;
     std::vector<std::uint32_t> point_of;  // of the whole mesh

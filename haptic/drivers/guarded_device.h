@@ -65,7 +65,7 @@ public:
     static constexpr double kEndS = 1.0;
     static constexpr double kZeroS = 3.0;
     // Most second guards that are started one after the other for failed ones. After one lives for kProvenLooks looks,
-    // the count starts anew.
+    // the count starts again.
     static constexpr int kMostReliefs = 3;
     static constexpr int kProvenLooks = 1000;
 

@@ -78,7 +78,7 @@ public:
     Vec3 rim_force_n() const noexcept;
     // Greatest force that the hand may feel now; infinity if nothing moves and nothing has moved lately.
     double ceiling_n() const noexcept;
-    // Releases whatever was held and starts anew at the same place; the shift stays.
+    // Releases whatever was held and starts again at the same place; the shift stays.
     void let_go() noexcept;
     // The workspace was placed somewhere else, so the shift is dropped.
     void recentre() noexcept {

@@ -1,7 +1,7 @@
 // Measures what a first and a second start with a world cost, step by step, in seconds of processor time:
 //   build/release/bin/start_costs WORLD...
 // A second start takes the scene, the walkable area and the rooms from the cache. The haptic scene and the mesh are
-// built anew each time. A background task writes the cache when everything is ready.
+// built again each time. A background task writes the cache when everything is ready.
 #include <fmt/format.h>
 
 #include <cstdio>

@@ -195,7 +195,7 @@ TEST_F(TaughtByTheProgram, goes_on_with_the_next_session_and_keeps_results_of_wh
     ASSERT_TRUE(second.hears("From the main door to the library: session 2 of 3 is next.")) << second.all();
     EXPECT_EQ(second.leave(), 0);
 
-    // A learner who is no longer remembered begins anew, and what was kept is gone.
+    // A learner who is no longer remembered begins again, and what was kept is gone.
     EXPECT_EQ(run({"learner", "consent", "Oak Owl", "--withdraw", "remember"}).exit_status, 0);
     Pupil third(*this, "third", words);
     ASSERT_TRUE(third.hears("Walls, 2 tasks.")) << third.all();

@@ -10,7 +10,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kJamb_m = 0.06;       // how far beside a leaf its wall or frame must be
+constexpr double kJamb_m = 0.06;       // how far from the side of a leaf its wall or frame must be
 constexpr double kBesideDoor_m = 1.0;  // distance on both sides of the door within which floors count
 constexpr double kTallest_m = 4.0;     // greatest height of a door, if no floors are known
 constexpr double kInFront_m = 0.5;     // things nearer than this may block the door

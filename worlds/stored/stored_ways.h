@@ -26,8 +26,8 @@ struct FoundWays {
 // Returns the compressed bytes for the cache; equal values give equal bytes. Empty if stopped, or if the space must not
 // be kept (over 255 floors in one column). Takes about a tenth of the time of the search.
 std::string stored_ways(const WalkSpace& space, const RoomGraph& graph, const std::stop_token& stop = {});
-// Uncompresses the result of stored_ways, checks it with validate() and writes it anew; empty if the bytes are damaged.
-// handrail-reader does this, so that the program itself never decompresses cached bytes.
+// Uncompresses the result of stored_ways, checks it with validate() and writes it again; empty if the bytes are
+// damaged. handrail-reader does this, so that the program itself never decompresses cached bytes.
 std::string unpacked_ways(std::string_view packed);
 // Reads the result of unpacked_ways, for the scene and body of its key; empty if it does not fit them. Names are in the
 // spoken language.

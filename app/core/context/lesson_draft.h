@@ -19,7 +19,7 @@ struct LessonDraft {
     std::string title;
     Vec3 base_feet_m{0.0};
     double base_heading_rad = 0.0;
-    std::string base_room;  // as it is spoken; empty: none, or outdoors, where there are no walls to learn
+    std::string base_room;  // as it is spoken; empty: none, or outdoors, which has no walls to learn
     std::vector<Place> landmarks;
     std::vector<Place> stops;  // of the route, in order
     // Landmarks that the learner must locate from the base: all except those at its feet.

@@ -38,7 +38,7 @@ struct FeltWorld {
 // Never more than the proxy's radius; round_edges.h explains why, under inner corners.
 double felt_rounding_m(double edge_rounding_hand_mm, double world_m_per_hand_m, double ball_radius_m);
 
-// Nothing is made anew if plan, rounding and tolerance turn out to be those of `before`. `stop`: the result counts for
+// Nothing is made again if plan, rounding and tolerance turn out to be those of `before`. `stop`: the result counts for
 // nothing.
 FeltWorld make_felt(const FeltOrder& order, const FeltWorld& before, const std::stop_token& stop);
 

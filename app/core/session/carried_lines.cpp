@@ -75,7 +75,7 @@ bool CarriedLines::take(double now_s) {
 }
 
 // Chooses in the list that the last command opened. What it does not contain may be in the other list, of rooms or of
-// things. If neither contains it, the list is closed, because nobody asked for it.
+// things. If neither contains it, the list is closed, because nobody requested it.
 void CarriedLines::choose(const std::string& choice, double now_s) {
     const bool holds = app_.dialogue().holds(choice);
     const auto other = other_list(repeat_command_);

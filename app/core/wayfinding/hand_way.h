@@ -21,8 +21,8 @@ bool ball_passes(const BodyWorld& world, const Vec3& from_m, const Vec3& to_m, F
 // its faces.
 Vec3 place_on(const Aabb& thing_m, const Vec3& from_m);
 
-// The shortest route to a place beside the thing from which a hand can reach it freely. If there is no such place, to
-// any place beside it. Without points: there is no floor at `from_m`.
+// The shortest route to a place next to the thing from which a hand can reach it freely. If there is no such place, to
+// any place next to it. Without points: there is no floor at `from_m`.
 Route walk_to_thing(Navigation& navigation, const BodyWorld& world, const Vec3& from_m, const Aabb& thing_m,
                     FeatureId thing);
 

@@ -52,7 +52,7 @@ void Seek::start_warmer(const Goal& goal) {
     doors_.forget_told();
 }
 
-// Plans from the present place. A later plan uses the same place beside the thing, which saves searching for one.
+// Plans from the present place. A later plan uses the same place next to the thing, which saves searching for one.
 void Seek::plan(AlongWay& along, const Sought& sought, bool hand, double now_s) {
     SoughtWay& way = along.way;
     along.planned_in = context_.world.scene;

@@ -18,7 +18,8 @@ public:
     void enter_world();
     // Handles the three questions. Returns false for other commands.
     bool act(Command command, double now_s);
-    // Call it with every command that was carried out: a place where the person was told the location is a known place.
+    // Call it with every command that was carried out: a place where the location was announced to the person is a
+    // known place.
     void note(Command command);
     // Call it once a tick, after the rooms: a doorway that the person passes is a known place.
     void tick();

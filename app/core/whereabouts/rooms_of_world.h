@@ -21,7 +21,7 @@ class RoomsKept;
 
 class RoomsOfWorld {
 public:
-    // keeper: takes what was kept for this scene and body, and keeps what was found anew, after ready(). Without one
+    // keeper: takes what was kept for this scene and body, and keeps what was found again, after ready(). Without one
     // `shared` does so, unless it is null. arrivals: decide when ready() is true; null: as soon as it is done.
     RoomsOfWorld(std::shared_ptr<const Scene> scene, const WalkBody& body, const Executor& executor,
                  WaysKeeper keeper = {}, RoomsKept* shared = nullptr, Arrivals* arrivals = nullptr);

@@ -69,7 +69,7 @@ struct BenchReport {
     std::vector<WorstTicks> worst;
     std::vector<BodiesMeasured> bodies;
     std::optional<ServoMeasured> servo;
-    std::vector<std::string> left_out;  // sentences: what was asked for and could not be run
+    std::vector<std::string> left_out;  // sentences: what was requested and could not be run
     double took_s = 0.0;
 };
 

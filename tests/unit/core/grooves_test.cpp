@@ -46,7 +46,7 @@ TEST(Grooves, are_off_unless_wished_for_and_then_hold_a_hand_in_a_doorway) {
         settings.guidance.grooves = wished;
         settings.workspace.rim = false;
         Explorer p(test::our_world("house.map"), "sim-t", settings);
-        // In the hall, in front of the living room's door: puts the proxy on the floor, 15 cm beside the middle of the
+        // In the hall, in front of the living room's door: puts the proxy on the floor, 15 cm from the middle of the
         // doorway.
         const auto portal = [&] {
             const auto& features = p.app().scene()->features;

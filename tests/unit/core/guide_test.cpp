@@ -430,7 +430,7 @@ TEST(WarmerTest, tells_by_its_pitch_how_directly_one_came_nearer_or_went_away) {
 }
 
 // An L of two legs. A walker who goes around its corner hears the walking distance, and nothing jumps if the route is
-// planned anew.
+// planned again.
 TEST(SoughtWayTest, measures_the_walk_calls_from_the_turning_and_stays_continuous_where_it_is_planned_anew) {
     SoughtWay way;
     const auto follow = [&](const Vec3& at_m) { way.follow(at_m, kHeightCountsForWalkers, {}); };
@@ -452,7 +452,7 @@ TEST(SoughtWayTest, measures_the_walk_calls_from_the_turning_and_stays_continuou
     follow({0, 9.7, 0});
     EXPECT_EQ(way.next_turning_m(), Vec3(10, 10, 0)) << "at the turning the next is called from";
     // Away from the route: the distance grows little at first, then by as much as the walker is off; then the route
-    // must be planned anew.
+    // must be planned again.
     follow({3, 10.3, 0});
     EXPECT_NEAR(way.left_m(), 7.5 + SoughtWay::kSlope * 0.3 * 0.3 / 1.2, 1e-9);
     way.follow({3, 11.5, 0}, kHeightCountsForWalkers, [](const Vec3&) { return false; });
@@ -472,7 +472,7 @@ TEST(SoughtWayTest, measures_the_walk_calls_from_the_turning_and_stays_continuou
     }
     follow(at);
     EXPECT_NEAR(way.told_m(), before_m, 1e-9) << "who rests hears no change";
-    // If the route is visible from afar, the walker can return to it; if it is hidden, it must be planned anew.
+    // If the route is visible from afar, the walker can return to it; if it is hidden, it must be planned again.
     for (const bool seen : {true, false}) {
         way.follow(Vec3(5, 14, 0), kHeightCountsForWalkers, [&](const Vec3&) { return seen; });
         EXPECT_EQ(way.wants_plan(false, 8.0), !seen);

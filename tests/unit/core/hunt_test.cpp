@@ -91,7 +91,8 @@ TEST(Hunt, knows_each_place_once_and_none_that_nobody_can_step_up_to) {
     EXPECT_EQ(places_around_a_plinth(-0.25, 2.0), around);
 }
 
-// Where the clock is heard through open air, ears lead; where walls or doors muffle it, a hint is asked for and obeyed.
+// Where the clock is heard through open air, ears lead; where walls or doors muffle it, the person requests a hint and
+// follows it.
 TEST(Hunt, is_won_in_the_house_by_a_newcomer_with_keys_and_ears_and_the_best_time_is_kept) {
     auto scene = read_world(test::project_root() / "worlds" / "maps" / "house.map");
     ASSERT_TRUE(scene);

@@ -266,7 +266,7 @@ TEST(Labyrinth, safe_of_the_third_level_bars_the_shorter_way) {
     EXPECT_TRUE(player.heard("Safe. Heavy, 400 kilograms.")) << player.news();
     const Vec3 after = player.app.thing_at("Safe").value_or(Placement{}).position_m;
     EXPECT_LT(glm::length(after - before), 1e-3);
-    // The safe is between the two walls, and the gap beside it is too narrow for a ball of 10 cm.
+    // The safe is between the two walls, and the gap next to it is too narrow for a ball of 10 cm.
     EXPECT_GT(after.y, 1.75);
     EXPECT_LT(after.y, 2.45);
 }

@@ -1,6 +1,6 @@
-// A simulated person who has never been there and sees nothing. It presses keys by their names, and knows only what it
-// was told and heard, in that order. It never looks into the scene or at the walker's position. From sounds it learns
-// what ears would: which sound, from which side, how muffled.
+// A simulated person who has never been there and sees nothing. It presses keys by their names, and knows only what was
+// announced to it and what it heard, in that order. It never looks into the scene or at the walker's position. From
+// sounds it learns what ears would: which sound, from which side, how muffled.
 #pragma once
 
 #include <filesystem>

@@ -37,7 +37,7 @@ TEST(HandBodies, never_allocate_or_free_in_a_tick) {
         held += hand.bodies().holds() != kNoBody;
         contacts += hand.touch.contacts.count;
         hand.send_to(engine);
-        // Invalidates all earlier contacts, so the hand's side starts anew within a tick.
+        // Invalidates all earlier contacts, so the hand's side starts again within a tick.
         if (i == 2500) engine.restart();
         while (engine.time_s() + Dynamics::kStep_s <= now_s + 1e-3) engine.step(frame, events);
         events.clear();

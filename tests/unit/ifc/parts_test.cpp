@@ -134,7 +134,7 @@ TEST(PartsOfIfc, are_cut_through_by_windows_that_end_at_their_faces) {
     EXPECT_FALSE(in_a_solid(hut.scene(), {1.5, 0.002, 1.5}));
 }
 
-// A wall that is already cut and also has a matching opening, and one whose opening is beside it.
+// A wall that is already cut and also has a matching opening, and one whose opening is next to it.
 TEST(PartsOfIfc, that_come_already_cut_need_no_cut) {
     for (const bool beside : {false, true}) {
         Hut hut;

@@ -105,7 +105,7 @@ TEST(StoreyPlan, closes_windows_and_leaves_doors_open) {
 
 TEST(StoreyPlan, takes_a_front_of_glass_without_walls_beside_it_as_closed) {
     TwoRooms world;
-    // Glass in the middle of the western room without walls beside it, a banister, which is not glass, and a rail that
+    // Glass in the middle of the western room without walls next to it, a banister, which is not glass, and a rail that
     // is too low.
     world.build.box({4.0, 0.5, 0.0}, {4.05, 1.5, 2.2}, "pane", SolidRole::Solid, "glass");
     world.build.box({5.0, 2.5, 0.0}, {5.05, 3.5, 2.2}, "banister");
