@@ -13,6 +13,8 @@
 #include "tests/support/project_files.h"
 #include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/unit/docs/plain_english.h"
+#include "tests/unit/docs/spelling.h"
 
 namespace handrail {
 namespace prose_test {
@@ -23,15 +25,6 @@ const fs::path kHere = kRoot / "tests" / "unit" / "docs";
 
 constexpr std::size_t kMostWords = 35, kMostColumns = 100;
 constexpr double kMostWordsOnAverage = 20.0;
-
-// The lines of a file in this folder, without comments.
-std::vector<std::string> listed_in(const char* file) {
-    std::istringstream lines(test::content_of(kHere / file));
-    std::vector<std::string> listed;
-    for (std::string line; std::getline(lines, line);)
-        if (!line.empty() && !line.starts_with('#')) listed.push_back(line);
-    return listed;
-}
 
 bool is_german(const std::string& page) { return page.starts_with("docs/de/"); }
 
@@ -133,11 +126,11 @@ std::string place_of(const std::string& page, const Block& block) {
 }
 
 TEST(Prose, lists_pages_that_exist) {
-    for (const std::string& page : listed_in("plain_pages.txt")) EXPECT_TRUE(fs::exists(kRoot / page)) << page;
+    for (const std::string& page : test::listed_in("plain_pages.txt")) EXPECT_TRUE(fs::exists(kRoot / page)) << page;
 }
 
 TEST(Prose, has_sentences_of_20_words_on_average_and_35_at_most) {
-    for (const std::string& page : listed_in("plain_pages.txt")) {
+    for (const std::string& page : test::listed_in("plain_pages.txt")) {
         std::size_t words = 0, sentences = 0;
         for (const Block& block : blocks_of(page)) {
             if (block.heading || block.table) continue;
@@ -161,7 +154,7 @@ TEST(Prose, is_seen_to_be_too_long) {
 
 // Tables and code cannot be wrapped, nor can a link or a command that is longer than a line.
 TEST(Prose, wraps_at_100_columns) {
-    for (const std::string& page : listed_in("plain_pages.txt"))
+    for (const std::string& page : test::listed_in("plain_pages.txt"))
         for (const Block& block : blocks_of(page)) {
             if (block.table) continue;
             for (const ProseLine& line : block.lines) {
@@ -177,46 +170,6 @@ TEST(Prose, wraps_at_100_columns) {
         }
 }
 
-struct Pattern {
-    const char* found;    // a regular expression, whole words
-    const char* instead;  // what to write
-};
-
-// Expressions that strangers did not understand at once.
-constexpr Pattern kEnglishPatterns[]{
-    {"where there (is|are) (none|no|one)", "if there is none"},
-    {"(is|are|was|were) told", "is reported, is announced, says so"},
-    {"tells? (of|that|it|which|what|where|how)", "says, reports, shows"},
-    {"stands? in (the|a|each|every|one|its|docs|its own)", "is in"},
-    {"stands? (there|here|below|above|behind)", "is there, follows"},
-    {"lies? in (the|a|each) (file|folder|table|text|section|list)", "is in"},
-    {"beside", "next to, as well as, in the background"},
-    {"a \\w+ of (its|one's|their|your|the test's) own", "a separate ..., a custom ..."},
-    {"by (itself|themselves|oneself)", "automatically, alone"},
-    {"likewise", "also"},
-    {"to the bit", "bit for bit"},
-    {"how manyth", "every nth"},
-    {"so many", "this many"},
-    {"in force", "effective"},
-    {"asked for", "requested"},
-    {"anew", "again"},
-    {"for who", "if you"},
-    {"(and|,) of (it|them|these|those) ", "and one of them, ..."},
-    {"held? (equal|against)", "compared with"},
-    {"that persons?", "people who"},
-    {"is had", "is available"},
-    {"one (wants|likes|needs|hears|feels|walks|stands)", "you"},
-    {"nor is", "and is not"},
-    {"as long as one", "as long as you"},
-    {"callers own", "caller's"},
-};
-
-constexpr Pattern kGermanPatterns[]{
-    {"Klanggerät(e|en|s)?", "Audiogerät"},
-    {"Taste vom Anfang", "Standardtaste"},
-    {"Tasten vom Anfang", "Standardtasten"},
-};
-
 // Pages on which a pattern is allowed, with the reason.
 bool is_allowed(const std::string& page, const std::string& found) {
     static const std::set<std::pair<std::string, std::string>> kAllowed{
@@ -226,37 +179,17 @@ bool is_allowed(const std::string& page, const std::string& found) {
     return kAllowed.contains({page, "*"}) || kAllowed.contains({page, found});
 }
 
-// All patterns in one, since most texts match none.
-template <std::size_t N>
-std::regex any_of_them(const Pattern (&patterns)[N]) {
-    std::string any;
-    for (const Pattern& pattern : patterns) any += (any.empty() ? "" : "|") + std::string(pattern.found);
-    return std::regex("\\b(?:" + any + ")\\b", std::regex::icase | std::regex::optimize);
-}
-
-struct Search {
-    const Pattern* pattern = nullptr;
-    std::regex searched;
-};
-
-template <std::size_t N>
-std::vector<Search> searches(const Pattern (&patterns)[N]) {
-    std::vector<Search> all;
-    for (const Pattern& pattern : patterns)
-        all.push_back({&pattern, std::regex("\\b" + std::string(pattern.found) + "\\b",
-                                            std::regex::icase | std::regex::optimize)});
-    return all;
-}
-
 TEST(Prose, has_none_of_the_listed_patterns) {
-    const std::vector<Search> english = searches(kEnglishPatterns), german = searches(kGermanPatterns);
-    const std::regex any_english = any_of_them(kEnglishPatterns), any_german = any_of_them(kGermanPatterns);
-    for (const std::string& page : listed_in("plain_pages.txt"))
+    const std::vector<test::Search> english = test::searches(test::kEnglishPatterns),
+                                    german = test::searches(test::kGermanPatterns);
+    const std::regex any_english = test::any_of_them(test::kEnglishPatterns),
+                     any_german = test::any_of_them(test::kGermanPatterns);
+    for (const std::string& page : test::listed_in("plain_pages.txt"))
         for (const Block& block : blocks_of(page)) {
             if (block.table) continue;  // many tables are made from the program's texts, which have separate tests
             const std::string text = words_of(block);
             if (!std::regex_search(text, is_german(page) ? any_german : any_english)) continue;
-            for (const Search& search : is_german(page) ? german : english)
+            for (const test::Search& search : is_german(page) ? german : english)
                 EXPECT_TRUE(is_allowed(page, search.pattern->found) || !std::regex_search(text, search.searched))
                     << place_of(page, block) << ": \"" << search.pattern->found
                     << "\"; rather: " << search.pattern->instead << "\n"
@@ -282,7 +215,7 @@ TEST(Prose, names_only_what_exists) {
     static const std::regex kCode("`([^`]+)`"),
         kName(R"(^(?:[A-Za-z_]\w*(?:::|\.|/))*[A-Za-z_]\w*(?:\.(?:h|cpp|sh|py|toml|md|txt|cmake))?(?:\(\))?$)");
     std::set<std::string> looked_up;
-    for (const std::string& page : listed_in("plain_pages.txt"))
+    for (const std::string& page : test::listed_in("plain_pages.txt"))
         for (const Block& block : blocks_of(page))
             for (const ProseLine& line : block.lines)
                 for (auto it = std::sregex_iterator(line.text.begin(), line.text.end(), kCode);
@@ -301,39 +234,18 @@ TEST(Prose, names_only_what_exists) {
                         test::content_of(kHere / "names.txt").find("\n" + name + "\n") != std::string::npos;
                     EXPECT_TRUE(there) << page << ":" << line.number << " names `" << name << "`, which does not exist";
                 }
-    EXPECT_TRUE(looked_up.size() > 3 || listed_in("plain_pages.txt").size() < 5) << "names were not understood";
-}
-
-// The words of a list that are not in this hunspell dictionary.
-std::set<std::string> unknown_words(const std::set<std::string>& words, const std::string& dictionary) {
-    const test::TemporaryFolder folder;
-    const fs::path in = folder.path() / "words", out = folder.path() / "unknown";
-    std::ofstream file(in);
-    for (const std::string& word : words) file << word << '\n';
-    file.close();
-    const std::string command = "LC_ALL=C.UTF-8 hunspell -i UTF-8 -d " + dictionary + " -l '" + in.string() + "' >'" +
-                                out.string() + "' 2>/dev/null";
-    EXPECT_EQ(std::system(command.c_str()), 0) << command;
-    std::istringstream lines(test::content_of(out));
-    std::set<std::string> unknown;
-    for (std::string line; std::getline(lines, line);) unknown.insert(line);
-    return unknown;
-}
-
-bool has_dictionary(const std::string& dictionary) {
-    const std::string command = "hunspell -d " + dictionary + " -l /dev/null >/dev/null 2>&1";
-    return std::system(command.c_str()) == 0;
+    EXPECT_TRUE(looked_up.size() > 3 || test::listed_in("plain_pages.txt").size() < 5) << "names were not understood";
 }
 
 TEST(Prose, is_spelled_as_the_dictionaries_or_the_word_list_have_it) {
-    if (!has_dictionary("en_GB") || !has_dictionary("de_DE"))
+    if (!test::has_dictionary("en_GB") || !test::has_dictionary("de_DE"))
         GTEST_SKIP() << "needs hunspell, hunspell-en-gb and hunspell-de-de: the spelling of the documents";
     // A word consists of letters, with apostrophes and hyphens inside.
     static const std::regex kWord(R"((?:[A-Za-z]|[\xC3\xC5][\x80-\xBF])+(?:'[a-z]+)?)");
     for (const bool german : {false, true}) {
         std::map<std::string, std::string> places;
         std::set<std::string> words;
-        for (const std::string& page : listed_in("plain_pages.txt")) {
+        for (const std::string& page : test::listed_in("plain_pages.txt")) {
             if (is_german(page) != german) continue;
             for (const Block& block : blocks_of(page)) {
                 // Words with digits, file names and addresses are not words of a language.
@@ -344,13 +256,13 @@ TEST(Prose, is_spelled_as_the_dictionaries_or_the_word_list_have_it) {
                     if (words.insert(it->str()).second) places[it->str()] = place_of(page, block);
             }
         }
-        const auto known = listed_in(german ? "words_de.txt" : "words_en.txt");
+        const auto known = test::listed_in(german ? "words_de.txt" : "words_en.txt");
         const std::set<std::string> own(known.begin(), known.end());
         EXPECT_TRUE(std::is_sorted(known.begin(), known.end())) << "the word list is in the order of `LC_ALL=C sort`";
-        for (const std::string& word : unknown_words(words, german ? "de_DE" : "en_GB"))
+        for (const std::string& word : test::unknown_words(words, german ? "de_DE" : "en_GB"))
             EXPECT_TRUE(own.contains(word)) << places[word] << ": " << word;
         if (!german) {
-            EXPECT_TRUE(unknown_words({"colour", "color"}, "en_GB") == std::set<std::string>{"color"});
+            EXPECT_TRUE(test::unknown_words({"colour", "color"}, "en_GB") == std::set<std::string>{"color"});
         }
     }
 }

@@ -395,7 +395,7 @@ TEST(SwellSheet, gives_a_small_room_one_letter_and_says_where_a_smaller_one_lead
         storey.max_m = {wide_m, 30.0};
         return swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
     };
-    // 3 m between walls are 13.3 mm at 1 to 225; two cells need 16.3 and a single one needs 10.4.
+    // 3 m between walls are 13.3 mm at 1 to 225; two cells need 16.3 mm, a single cell 10.4.
     const Result<SwellSheet> letter = sheet_of(two_rooms(), 57.0);
     ASSERT_TRUE(letter && letter->one_to == 225.0);
     EXPECT_EQ(letter->signs[0].sign, "ki");
