@@ -86,10 +86,11 @@ struct Settings {
         std::string voice = "auto";      // an espeak-ng voice or language; "auto": that of the spoken language
         bool distances_in_steps = true;  // false: in metres
         DirectionChoice directions = DirectionChoice::Sides;
-        bool rounded = true;  // rounds distances and directions; false: announces them as exactly as they are known
-        bool rooms = true;    // announces the name of a room on entering it
-        bool braille = true;  // shows announcements on a braille display as well
-        bool crowding_hint = false;  // on entering a world, announces places with many materials close together
+        bool rounded = true;         // distances and directions; else as exact as they are known
+        bool rooms = true;           // the name of a room one comes into is told
+        bool braille = true;         // what is said goes to a braille display too
+        bool from_places = false;    // the built-in voice comes from what a name or a leg of a route is about
+        bool crowding_hint = false;  // told on entering where many materials lie close together
     } speech;
     struct Sound {
         double volume = 1.0;  // 0 to 1, of everything; alarms stay at 0.2 or above
@@ -101,13 +102,12 @@ struct Settings {
         double earcon_volume = 1.0;
         double beacon_volume = 0.8;
         double reverberation = 0.15;  // of rooms, 0 to 1
-        // Number of periods of 256 samples that the sound device buffers, 2 to 8; effective from the next start.
-        int periods = 2;
-        bool headphones = true;  // filters the sound for headphones; false: plain stereo; effective from the next start
-        bool mono = false;       // all sound from the middle, for one loudspeaker or one ear
-        bool behind = true, height = true;  // additional cues for sounds behind, above and below
-        // Switches for each cue. Alarms, and cues that the person requests by name (the sound dictionary), are always
-        // audible.
+        int periods = 2;  // of 256 samples that the sound device holds, 2 to 8; takes effect at the next start
+        std::string hrtf = "auto";  // the set of filters for the ears, as OpenAL Soft calls it; from the next start on
+        bool headphones = true;     // filtered for the ears; else plain stereo, from the next start on
+        bool mono = false;          // everything from the middle, for one loudspeaker or one ear
+        bool behind = true, height = true;  // second cues for what is behind, above and below
+        // Every cue on or off; alarms and what is asked for by name (the sound dictionary) always sound.
         bool wall_tone = true, contact = true, slide = true, splash = true, door = true, footstep = true, bump = true,
              world = true, denied = true, forces = true, turn = true, frame = true, arrived = true;
         bool corner = true, drop = true,

@@ -207,6 +207,9 @@ Json fields_of(const SessionInput& input) {
                             {"text", in.text},
                             {"class", kClassWords.at(static_cast<std::size_t>(in.speech_class))}};
             },
+            [](const LinesOwed& in) {
+                return Json{{"is", "lines_owed"}, {"topics", in.topics.bits}};
+            },
             [](const FirstMinutesBegun& in) {
                 return Json{
                     {"is", "first_minutes"}, {"who_speaks", in.who_speaks}, {"owner_sets_up", in.owner_sets_up}};
@@ -259,6 +262,8 @@ const std::map<std::string, ReadFields, std::less<>>& readers() {
         {"key", [](const Json& j) -> SessionInput { return KeyTapped{j.at("key").get<std::string>()}; }},
         {"text", [](const Json& j) -> SessionInput { return TextTyped{j.at("text").get<std::string>()}; }},
         {"line", [](const Json& j) -> SessionInput { return LineTyped{j.at("line").get<std::string>()}; }},
+        {"lines_owed",
+         [](const Json& j) -> SessionInput { return LinesOwed{{whole_of<std::uint32_t>(j.at("topics"))}}; }},
         {"lists_left", [](const Json&) -> SessionInput { return ListsLeft{}; }},
         {"item_act",
          [](const Json& j) -> SessionInput {

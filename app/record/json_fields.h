@@ -14,8 +14,9 @@ namespace handrail {
 
 using Json = nlohmann::ordered_json;
 
-// Words for SpeechClass, in its order.
-inline constexpr std::array<const char*, 5> kClassWords = {"alarm", "warning", "answer", "contact", "ambient"};
+// Of SpeechClass, in its order.
+inline constexpr std::array<const char*, 6> kClassWords = {"alarm",    "warning", "answer",
+                                                           "guidance", "contact", "ambient"};
 
 inline Json json_of_vec(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
 // Throws Json::exception if it is not an array of three numbers.

@@ -116,6 +116,8 @@ void PlayedEars::step(const CueRow& row, std::vector<ContactEvent> contacts) {
     voice_.begin(row.speaking);
     planner_.tick({.now_s = row.now_s, .contacts = contacts, .requests = requests, .listener = listener_}, sound_,
                   voice_);
+    // As AudioThread::step, so that the voice is asked as often; the recording has what came of it.
+    (void)planner_.take_owed(row.now_s, voice_);
     voice_.end();
 }
 

@@ -112,6 +112,7 @@ void AudioThread::step() {
     listener_.refresh();
     planner_.tick({.now_s = now_s, .contacts = events_, .requests = inbox.requests, .listener = listener_.read()},
                   *audio_, *speech_);
+    owed_.fetch_or(planner_.take_owed(now_s, *speech_).bits, std::memory_order_relaxed);
     if (step_listener_.ends) {
         const auto left = static_cast<std::uint32_t>(
             std::count_if(events_.begin(), events_.end(), [](const ContactEvent& event) { return event.hand == 1; }));

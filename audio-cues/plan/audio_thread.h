@@ -69,8 +69,9 @@ public:
     void set_two_hands(bool two) override;
     void set_hand_stands_in(bool stands_in) override;
     void set_listener(const Listener& listener) override { listener_.publish(listener); }
-    std::vector<SpokenLine> take_spoken();  // the lines spoken since the last call, oldest first
-    // As of the last tick: an utterance is being said or waits.
+    SpeechTopics take_owed() override { return {owed_.exchange(0, std::memory_order_relaxed)}; }
+    std::vector<SpokenLine> take_spoken();  // what was said since the last call, oldest first
+    // Something is being said or waits to be, as of the last tick.
     bool speaking() const { return speaking_.load(std::memory_order_relaxed); }
     // SpeechSink::who at the last tick; empty before the first tick.
     std::string who_speaks();
@@ -94,8 +95,9 @@ private:
     std::thread thread_;  // app thread
     std::atomic<bool> stop_asked_{false};
     std::atomic<bool> speaking_{false};
-    double finish_speech_s_ = 0.0;  // written before stop_asked_
-    bool stopped_ = false;          // app thread
+    std::atomic<std::uint32_t> owed_{0};  // bits of SpeechTopics
+    double finish_speech_s_ = 0.0;        // written before stop_asked_
+    bool stopped_ = false;                // app thread
 
     std::mutex mutex_;  // protects inbox_, outbox_ and who_
     std::string who_;

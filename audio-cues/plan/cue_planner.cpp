@@ -25,11 +25,9 @@ constexpr double kSlideOwner_s = 0.05;           // slide events come every 10 m
 constexpr double kSlideSlowest_m_per_s = 0.004;  // of hand travel; slower sliding is inaudible
 constexpr double kFastTouch_m_per_s = 0.3;       // of hand travel; a brisk tap, which gets full loudness
 constexpr double kDemonstrates_s = 2.5;
-constexpr std::uint32_t kDemonstration = 0xffffffffU;  // source number of a demonstrated loop
-// Pulses of the wall tone, at its range and at the wall.
-constexpr double kSlowestPulse_hz = 1.5, kFastestPulse_hz = 8.0;
-constexpr double kAlarmFloor = 0.2;  // everything but alarms can be set quieter than this
-constexpr std::size_t kMostAlarmsWaiting = 4, kMostWarningsWaiting = 4;
+constexpr std::uint32_t kDemonstration = 0xffffffffU;             // the source of a loop that is only shown
+constexpr double kSlowestPulse_hz = 1.5, kFastestPulse_hz = 8.0;  // of the wall tone, at its range and at the wall
+constexpr double kAlarmFloor = 0.2;                               // settings: everything but alarms may fall below
 
 double to_decimetre(double length_m) { return std::round(length_m * 10.0) / 10.0; }
 
@@ -77,8 +75,8 @@ void CuePlanner::enter_world(std::shared_ptr<const Scene> scene) {
     for (Hand& hand : hands_) {
         hand.touched.clear();
         hand.recent.clear();
-        hand.name.reset();
     }
+    order_.forget_names();
 }
 
 void CuePlanner::follow_edit(std::shared_ptr<const Scene> scene) {
@@ -88,14 +86,15 @@ void CuePlanner::follow_edit(std::shared_ptr<const Scene> scene) {
 
 void CuePlanner::tick(const CueInputs& inputs, AudioSink& audio, SpeechSink& speech) {
     contract_pre(std::isfinite(inputs.now_s));
-    // 1. The sinks get the time first, so that sounds played below start at it.
+    listener_ = inputs.listener;
+    // 1. The sinks take the time first, so that what is played below carries it.
     audio.set_listener(inputs.listener);
     audio.set_speaking(speech.speaking());
     audio.tick(inputs.now_s);
     speech.tick(inputs.now_s);
-    if (const auto news = audio.news()) ask(*news, SpeechClass::Alarm, inputs.now_s, false);
-    if (const auto news = speech.news()) ask(*news, SpeechClass::Alarm, inputs.now_s, false);
-    // 2. Events, then requests.
+    if (const auto news = audio.news()) alarm(*news, inputs.now_s, false);
+    if (const auto news = speech.news()) alarm(*news, inputs.now_s, false);
+    // 2. What happened, then what is asked for.
     for (const ContactEvent& event : inputs.contacts) on_contact(event, audio);
     for (const CueRequest& request : inputs.requests) on_request(request, inputs.now_s, audio, speech);
     // 3. Ends loops whose cause is gone.
@@ -117,9 +116,8 @@ void CuePlanner::tick(const CueInputs& inputs, AudioSink& audio, SpeechSink& spe
 }
 
 void CuePlanner::flush(double now_s, SpeechSink& speech) {
-    write_waiting(alarms_, now_s, speech);
-    write_waiting(warnings_, now_s, speech);
-    write_waiting(answers_, now_s, speech);
+    order_.silence(now_s);
+    write_unspoken(now_s, speech);
 }
 
 SoundClass CuePlanner::sound_of(MaterialId material) const {
@@ -161,7 +159,7 @@ void CuePlanner::stop_slide(Hand& hand, AudioSink& audio) {
 // Marks the feature as touched, and names it unless the hand is known to touch it.
 void CuePlanner::touch(Hand& hand, const ContactEvent& event) {
     if (event.feature && !is_touched(hand, event.feature)) hand.touched.push_back(event.feature);
-    name_touched(hand, true, event.feature, event.time_s, kSettle_s, kKeepName_s);
+    name_touched(hand.number, {event.feature, event.time_s, kSettle_s, kKeepName_s, event.position_m});
 }
 
 // The world's sounds stay at their places, so their loops follow from the requests and from what the person wants to
@@ -181,20 +179,30 @@ std::string CuePlanner::whose(std::size_t hand, std::string text) const {
     return hand == 0 ? phrase("voice.right_hand", {{"text", text}}) : phrase("voice.left_hand", {{"text", text}});
 }
 
-void CuePlanner::name_touched(Hand& hand, bool by_hand, FeatureId feature, double time_s, double settle_s,
-                              double keep_s) {
+void CuePlanner::name_touched(std::size_t hand, const Naming& naming) {
     if (!scene_) return;
-    std::string text = describe_feature(*scene_, feature, settings_.speech.verbosity);
+    std::string text = describe_feature(*scene_, naming.feature, settings_.speech.verbosity);
     if (text.empty()) return;
-    if (by_hand) text = whose(hand.number, std::move(text));
-    // A hand that trembles between two surfaces must not delay the name for ever: the first touch sets the time, the
-    // last touch the name.
-    const double due_s = hand.name ? std::min(hand.name->due_s, time_s + settle_s) : time_s + settle_s;
-    hand.name = Waiting{.utterance = {.text = std::move(text), .speech_class = SpeechClass::Contact},
-                        .due_s = due_s,
-                        .asked_s = time_s,
-                        .touched = feature,
-                        .expires_s = time_s + settle_s + keep_s};
+    if (naming.by_hand) text = whose(hand, std::move(text));
+    // A hand that trembles between two surfaces must not put the name off for ever: the first touch sets the time, the
+    // last one the name.
+    const double due_s = naming.time_s + naming.settle_s;
+    const auto& waits = order_.name_of(hand);
+    ask({.utterance = {.text = std::move(text),
+                       .speech_class = SpeechClass::Contact,
+                       .right_rad = side_of(naming.at_m)},
+         .asked_s = naming.time_s,
+         .due_s = waits ? std::min(waits->due_s, due_s) : due_s,
+         .expires_s = due_s + naming.keep_s,
+         .touched = naming.feature,
+         .hand = static_cast<std::uint8_t>(hand)});
+}
+
+std::optional<double> CuePlanner::side_of(const Vec3& place_m) const {
+    if (!settings_.speech.from_places) return std::nullopt;
+    const Vec3 way = place_m - listener_.ears_m;
+    if (way.x * way.x + way.y * way.y < 1e-6) return std::nullopt;
+    return std::remainder(std::atan2(way.x, way.y) - listener_.heading_rad, 2.0 * kPi);
 }
 
 void CuePlanner::on_contact(const ContactEvent& event, AudioSink& audio) {
@@ -267,11 +275,10 @@ void CuePlanner::on_contact(const ContactEvent& event, AudioSink& audio) {
             play(
                 {.kind = is_pause(event.fault) ? SoundKind::ForcesOff : SoundKind::Alarm, .event_time_s = event.time_s},
                 audio);
-            // A fault that needs a confirmation is announced again if it comes back at once, because the person has
-            // just requested the force.
-            ask(whose(event.hand, fault_sentence(event.fault)), SpeechClass::Alarm, event.time_s,
-                !passes_by_itself(event.fault));
-            alarms_.back().cuts = is_gone(event.fault);
+            // What waits for a confirmation is told again when it comes again at once: the person has just asked for
+            // the force.
+            alarm(whose(event.hand, fault_sentence(event.fault)), event.time_s, !passes_by_itself(event.fault),
+                  is_gone(event.fault));
             return;
         case ContactEventKind::RimPassed:
             play({.kind = SoundKind::Rim, .event_time_s = event.time_s}, audio);
@@ -305,10 +312,13 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
                  .source = request.source};
     switch (request.kind) {
         case CueRequestKind::Say:
-            if (request.speech_class == SpeechClass::Answer)
-                answer({.utterance = {.text = request.text}, .asked_s = asked_s, .repeatable = request.repeatable},
-                       now_s, speech);
-            else ask(request.text, request.speech_class, asked_s, request.repeatable);
+            ask({.utterance = {.text = request.text,
+                               .speech_class = request.speech_class,
+                               .topic = request.topic,
+                               .right_rad = request.placed ? side_of(request.position_m) : std::nullopt},
+                 .asked_s = asked_s,
+                 .expires_s = asked_s + kKeepName_s,
+                 .repeatable = request.repeatable || request.speech_class == SpeechClass::Warning});
             return;
         case CueRequestKind::Footstep:
             hushed_ = false;
@@ -325,7 +335,8 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
             const Feature* feature = scene_ ? scene_->find(request.feature) : nullptr;
             if (cue.material == SoundClass::Generic && feature != nullptr) cue.material = sound_of(feature->material);
             play(cue, audio);
-            if (request.text.empty()) name_touched(hands_[0], false, request.feature, asked_s, 0.0, kKeepBump_s);
+            if (request.text.empty())
+                name_touched(0, {request.feature, asked_s, 0.0, kKeepBump_s, request.position_m, false});
             else warn(request, asked_s, now_s, speech);
             return;
         }
@@ -343,14 +354,13 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
         }
         case CueRequestKind::Interrupt:
             end_demonstration(audio);
-            return interrupt(now_s, speech);
+            if (order_.key(now_s, speech.speaking())) speech.stop();
+            return;
         case CueRequestKind::StopSpeech:
         case CueRequestKind::SilenceAll:
             end_demonstration(audio);
             speech.stop();
-            flush(now_s, speech);
-            for (Hand& hand : hands_) hand.name.reset();
-            hint_.reset();
+            order_.silence(now_s);
             if (request.kind == CueRequestKind::StopSpeech) return;
             audio.stop_all();
             for (Hand& hand : hands_) hand.sliding = false;
@@ -368,7 +378,7 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
             cue.source = kDemonstration;
             if (cue.kind == SoundKind::WallTone) cue.pulses_per_s = 0.5 * (kSlowestPulse_hz + kFastestPulse_hz);
             demonstration_ = Demonstration{.cue = cue};
-            answer({.utterance = {.text = request.text}, .asked_s = asked_s, .repeatable = true}, now_s, speech);
+            answer(request.text, asked_s);
             return;
         case CueRequestKind::WorldSound: {
             cue.kind = request.sound;
@@ -382,42 +392,40 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
             return;
         }
         case CueRequestKind::Repeat: {
-            const std::string text = spoken_.empty() ? phrase("voice.nothing_said") : spoken_.back().text;
-            answer({.utterance = {.text = text}, .asked_s = asked_s, .repeatable = true, .again = true}, now_s, speech);
+            if (order_.key(now_s, speech.speaking())) speech.stop();
+            ask({.utterance = {.text = spoken_.empty() ? phrase("voice.nothing_said") : spoken_.back().text,
+                               .topic = last_topic_},
+                 .asked_s = asked_s,
+                 .repeatable = true,
+                 .again = true});
             return;
         }
         case CueRequestKind::HistoryBack:
         case CueRequestKind::HistoryForward:
-            step_history(request.kind == CueRequestKind::HistoryBack, asked_s, now_s, speech);
+            if (order_.key(now_s, speech.speaking())) speech.stop();
+            step_history(request.kind == CueRequestKind::HistoryBack, asked_s);
             return;
     }
 }
 
-// Alarms and warnings that have just begun or still wait are kept: the person pressed the key without knowing of them.
-void CuePlanner::interrupt(double now_s, SpeechSink& speech) {
-    const bool warns = speaking_class_ == SpeechClass::Alarm || speaking_class_ == SpeechClass::Warning;
-    if (!(speech.speaking() && warns && now_s - speaking_since_s_ < kWarningHeard_s)) speech.stop();
-    write_waiting(answers_, now_s, speech);
-    for (Hand& hand : hands_) hand.name.reset();
-    hint_.reset();
+void CuePlanner::ask(SpeechLine line) {
+    const SpeechClass speech_class = line.utterance.speech_class;
+    const bool always = speech_class == SpeechClass::Alarm || speech_class == SpeechClass::Answer ||
+                        line.utterance.topic == SpeechTopic::Steps;
+    line.utterance.text = speakable(line.utterance.text);
+    if (line.utterance.text.empty() || (!always && settings_.speech.verbosity <= 0)) return;
+    order_.add(std::move(line));
 }
 
-void CuePlanner::ask(const std::string& text, SpeechClass speech_class, double asked_s, bool repeatable) {
-    Waiting waiting{.utterance = {.text = speakable(text), .speech_class = speech_class},
-                    .asked_s = asked_s,
-                    .repeatable = repeatable};
-    if (waiting.utterance.text.empty()) return;
-    if (speech_class == SpeechClass::Alarm) {
-        if (alarms_.size() == kMostAlarmsWaiting) alarms_.pop_front();
-        alarms_.push_back(std::move(waiting));
-    } else if (settings_.speech.verbosity > 0 && speech_class == SpeechClass::Warning) {
-        if (warnings_.size() == kMostWarningsWaiting) warnings_.pop_front();
-        waiting.repeatable = true;
-        warnings_.push_back(std::move(waiting));
-    } else if (settings_.speech.verbosity > 0) {
-        waiting.expires_s = asked_s + kKeepName_s;
-        (speech_class == SpeechClass::Contact ? hands_[0].name : hint_) = std::move(waiting);
-    }
+void CuePlanner::alarm(const std::string& text, double asked_s, bool repeatable, bool cuts) {
+    ask({.utterance = {.text = text, .speech_class = SpeechClass::Alarm},
+         .asked_s = asked_s,
+         .repeatable = repeatable,
+         .cuts = cuts});
+}
+
+void CuePlanner::answer(std::string text, double asked_s) {
+    ask({.utterance = {.text = std::move(text)}, .asked_s = asked_s, .repeatable = true});
 }
 
 // Reports a blocked step. If the same was said a moment ago, it is only written: a reader gets an answer to each step,
@@ -426,77 +434,41 @@ void CuePlanner::warn(const CueRequest& request, double asked_s, double now_s, S
     if (settings_.speech.verbosity <= 0) return;
     const auto said = said_at_s_.find(speakable(request.text));
     if (said == said_at_s_.end() || now_s - said->second >= kSayAgain_s)
-        return ask(request.text, SpeechClass::Warning, asked_s, true);
+        return ask({.utterance = {.text = request.text,
+                                  .speech_class = SpeechClass::Warning,
+                                  .right_rad = side_of(request.position_m)},
+                    .asked_s = asked_s,
+                    .repeatable = true});
     said->second = now_s;
-    Waiting again{.utterance = {.text = speakable(request.written.empty() ? request.text : request.written),
-                                .speech_class = SpeechClass::Warning},
-                  .asked_s = asked_s,
-                  .repeatable = true};
+    SpeechLine again{.utterance = {.text = speakable(request.written.empty() ? request.text : request.written),
+                                   .speech_class = SpeechClass::Warning},
+                     .asked_s = asked_s,
+                     .repeatable = true};
     if (keep_line(again, now_s)) speech.write(again.utterance);
 }
 
-void CuePlanner::answer(Waiting waiting, double now_s, SpeechSink& speech) {
-    waiting.utterance.text = speakable(waiting.utterance.text);
-    if (waiting.utterance.text.empty()) return;
-    if (!answers_.empty() && answers_.front().asked_s != waiting.asked_s) write_waiting(answers_, now_s, speech);
-    answers_.push_back(std::move(waiting));
-}
-
-void CuePlanner::write_waiting(std::deque<Waiting>& queue, double now_s, SpeechSink& speech) {
-    for (const Waiting& waiting : queue)
-        if (keep_line(waiting, now_s)) speech.write(waiting.utterance);
-    queue.clear();
+void CuePlanner::write_unspoken(double now_s, SpeechSink& speech) {
+    for (const SpeechLine& line : order_.take_unspoken())
+        if (keep_line(line, now_s)) speech.write(line.utterance);
 }
 
 void CuePlanner::speak_waiting(double now_s, SpeechSink& speech) {
-    // Is the voice busy with this class? A sink whose speech takes no time is never busy, so everything is said in this
-    // very tick.
-    const auto busy_with = [&](SpeechClass c) { return speech.speaking() && speaking_class_ == c; };
-    // The news whether a device may push does not wait for earlier alarms about the device.
-    const auto cut = [&] {
-        return std::any_of(alarms_.begin(), alarms_.end(), [](const Waiting& alarm) { return alarm.cuts; });
-    };
-    while (!alarms_.empty() && (cut() || !busy_with(SpeechClass::Alarm))) {
-        say_now(alarms_.front(), now_s, speech);
-        alarms_.pop_front();
+    const SpeechOrder::Knows knows{
+        .touches = [this](const SpeechLine& name) { return is_touched(hands_.at(name.hand), name.touched); },
+        .said =
+            [&](const SpeechLine& line) {
+                const auto said = said_at_s_.find(line.utterance.text);
+                return said != said_at_s_.end() && now_s - said->second < kSayAgain_s;
+            }};
+    while (const auto line = order_.next(now_s, speech.speaking(), knows)) {
+        write_unspoken(now_s, speech);
+        say_now(*line, now_s, speech);
     }
-    while (!warnings_.empty() && !busy_with(SpeechClass::Alarm) && !busy_with(SpeechClass::Warning)) {
-        say_now(warnings_.front(), now_s, speech);
-        warnings_.pop_front();
-    }
-    while (!answers_.empty() && !busy_with(SpeechClass::Alarm) && !busy_with(SpeechClass::Warning)) {
-        const bool same_reply = answers_.front().asked_s == speaking_asked_s_;
-        if (busy_with(SpeechClass::Answer) && same_reply) break;
-        say_now(answers_.front(), now_s, speech);
-        answers_.pop_front();
-    }
-    const bool engaged =
-        waiting() || busy_with(SpeechClass::Alarm) || busy_with(SpeechClass::Warning) || busy_with(SpeechClass::Answer);
-    for (Hand& hand : hands_) {
-        // The name from one hand does not cut the other hand's name; it waits, as it does for an answer.
-        const bool others = busy_with(SpeechClass::Contact) && naming_ != hand.number;
-        speak_name(hand, now_s, engaged || others, speech);
-    }
-    // A hint is never kept for later, because by then the situation has changed.
-    const bool naming =
-        std::any_of(hands_.begin(), hands_.end(), [](const Hand& hand) { return hand.name.has_value(); });
-    if (hint_ && !waiting() && !naming && !speech.speaking()) say_now(*hint_, now_s, speech);
-    hint_.reset();
+    write_unspoken(now_s, speech);
 }
 
-void CuePlanner::speak_name(Hand& hand, double now_s, bool engaged, SpeechSink& speech) {
-    if (!hand.name || hand.name->due_s > now_s) return;
-    const bool stale = now_s > hand.name->expires_s && !is_touched(hand, hand.name->touched);
-    if (stale || !engaged) {
-        const Waiting name = *std::exchange(hand.name, std::nullopt);
-        if (stale) return;
-        naming_ = hand.number;
-        say_now(name, now_s, speech);
-    }
-}
-
-// A new utterance, unless it came from the history itself, restarts the history at the newest line.
-void CuePlanner::step_history(bool back, double asked_s, double now_s, SpeechSink& speech) {
+// What was said since, when it was not out of the history itself, begins at the newest again.
+void CuePlanner::step_history(bool back, double asked_s) {
     std::vector<const SpokenLine*> lines;  // newest first
     for (auto line = spoken_.rbegin(); line != spoken_.rend() && lines.size() < kMostHistory; ++line)
         if (!line->again) lines.push_back(&*line);
@@ -512,31 +484,27 @@ void CuePlanner::step_history(bool back, double asked_s, double now_s, SpeechSin
         back_ = wanted;
         text = phrase("voice.history", {{"text", lines[wanted - 1]->text}, {"number", wanted}, {"all", lines.size()}});
     }
-    answer({.utterance = {.text = std::move(text)}, .asked_s = asked_s, .repeatable = true, .again = true}, now_s,
-           speech);
+    ask({.utterance = {.text = std::move(text)}, .asked_s = asked_s, .repeatable = true, .again = true});
 }
 
-bool CuePlanner::keep_line(const Waiting& waiting, double now_s) {
+bool CuePlanner::keep_line(const SpeechLine& line, double now_s) {
     std::erase_if(said_at_s_, [&](const auto& said) { return now_s - said.second >= kSayAgain_s; });
-    const auto [said, is_new] = said_at_s_.try_emplace(waiting.utterance.text, now_s);
-    if (!is_new && !waiting.repeatable) return false;
+    const auto [said, is_new] = said_at_s_.try_emplace(line.utterance.text, now_s);
+    if (!is_new && !line.repeatable) return false;
     said->second = now_s;
     if (spoken_.size() == kMaxSpoken) spoken_.erase(spoken_.begin());
-    spoken_.push_back({now_s, waiting.utterance.text, waiting.utterance.speech_class, waiting.again});
-    if (!waiting.again) back_ = 0;
+    spoken_.push_back({now_s, line.utterance.text, line.utterance.speech_class, line.again});
+    if (!line.again) back_ = 0, last_topic_ = line.utterance.topic;
     ++spoken_in_all_;
     return true;
 }
 
-void CuePlanner::say_now(const Waiting& waiting, double now_s, SpeechSink& speech) {
-    if (!keep_line(waiting, now_s)) return;
-    Utterance utterance = waiting.utterance;
+void CuePlanner::say_now(const SpeechLine& line, double now_s, SpeechSink& speech) {
+    if (!keep_line(line, now_s)) return;
+    Utterance utterance = line.utterance;
     utterance.loudness = std::clamp(settings_.sound.volume * settings_.sound.speech_volume, 0.0, 1.0);
     if (utterance.speech_class == SpeechClass::Alarm) utterance.loudness = std::max(utterance.loudness, kAlarmFloor);
     speech.say(utterance);
-    speaking_class_ = utterance.speech_class;
-    speaking_asked_s_ = waiting.asked_s;
-    speaking_since_s_ = now_s;
 }
 
 // First the name is spoken, then the sound plays, so that neither covers the other.
@@ -547,7 +515,7 @@ void CuePlanner::demonstrate(double now_s, AudioSink& audio, const SpeechSink& s
         if (now_s >= shown.ends_s) end_demonstration(audio);
         return;
     }
-    if (!answers_.empty() || speech.speaking()) return;
+    if (order_.answers_wait() || speech.speaking()) return;
     const SoundInfo& row = info(shown.cue.kind);
     shown.cue.loudness = std::max(kAlarmFloor, settings_.sound.volume * (settings_.sound.*row.volume));
     shown.cue.event_time_s = now_s;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <span>
@@ -13,6 +12,7 @@
 
 #include "audio-cues/plan/sinks.h"
 #include "audio-cues/plan/sound_words.h"
+#include "audio-cues/plan/speech_order.h"
 #include "haptic/servo/servo_tick.h"
 #include "settings/settings.h"
 #include "worlds/scene/scene.h"
@@ -20,20 +20,17 @@
 namespace handrail {
 
 enum class CueRequestKind : std::uint8_t {
-    Say,       // uses text, speech_class; `repeatable` lifts the 5 s rule (answers to keys)
-    Footstep,  // uses material, position
-    // The walker bumped into `feature` at `position`: a thud, and `text` as a warning. Within 5 s of the last time,
-    // `written` is written each time and nothing is said.
-    Bump,
-    WallTone,  // loudness by distance, at `position`; loudness 0: off
-    // For any other key: as StopSpeech, but keeps waiting alarms and warnings, and finishes one that began less than
-    // kWarningHeard_s ago.
-    Interrupt,
-    StopSpeech,   // Control key: silences the voice and drops what waits to be said
-    SilenceAll,   // F12: silences voice and sounds; loops stay off until the next step, bump or touch
-    Play,         // plays sound `sound` at `position`
-    Repeat,       // says the last utterance again
-    HistoryBack,  // says the last utterance, then the one before it and so on, at most kMostHistory, with its number
+    Say,          // text, speech_class; `repeatable` lifts the 5 s rule (answers to keys)
+    Footstep,     // material, position
+    Bump,         // body met `feature` at `position`; thud, and `text` as a warning; within 5 s of the last time it is
+                  // not said again but `written`, each time
+    WallTone,     // loudness by distance, at `position`; loudness 0: off
+    Interrupt,    // any key: the voice is silent, unless it says an alarm or a warning
+    StopSpeech,   // Control key: the voice is silent and what waited to be said is dropped
+    SilenceAll,   // F12: voice and sounds; loops stay off until the next step, bump or touch
+    Play,         // sound kind at position
+    Repeat,       // last utterance again
+    HistoryBack,  // the last utterance, then the one before it and so on, at most kMostHistory; with its number
     HistoryForward,
     Demonstrate,  // says `text`, then plays `sound` of `material` even if it is switched off; a loop for 2.5 s
     // Plays loop `sound` of `source` at `position`, as loud as its map says, muffled by `muffled_db`. Loudness 0: ends
@@ -44,14 +41,16 @@ enum class CueRequestKind : std::uint8_t {
 // A request of the app for something to be heard; sent through a queue to the audio thread.
 struct CueRequest {
     CueRequestKind kind = CueRequestKind::Say;
-    double time_s = 0.0;  // answers with the same time form one reply and are said one after the other
+    double time_s = 0.0;
     std::string text, written;
     SpeechClass speech_class = SpeechClass::Answer;
+    SpeechTopic topic = SpeechTopic::None;
     bool repeatable = false;
     SoundKind sound = SoundKind::Beep;
     SoundClass material = SoundClass::Generic;  // for a Bump, Generic means the material of `feature`
     FeatureId feature = kNoFeature;
     Vec3 position_m{0.0};
+    bool placed = false;  // Say: the text is about `position_m`, and can come from there
     double loudness = 1.0;
     double pitch = 1.0;         // factor, for Footstep and Play
     double muffled_db = 0.0;    // as in SoundCue
@@ -80,14 +79,13 @@ struct CueInputs {
 // Empty if the feature has no name. A second press of the same question uses a level higher by two.
 std::string describe_feature(const Scene& scene, FeatureId id, int verbosity);
 
-// Speech. Names, hints and warnings are silent in every sink at verbosity 0 ("sounds only"). Alarms and answers are
-// said at every level, because a person who asks must get an answer. A text is not said twice within 5 s unless its
-// request is `repeatable`. A name is said 40 ms after the touch, and only the newest one, so that a corner gives one
-// name and not two halves. While an answer or alarm is spoken, the name waits, and is dropped if the hand has left
-// meanwhile.
+// Speech. Names, guidance, hints and warnings are silent, in every sink, at verbosity 0 ("sounds only"); alarms,
+// answers and counts of steps are said at every level, since a person who asks is owed an answer. A text is not said
+// twice within 5 s unless its request is `repeatable`. A name is said 40 ms after the touch, the newest one only, so
+// that a corner gives one name and not two halves. SpeechOrder decides what is said when.
 //
-// Sounds. Loudness is the product of the values in Settings::Sound; alarms never fall below 0.2. Contact sounds do not
-// follow the 5 s rule; only the same feature within 50 ms counts as chatter and is heard once.
+// Sounds. Loudness is the product of Settings::Sound; alarms never fall below 0.2. Contact sounds do not follow the 5 s
+// rule; only the same feature within 50 ms is chatter and is heard once.
 class CuePlanner {
 public:
     explicit CuePlanner(Settings settings);
@@ -107,25 +105,18 @@ public:
     void tick(const CueInputs& inputs, AudioSink& audio, SpeechSink& speech);
     // Call it at the end: writes what still waits, so that text sinks contain every answer.
     void flush(double now_s, SpeechSink& speech);
-    bool waiting() const { return !alarms_.empty() || !warnings_.empty() || !answers_.empty(); }
+    bool waiting() const { return order_.waiting(); }
+    // As SpeechOrder::take_owed, after the tick of that time.
+    SpeechTopics take_owed(double now_s, const SpeechSink& speech) {
+        return order_.take_owed(now_s, speech.speaking());
+    }
     const std::vector<SpokenLine>& spoken() const { return spoken_; }  // at most the last kMaxSpoken lines
     std::uint64_t spoken_in_all() const { return spoken_in_all_; }
 
     static constexpr std::size_t kMaxSpoken = 500;
     static constexpr std::size_t kMostHistory = 50;
-    static constexpr double kWarningHeard_s = 1.5;
 
 private:
-    struct Waiting {
-        Utterance utterance;
-        double due_s = 0.0;    // not said before this time
-        double asked_s = 0.0;  // time of the request or event
-        bool repeatable = false;
-        bool again = false;
-        bool cuts = false;               // an alarm that does not wait for another one to finish
-        FeatureId touched = kNoFeature;  // for a name: dropped if this is no longer touched
-        double expires_s = 0.0;          // for names only: kept until then even if the hand has left
-    };
     struct RecentContact {
         FeatureId feature;
         double time_s = 0.0;
@@ -133,36 +124,43 @@ private:
 
     void on_contact(const ContactEvent& event, AudioSink& audio);
     void on_request(const CueRequest& request, double now_s, AudioSink& audio, SpeechSink& speech);
-    void ask(const std::string& text, SpeechClass speech_class, double asked_s, bool repeatable);
-    void answer(Waiting waiting, double now_s, SpeechSink& speech);
-    void interrupt(double now_s, SpeechSink& speech);
-    void write_waiting(std::deque<Waiting>& queue, double now_s, SpeechSink& speech);
-    // What one hand touches, and the sounds and names that follow from it.
+    // Gives it to the order, unless nothing of it can be spoken, or verbosity 0 forbids it.
+    void ask(SpeechLine line);
+    void alarm(const std::string& text, double asked_s, bool repeatable, bool cuts = false);
+    void answer(std::string text, double asked_s);
+    void write_unspoken(double now_s, SpeechSink& speech);
+    // What one hand touches and is heard of it.
     struct Hand {
         std::uint8_t number = 0;
         std::vector<FeatureId> touched;     // touched now
         std::vector<RecentContact> recent;  // contact sounds of the last 50 ms
-        std::optional<Waiting> name;
         bool sliding = false;
         FeatureId slide_feature;
         double slide_s = 0.0;  // time of the last slide event
     };
 
-    void name_touched(Hand& hand, bool by_hand, FeatureId feature, double time_s, double settle_s, double keep_s);
+    struct Naming {
+        FeatureId feature;
+        double time_s = 0.0, settle_s = 0.0, keep_s = 0.0;
+        Vec3 at_m{0.0};
+        bool by_hand = true;
+    };
+    void name_touched(std::size_t hand, const Naming& naming);
     void touch(Hand& hand, const ContactEvent& event);
     static bool is_touched(const Hand& hand, FeatureId feature);
     void stop_slide(Hand& hand, AudioSink& audio);
-    void speak_name(Hand& hand, double now_s, bool engaged, SpeechSink& speech);
-    // "Left hand: door" if there are two hands.
+    // "Left hand: door" where there are two.
     std::string whose(std::size_t hand, std::string text) const;
     void keep_world_sounds(AudioSink& audio);
     void demonstrate(double now_s, AudioSink& audio, const SpeechSink& speech);
     void end_demonstration(AudioSink& audio);
     void speak_waiting(double now_s, SpeechSink& speech);
-    void step_history(bool back, double asked_s, double now_s, SpeechSink& speech);
-    bool keep_line(const Waiting& waiting, double now_s);  // false: was said within the last 5 s
-    void say_now(const Waiting& waiting, double now_s, SpeechSink& speech);
-    double volume_of(SoundKind kind) const;  // 0 if it is switched off
+    void step_history(bool back, double asked_s);
+    bool keep_line(const SpeechLine& line, double now_s);  // false: said within 5 s
+    void say_now(const SpeechLine& line, double now_s, SpeechSink& speech);
+    // How far to the right of ahead it is, if the person wants voices to come from there.
+    std::optional<double> side_of(const Vec3& place_m) const;
+    double volume_of(SoundKind kind) const;  // 0 where it is switched off
     void play(SoundCue cue, AudioSink& audio);
     void tell_sound(const SoundCue& cue);
     void warn(const CueRequest& request, double asked_s, double now_s, SpeechSink& speech);
@@ -173,19 +171,15 @@ private:
 
     std::vector<SpokenLine> spoken_;
     std::uint64_t spoken_in_all_ = 0;
-    std::size_t back_ = 0;                               // the person's position in the history; 0: not in it
-    std::unordered_map<std::string, double> said_at_s_;  // texts said in the last 5 s
-    std::deque<Waiting> alarms_, warnings_, answers_;
-    std::optional<Waiting> hint_;
-    // Class of the last utterance; valid while the sink is speaking.
-    SpeechClass speaking_class_ = SpeechClass::Ambient;
-    double speaking_asked_s_ = 0.0;
-    double speaking_since_s_ = -1e9;
+    std::size_t back_ = 0;                               // how far back in the history the person is; 0: not at all
+    std::unordered_map<std::string, double> said_at_s_;  // texts of the last 5 s
+    SpeechOrder order_;
+    SpeechTopic last_topic_ = SpeechTopic::None;  // of the last line that was no repetition
+    Listener listener_;                           // of this tick
 
     std::array<Hand, 2> hands_;  // [0]: the only or right hand, [1]: the left hand
     bool two_hands_ = false;
     bool hand_stands_in_ = false;
-    std::uint8_t naming_ = 0;  // the hand whose touch was named last
     bool wall_tone_on_ = false;
     std::vector<SoundCue> world_sounds_;  // as requested, before volume; only those with a volume above 0 sound
     bool hushed_ = false;                 // true after SilenceAll, until the next event

@@ -21,6 +21,8 @@ public:
     virtual void set_two_hands(bool two) = 0;
     virtual void set_hand_stands_in(bool stands_in) = 0;  // see CuePlanner
     virtual void set_listener(const Listener& listener) = 0;
+    // Topics of lines that were cut and are due again: the session makes them anew (SpeechOrder::take_owed).
+    virtual SpeechTopics take_owed() { return {}; }
 };
 
 }  // namespace handrail

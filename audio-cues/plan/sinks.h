@@ -13,21 +13,44 @@
 
 namespace handrail {
 
-// Which speech may interrupt which: a class cuts itself and every class after it in this list, never one before it.
-// Alarms and warnings wait for others of their own class, so that none is lost. CuePlanner enforces these rules; a sink
-// always says a text at once.
+// Who may interrupt whom: a class cuts everything after it in this list, never anything before it. SpeechOrder keeps
+// these rules for every voice; a sink that is told to say something always says it at once.
 enum class SpeechClass : std::uint8_t {
-    Alarm,    // about a device or the program itself: cuts everything
-    Warning,  // needed before the next step: a drop, stairs, something closed, a step that was blocked
-    Answer,   // reply to a key
-    Contact,  // name of what is touched or bumped into: the newest replaces older ones
-    Ambient,  // hint: dropped if anything else speaks
+    Alarm,     // of a device or of the program itself: cuts all, and only the stop keys end it
+    Warning,   // what a foot must know at once: a drop, stairs, something shut, a step that was blocked; as an alarm
+    Answer,    // reply to a key
+    Guidance,  // what comes unasked and matters: the room you come into, the next leg of a route
+    Contact,   // name of what is touched or bumped into: newest replaces older
+    Ambient,   // hints: dropped when anything else speaks
+};
+
+// What a line is about, if that decides what becomes of it when it is cut or a newer one comes.
+enum class SpeechTopic : std::uint8_t {
+    None,
+    Place,    // where you are: the newest replaces older ones; made anew if it was cut
+    Summary,  // of a route that begins: made anew if it was cut
+    Leg,      // of a route: as Place
+    Lesson,   // what a lesson wants: as Summary
+    Heading,  // which way you face: the newest replaces older ones
+    Steps,    // how many steps you went: yields to everything and expires
+};
+
+// Several topics, as bits.
+struct SpeechTopics {
+    std::uint32_t bits = 0;
+
+    void add(SpeechTopic topic) { bits |= 1U << static_cast<unsigned>(topic); }
+    void remove(SpeechTopic topic) { bits &= ~(1U << static_cast<unsigned>(topic)); }
+    bool has(SpeechTopic topic) const { return (bits >> static_cast<unsigned>(topic) & 1U) != 0; }
+    bool any() const { return bits != 0; }
 };
 
 struct Utterance {
     std::string text;  // one line of valid UTF-8 without control characters (see speakable)
     SpeechClass speech_class = SpeechClass::Answer;
-    double loudness = 1.0;  // range 0 to 1; text sinks ignore it
+    double loudness = 1.0;                  // 0 to 1; text sinks take no notice
+    SpeechTopic topic = SpeechTopic::None;  // for who counts what was heard
+    std::optional<double> right_rad = {};   // the voice comes from there, to the right of ahead; none: from the middle
 };
 
 class SpeechSink {

@@ -225,6 +225,7 @@ std::span<const Note> BeepSpeech::pattern(SpeechClass speech_class) {
             return kAlarm;
         case SpeechClass::Warning:
         case SpeechClass::Answer:
+        case SpeechClass::Guidance:
             return kAnswer;
         case SpeechClass::Contact:
             return kContact;

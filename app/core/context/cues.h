@@ -2,6 +2,7 @@
 // passes it on to speech and sound. App thread only.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,13 +21,21 @@ public:
     explicit Cues(const BodyState& body) : body_(body) {}
 
     void say(std::string text, SpeechClass speech_class, double now_s);
-    // Hazards for the feet: drops, stairs, and what is shut or blocks. Never suppressed as a repetition.
+    // A line about this topic, with the class that belongs to it. anew: it was cut, so that it was said before does not
+    // matter. place_m: what it is about, if it is about a place.
+    struct Telling {
+        bool anew = false;
+        bool answers = false;  // a key, or what somebody has waited for: said at every verbosity
+        std::optional<Vec3> place_m = {};
+    };
+    void tell(SpeechTopic topic, std::string text, double now_s, const Telling& how);
+    // What a foot must know at once: drops, stairs, what is shut or blocks. Said each time.
     void warn(std::string text, double now_s) { say(std::move(text), SpeechClass::Warning, now_s); }
     // A response to what the person asked or did.
     void answer(std::string text, double now_s) { say(std::move(text), SpeechClass::Answer, now_s); }
     void play(SoundKind kind, double now_s) { cue(sound_at(kind, body_.ears_m(), now_s)); }
     void play_at(SoundKind kind, const Vec3& place_m, double now_s) { cue(sound_at(kind, place_m, now_s)); }
-    // A key was pressed: current speech stops, except a warning that has just begun.
+    // A key was pressed: what is being said ends, but for alarms and warnings.
     void quiet(double now_s);
     void cue(CueRequest request) { waiting.push_back(std::move(request)); }
     std::vector<CueRequest> take() { return std::exchange(waiting, {}); }

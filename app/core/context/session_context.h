@@ -63,6 +63,9 @@ struct SessionContext {
     void say(std::string text, SpeechClass speech_class, double now_s) const {
         cues.say(std::move(text), speech_class, now_s);
     }
+    void tell(SpeechTopic topic, std::string text, double now_s, const Cues::Telling& how = {}) const {
+        cues.tell(topic, std::move(text), now_s, how);
+    }
     void warn(std::string text, double now_s) const { cues.warn(std::move(text), now_s); }
     void answer(std::string text, double now_s) const { cues.answer(std::move(text), now_s); }
     // Saves what the person has just added, and answers with `words`. The answer says so if saving failed.

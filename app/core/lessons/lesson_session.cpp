@@ -80,7 +80,7 @@ void LessonSession::tell(const LessonReply& reply, double now_s) {
 void LessonSession::say_due(double now_s) {
     const auto due = std::stable_partition(said_later_.begin(), said_later_.end(),
                                            [&](const SaidLater& later) { return later.due_s <= now_s; });
-    for (auto it = said_later_.begin(); it != due; ++it) context_.answer(it->text, now_s);
+    for (auto it = said_later_.begin(); it != due; ++it) context_.tell(SpeechTopic::Lesson, it->text, now_s);
     said_later_.erase(said_later_.begin(), due);
     if (!said_later_.empty()) return;
     const After after = std::exchange(after_, After::Nothing);
@@ -89,7 +89,12 @@ void LessonSession::say_due(double now_s) {
         context_.answer(phrase("lesson.over", {{"key", context_.keys.keys_of(Command::Lessons)}}), now_s);
 }
 
-// What has happened since the last call.
+void LessonSession::tell_anew(double now_s) {
+    if (run_ && said_later_.empty() && !(run_->goal() == LessonGoal::SetUp && !owner_sets_up_))
+        context_.tell(SpeechTopic::Lesson, run_->instruction(), now_s, {.anew = true});
+}
+
+// What happened since this was asked last.
 LessonSense LessonSession::sense() {
     const HandsState& hands = context_.hands;
     const Vec3 feet_m = context_.body.feet_m();

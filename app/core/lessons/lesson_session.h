@@ -41,7 +41,9 @@ public:
     // Handles the list of lessons, and the first minutes from the beginning. Returns false for other commands.
     bool act(Command command, double now_s);
     void tick(double now_s);
-    // True if all events have been handled and nothing waits to be announced.
+    // What this step wants once more, since the line with it was cut.
+    void tell_anew(double now_s);
+    // What happened has been looked at, and nothing waits to be said.
     bool idle() const;
 
     // Set by the session.

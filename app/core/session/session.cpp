@@ -81,7 +81,7 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     ++state_.world.entered;
 
     publish_pose(now_s, PoseChange::Placed);
-    if (!greeting_waits()) say(entering_text(), SpeechClass::Answer, now_s);
+    if (!greeting_waits()) state_.context.tell(SpeechTopic::Place, entering_text(), now_s, {.answers = true});
     if (const Scene& entered = *state_.world.scene;
         !greeting_waits() && entered.stated && !entered.stated->rooms.empty())
         say(honest_sentence(entered, honest_report(entered)), SpeechClass::Answer, now_s);
@@ -135,6 +135,16 @@ void Session::press(Command command, double now_s, int times) {
     lesson_session_.note(command);
     if (info(command).hold && !bodies_.keeps(command)) walk_.keys_held.press(command);
     act(command, now_s, times);
+}
+
+// What was cut, from the state of this moment: what is no longer true is not said.
+void Session::say_anew(SpeechTopics topics, double now_s) {
+    if (topics.has(SpeechTopic::Lesson)) lesson_session_.tell_anew(now_s);
+    if (!state_.world.scene) return;
+    if (topics.has(SpeechTopic::Place) && !where_.rooms.tell_here_anew(now_s))
+        state_.context.tell(SpeechTopic::Place, where_am_i(), now_s, {.anew = true, .answers = true});
+    for (const SpeechTopic topic : {SpeechTopic::Summary, SpeechTopic::Leg})
+        if (topics.has(topic)) guide_.tell_anew(topic, now_s);
 }
 
 void Session::release(Command command) {

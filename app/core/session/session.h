@@ -153,6 +153,7 @@ private:
     void say(std::string text, SpeechClass speech_class, double now_s) {
         state_.cues.say(std::move(text), speech_class, now_s);
     }
+    void say_anew(SpeechTopics topics, double now_s);
     void act(Command command, double now_s, int times = 1);
     void carry_out(Command command, double now_s, int times);
     bool act_itself(Command command, double now_s);

@@ -11,6 +11,7 @@ void SessionDriver::drive(std::size_t which, ServoInbox* servo, std::shared_ptr<
 }
 
 void SessionDriver::tick(double now_s, const ToolState& tool, const ToolState& left_tool) {
+    if (const SpeechTopics owed = ears_.take_owed(); owed.any()) app_.apply(LinesOwed{owed}, now_s);
     app_.tick(now_s, tool, left_tool);
     if (steps_.ticked) steps_.ticked(now_s, tool, left_tool);
     hand_over();

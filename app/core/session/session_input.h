@@ -113,8 +113,12 @@ struct Told {
     std::string text;
     SpeechClass speech_class = SpeechClass::Answer;
 };
-// Begins the first minutes, before a world is entered or in one. who_speaks: "speech-dispatcher". owner_sets_up: the
-// owner runs the set-up by voice when requests() contains it; otherwise that part is skipped.
+// Lines about these were cut, and now nothing is said or pressed: what is still true is said anew.
+struct LinesOwed {
+    SpeechTopics topics;
+};
+// The first minutes, before a world is entered or in one. who_speaks: "speech-dispatcher"; owner_sets_up: the owner
+// runs the set-up by voice when requests() has it, else that part is left out.
 struct FirstMinutesBegun {
     std::string who_speaks;
     bool owner_sets_up = false;
@@ -154,7 +158,7 @@ struct WorldsKnown {
 using SessionInput =
     std::variant<CommandDown, CommandUp, KeyTapped, TextTyped, LineTyped, ListsLeft, ItemActed, Steered, FocusChanged,
                  Stopped, HandMoved, SettingSet, SettingsChanged, HandChanged, LeftHandChanged, HandOffered,
-                 WorldEntered, Placed, Told, FirstMinutesBegun, LessonLeft, SetUpOver, LastPlaceKnown, WentOnAt,
-                 CrashReportKnown, SettingsFaultsKnown, DevicesFound, WorldsKnown, TeacherActed>;
+                 WorldEntered, Placed, Told, LinesOwed, FirstMinutesBegun, LessonLeft, SetUpOver, LastPlaceKnown,
+                 WentOnAt, CrashReportKnown, SettingsFaultsKnown, DevicesFound, WorldsKnown, TeacherActed>;
 
 }  // namespace handrail

@@ -167,7 +167,7 @@ void Walking::turn_by(double by_rad, int times, double now_s) {
 void Walking::tell_heading(double now_s) {
     if (!heading_due_s_ || now_s < *heading_due_s_) return;
     heading_due_s_.reset();
-    context_.answer(sentence_case(fine_compass_word(body_.heading_goal_rad)), now_s);
+    context_.tell(SpeechTopic::Heading, sentence_case(fine_compass_word(body_.heading_goal_rad)), now_s);
 }
 
 void Walking::tick(double now_s, double dt_s) {
@@ -192,11 +192,12 @@ void Walking::turn(double now_s, double dt_s) {
     body_.heading_rad =
         std::abs(left) <= most ? body_.heading_goal_rad : wrap_angle(body_.heading_rad + std::copysign(most, left));
     if (std::exchange(stick_turns_, free_turn != 0.0) && !stick_turns_)
-        context_.answer(free_keys_told_ ? phrase("session.compass_degrees",
-                                                 {{"compass", sentence_case(fine_compass_word(body_.heading_goal_rad))},
-                                                  {"degrees", whole_degrees(body_.heading_goal_rad)}})
-                                        : sentence_case(fine_compass_word(body_.heading_goal_rad)),
-                        now_s);
+        context_.tell(SpeechTopic::Heading,
+                      free_keys_told_ ? phrase("session.compass_degrees",
+                                               {{"compass", sentence_case(fine_compass_word(body_.heading_goal_rad))},
+                                                {"degrees", whole_degrees(body_.heading_goal_rad)}})
+                                      : sentence_case(fine_compass_word(body_.heading_goal_rad)),
+                      now_s);
     free_keys_told_ = free_keys != 0.0;
 }
 
@@ -391,7 +392,7 @@ void Walking::tell_rest(bool goes, double now_s) {
     if (goes) walked_s_ = now_s;
     if (goes || now_s - walked_s_ < kRests_s) return;
     std::string steps = paces_.take(context_);
-    if (!steps.empty() && tells_steps(context_)) context_.answer(std::move(steps), now_s);
+    if (!steps.empty() && tells_steps(context_)) context_.tell(SpeechTopic::Steps, std::move(steps), now_s);
 }
 
 void Walking::tell_bump(const TraceHit& met, double way_rad, double now_s) {

@@ -80,7 +80,7 @@ bool EarWay::follow_to_room(std::uint32_t room, const std::string& first, double
     std::string words = first.empty() ? first : first + ' ';
     words += phrase("rooms.way", {{"goal", name}, {"route", overview_words(context_, rooms_, route)}});
     if (const std::string leg = word_.leg(); !leg.empty()) words += ' ' + leg;
-    context_.answer(words, now_s);
+    context_.tell(SpeechTopic::Summary, std::move(words), now_s);
     context_.events.tell(Led{name, LedBy::Ear}, now_s);
     to_nearest_ = false;
     follow_silently(std::move(route), name);
@@ -130,7 +130,7 @@ bool EarWay::follow(Route route, const std::string& name, const std::string& fir
     }
     const std::vector<RouteNode> nodes = nodes_to(context_, route, goal);
     const std::string how = route_words(route, nodes, context_.body.heading_rad, distances(context_));
-    context_.answer(words + phrase("rooms.way", {{"goal", goal}, {"route", how}}), now_s);
+    context_.tell(SpeechTopic::Summary, words + phrase("rooms.way", {{"goal", goal}, {"route", how}}), now_s);
     context_.events.tell(Led{goal, LedBy::Ear}, now_s);
     to_nearest_ = !route.reaches;
     follow_silently(std::move(route), goal);
@@ -148,11 +148,13 @@ void EarWay::renew() {
     follow_silently(std::move(route), std::string(name_));
 }
 
-void EarWay::tell_on(double now_s) {
-    if (!follower_.following()) return context_.answer(phrase("way.none"), now_s);
+void EarWay::tell_on(double now_s) { context_.answer(on_words(), now_s); }
+
+std::string EarWay::on_words() {
+    if (!follower_.following()) return phrase("way.none");
     const Vec3& feet_m = context_.body.feet_m();
     const auto leg = next_leg(planned(), feet_m, 0.5 * context_.settings.walk.step_length_m);
-    if (!leg) return context_.answer(phrase("way.no_floor"), now_s);
+    if (!leg) return phrase("way.no_floor");
     told_ = leg->route;
     const Vec3 off = leg->to_m - feet_m;
     const Route& route = leg->route;
@@ -164,23 +166,19 @@ void EarWay::tell_on(double now_s) {
         if (passage.at_m < leg->along_m + 1.0) {
             const std::string what = passage_now(context_, passage.kind, passage.feature, passage.rise_m);
             if (passage.kind == PassageKind::Climb && stands_at(passage))
-                return context_.answer(phrase("way.at_stairs", {{"goal", name_},
-                                                                {"passage", what},
-                                                                {"key", context_.keys.keys_of(Command::Use)},
-                                                                {"all", all}}),
-                                       now_s);
+                return phrase(
+                    "way.at_stairs",
+                    {{"goal", name_}, {"passage", what}, {"key", context_.keys.keys_of(Command::Use)}, {"all", all}});
             if (stands_in(passage))
-                return context_.answer(phrase("way.in_lift", {{"goal", name_},
-                                                              {"passage", what},
-                                                              {"key", context_.keys.keys_of(Command::Use)},
-                                                              {"storeys", context_.keys.keys_of(Command::Storeys)},
-                                                              {"all", all}}),
-                                       now_s);
-            return context_.answer(
-                phrase("way.next_passage", {{"goal", name_}, {"where", where}, {"passage", what}, {"all", all}}) + leaf,
-                now_s);
+                return phrase("way.in_lift", {{"goal", name_},
+                                              {"passage", what},
+                                              {"key", context_.keys.keys_of(Command::Use)},
+                                              {"storeys", context_.keys.keys_of(Command::Storeys)},
+                                              {"all", all}});
+            return phrase("way.next_passage", {{"goal", name_}, {"where", where}, {"passage", what}, {"all", all}}) +
+                   leaf;
         }
-    context_.answer(phrase("way.next", {{"goal", name_}, {"where", where}, {"all", all}}) + leaf, now_s);
+    return phrase("way.next", {{"goal", name_}, {"where", where}, {"all", all}}) + leaf;
 }
 
 void EarWay::note_stop(FeatureId by) {
@@ -265,6 +263,26 @@ void EarWay::tell_leg(double now_s) {
     tell(word_.leg(), now_s);
 }
 
+void EarWay::tell_leg_unasked(std::string words, bool anew, double now_s) {
+    if (words.empty()) return;
+    const auto heading_rad = word_.at_work() ? word_.heading_rad() : std::nullopt;
+    std::optional<Vec3> place_m;
+    if (heading_rad) place_m = context_.body.ears_m() + forward_of_heading(*heading_rad);
+    context_.tell(SpeechTopic::Leg, std::move(words), now_s, {.anew = anew, .place_m = place_m});
+}
+
+// How it goes on from here, since the line that told it was cut.
+void EarWay::tell_anew(SpeechTopic topic, double now_s) {
+    if (!follower_.following()) return;
+    if (topic == SpeechTopic::Leg) return tell_leg_unasked(word_.at_work() ? word_.leg() : on_words(), true, now_s);
+    const Route route = planned();
+    if (route.points_m.size() < 2) return;
+    const std::string how = word_.at_work() ? overview_words(context_, rooms_, route)
+                                            : route_words(route, nodes_to(context_, route, name_),
+                                                          context_.body.heading_rad, distances(context_));
+    context_.tell(SpeechTopic::Summary, phrase("rooms.way", {{"goal", name_}, {"route", how}}), now_s, {.anew = true});
+}
+
 void EarWay::tell_next_leg(double now_s) {
     rest_asked_ = false;
     if (!follower_.following() || !word_.at_work()) return tell_on(now_s);
@@ -325,10 +343,8 @@ RouteFollower::Said EarWay::tick_words(double now_s) {
             return said;
         }
         // Legs that are still being planned are spoken when the plan is ready.
-        const std::vector<std::string> rest = rest_asked_ ? word_.rest() : std::vector<std::string>{};
-        if (!rest_asked_) context_.answer(word_.leg(), now_s);
-        else if (!rest.empty()) context_.answer(fmt::format("{}", fmt::join(rest, " ")), now_s);
-        rest_asked_ = rest_asked_ && rest.empty();
+        if (!rest_asked_) tell_leg_unasked(word_.leg(), false, now_s);
+        else if (!word_.rest().empty()) tell_rest(now_s);
     }
     tell_facing(now_s);
     said.left = news.left;

@@ -42,6 +42,9 @@ public:
     // Announces the present leg, the next one, or the rest of the route.
     void tell_leg(double now_s);
     void tell_next_leg(double now_s);
+    // Unasked: what comes next, and the same or the way as a whole once more, since the line with it was cut.
+    void tell_leg_unasked(std::string words, bool anew, double now_s);
+    void tell_anew(SpeechTopic topic, double now_s);
     void tell_rest(double now_s);
     // What tell_rest announces, one text for each leg; empty: it is being planned, or no route is followed.
     std::vector<std::string> rest_of_way();
@@ -67,6 +70,7 @@ private:
     bool stands_in(const RoutePassage& passage) const;
     bool stands_at(const RoutePassage& passage) const;
     bool there(bool at_end) const;
+    std::string on_words();
     void follow_silently(Route route, const std::string& goal);
     void tell(const std::string& words, double now_s);
     std::string leaf_in_way(const Vec3& to_m) const;

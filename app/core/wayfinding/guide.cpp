@@ -98,18 +98,22 @@ void Guide::follow(double now_s) {
     if (said.left) {
         // The route is planned again from here, and that is announced once.
         context_.events.tell(LeftRoute{name, LedBy::Ear}, now_s);
-        context_.say(phrase("lead.left_way"), SpeechClass::Contact, now_s);
-        if (plans_.runs_to(name)) go_on({}, now_s);
-        else ear_.follow_again({}, now_s);
+        if (plans_.runs_to(name)) go_on(phrase("lead.left_way"), now_s);
+        else ear_.follow_again(phrase("lead.left_way"), now_s);
     } else if (!said.text.empty()) {
         if (said.arrived) context_.play(SoundKind::Arrived, now_s);
         if (said.arrived && plans_.runs_to(name) && next_stop(said.text, now_s)) return;
-        context_.say(said.text, SpeechClass::Contact, now_s);
-        if (!said.arrived) return;
+        if (!said.arrived) return ear_.tell_leg_unasked(said.text, false, now_s);
+        context_.tell(SpeechTopic::Place, said.text, now_s, {.anew = true});
         context_.events.tell(Arrived{name, LedBy::Ear, ear_.to_nearest()}, now_s);
         plans_.end();
         if (beacon().name() == name) silence_beacon();
     }
+}
+
+void Guide::tell_anew(SpeechTopic topic, double now_s) {
+    ear_.tell_anew(topic, now_s);
+    if (topic == SpeechTopic::Summary) seek_.tell_anew(now_s);
 }
 
 void Guide::lead(double now_s) {
@@ -134,7 +138,7 @@ void Guide::call(double now_s) {
         if (ear_.name() == beacon().name() && !plans_.running()) ear_.stop();  // the arrival is announced only once
         context_.play(SoundKind::Arrived, now_s);
         context_.events.tell(Arrived{beacon().name(), LedBy::Beacon}, now_s);
-        context_.say(phrase("lead.here", {{"goal", beacon().name()}}), SpeechClass::Answer, now_s);
+        context_.tell(SpeechTopic::Place, phrase("lead.here", {{"goal", beacon().name()}}), now_s, {.answers = true});
     }
     seek_.tick_warmer(now_s);
 }

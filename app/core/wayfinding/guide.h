@@ -40,6 +40,8 @@ public:
     void follow(double now_s);
     void lead(double now_s);
     void call(double now_s);
+    // The route as a whole or its next leg once more, since the line with it was cut.
+    void tell_anew(SpeechTopic topic, double now_s);
 
     // ---- for other features ----
     // Follows the stops of a saved route, from the first one on or to it first, by the hand or by ear.

@@ -127,7 +127,15 @@ std::string Seek::words(AlongWay& along, const Sought& sought, bool hand, double
 }
 
 void Seek::tell_way(const AlongWay& along, double now_s) {
-    context_.say(along_way_words(along.way, distances(context_)), SpeechClass::Answer, now_s);
+    context_.tell(SpeechTopic::Summary, along_way_words(along.way, distances(context_)), now_s);
+}
+
+void Seek::tell_anew(double now_s) {
+    const bool hand = context_.hands.known();
+    if (beacon_.on() && keep(beacon_along_, beacon_, false, now_s) &&
+        !straight_before(beacon_along_.way, beacon_, false))
+        tell_way(beacon_along_, now_s);
+    if (warmer_.on() && keep(warmer_along_, warmer_, hand, now_s)) tell_way(warmer_along_, now_s);
 }
 
 // ---- every tick ----
@@ -192,7 +200,7 @@ void Seek::tick_warmer(double now_s) {
     }
     if (!beat.found) return;
     context_.play(SoundKind::Arrived, now_s);
-    context_.say(phrase("lead.here", {{"goal", warmer_.name()}}), SpeechClass::Answer, now_s);
+    context_.tell(SpeechTopic::Place, phrase("lead.here", {{"goal", warmer_.name()}}), now_s, {.answers = true});
 }
 
 }  // namespace handrail

@@ -41,6 +41,8 @@ public:
     // just been reached.
     bool tick_beacon(double now_s);
     void tick_warmer(double now_s);
+    // The ways of both as they are now, since the line with one was cut.
+    void tell_anew(double now_s);
 
     const Beacon& beacon() const { return beacon_; }
     const Warmer& warmer() const { return warmer_; }

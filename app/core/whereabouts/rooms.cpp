@@ -135,7 +135,14 @@ void Rooms::notice(double now_s, bool quietly) {
     context_.events.tell(RoomEntered{here_, graph.rooms[here_].name}, now_s);
     const std::string storey = storey_news(!quietly);
     if (!quietly && context_.settings.speech.rooms)
-        context_.say(storey + sentence_case(graph.rooms[here_].name), SpeechClass::Ambient, now_s);
+        context_.tell(SpeechTopic::Place, storey + sentence_case(graph.rooms[here_].name), now_s);
+}
+
+bool Rooms::tell_here_anew(double now_s) {
+    if (!found() || here_ == kNothing) return false;
+    if (!context_.settings.speech.rooms) return true;
+    context_.tell(SpeechTopic::Place, sentence_case(graph().rooms[here_].name), now_s, {.anew = true});
+    return true;
 }
 
 // "House, storey 2 of 2: 5 rooms. " in the first room that the walker enters on another storey, if that may be

@@ -52,6 +52,9 @@ public:
     std::uint32_t here() const { return here_; }
     // Determines the present room; quietly: without announcing it.
     void notice(double now_s, bool quietly);
+    // Its name once more, since the line with it was cut, unless the person wants no names of rooms. False: there is
+    // none.
+    bool tell_here_anew(double now_s);
 
     // Asks for a name for a room, stores it and then calls `then`.
     void ask_name(std::uint32_t room, std::function<void(double now_s)> then, double now_s);
