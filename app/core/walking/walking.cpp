@@ -24,9 +24,9 @@ constexpr double kFreeTurn_rad = 5.0 * kPi / 180.0;
 constexpr double kTiltRate_rad_per_s = 0.8;
 constexpr double kMostTilt_rad = 1.2;
 constexpr double kToneRange_m = 2.0;
-// Delay after the last of several turns, so that one heading is announced for all.
-constexpr double kHeadingTold_s = 0.1;
-constexpr double kRests_s = 0.1;  // after this long the walker has come to rest
+constexpr double kToneStanding_s = 3.0, kStands_m = 0.01;  // who stands longer knows the wall; it is silent then
+constexpr double kHeadingTold_s = 0.1;  // after the last of several turns: one heading for all of them
+constexpr double kRests_s = 0.1;        // then the body has come to rest
 constexpr double kSameBase_m = 0.5;
 constexpr double kPathPoint_m = 0.25;
 constexpr std::size_t kMostPathPoints = 4000;
@@ -413,7 +413,10 @@ void Walking::tell_bump(const TraceHit& met, double way_rad, double now_s) {
 void Walking::tell_walls(double now_s) {
     double loudness = 0.0;
     Vec3 place = body_.feet_m();
-    if (context_.settings.sound.wall_tone && !context_.hands.tuning.panic) {
+    if (glm::length(place - stood_.feet_m) > kStands_m || body_.heading_rad != stood_.heading_rad)
+        stood_ = {place, body_.heading_rad, now_s};
+    const bool stands = now_s - stood_.since_s > kToneStanding_s;
+    if (context_.settings.sound.wall_tone && !context_.hands.tuning.panic && !stands) {
         const double radius = body_.walker->size().radius_m;
         const auto wall = nearest_ahead(*context_.world.solids, body_.feet_m(), kLookHeight_m, body_.heading_rad,
                                         radius + kToneRange_m);

@@ -116,6 +116,11 @@ private:
     double walked_s_ = -1e9;  // when the walker last moved
     double tilt_rad_ = 0.0;
     double tone_loudness_ = 0.0;
+    struct Stood {
+        Vec3 feet_m{0.0};
+        double heading_rad = 0.0, since_s = 0.0;
+    };
+    Stood stood_;  // where the body last came to stand
     std::vector<Vec3> path_m_;
 };
 
