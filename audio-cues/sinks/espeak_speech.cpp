@@ -184,8 +184,8 @@ EspeakSpeech::~EspeakSpeech() {
 }
 
 void EspeakSpeech::say(const Utterance& utterance) {
-    // Beginning on the channel here cuts the previous utterance and makes speaking() true from now on.
-    const VoiceChannel::Ticket ticket = impl_->channel->begin(impl_->rate_hz, utterance.loudness);
+    // Beginning on the channel here cuts the utterance before and makes speaking() true from now on.
+    const VoiceChannel::Ticket ticket = impl_->channel->begin(impl_->rate_hz, utterance.loudness, utterance.right_rad);
     {
         const std::lock_guard lock(impl_->mutex);
         impl_->job = Impl::Job{utterance.text, ticket};

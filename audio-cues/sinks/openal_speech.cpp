@@ -3,6 +3,7 @@
 #include <AL/alext.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "audio-cues/sinks/openal_voices.h"
@@ -48,7 +49,14 @@ void OpenALSpeech::drop_speech(Speaker& s) {
     s.active = s.ended = s.ending = false;
 }
 
-void OpenALSpeech::update(double now_s) {
+void OpenALSpeech::place(const Speaker& s, std::optional<double> right_rad, const Settings::Sound& sound) {
+    double right = 0.0, ahead = 1.0;
+    if (right_rad && !sound.mono) right = std::sin(*right_rad), ahead = std::cos(*right_rad);
+    if (sound.swap_sides) right = -right;
+    alSource3f(s.source, AL_POSITION, static_cast<float>(right), 0.0F, static_cast<float>(-ahead));
+}
+
+void OpenALSpeech::update(double now_s, const Settings::Sound& sound) {
     const VoiceChannel::Update update = channel_->take();
     if (update.ticket != speakers_[speaker_].ticket) {
         Speaker& cut = speakers_[speaker_];
@@ -61,6 +69,7 @@ void OpenALSpeech::update(double now_s) {
         drop_speech(speakers_[speaker_]);
         speakers_[speaker_].ticket = update.ticket;
         speakers_[speaker_].gain = update.gain;
+        place(speakers_[speaker_], update.right_rad, sound);
     }
     Speaker& s = speakers_[speaker_];
     s.ended = update.ended;

@@ -1,5 +1,5 @@
-// The speech in the middle of the sound field: queues the samples of a VoiceChannel piece by piece. Audio thread only,
-// with the context current.
+// The speech, in the middle or from where it is about: what a VoiceChannel brings, queued piece by piece. The audio
+// thread, with the context current.
 #pragma once
 
 #include <AL/al.h>
@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "audio-cues/sinks/voice_channel.h"
+#include "settings/settings.h"
 
 namespace handrail {
 
@@ -18,7 +19,7 @@ public:
     void make();
     void stop();  // also drops what still waits to be said
     void drop();
-    void update(double now_s);
+    void update(double now_s, const Settings::Sound& sound);
     bool playing() const { return channel_->playing(); }
     // Ends the utterance that was lost with its device, so that code waiting for its end continues.
     VoiceChannel::Ticket ticket() const { return speakers_[speaker_].ticket; }
@@ -38,6 +39,7 @@ private:
 
     static void delete_played(const Speaker& s);
     static void drop_speech(Speaker& s);
+    static void place(const Speaker& s, std::optional<double> right_rad, const Settings::Sound& sound);
 
     std::shared_ptr<VoiceChannel> channel_;
     std::array<Speaker, 2> speakers_{};

@@ -4,9 +4,14 @@
 
 namespace handrail {
 
-VoiceChannel::Ticket VoiceChannel::begin(int rate_hz, double gain) {
+VoiceChannel::Ticket VoiceChannel::begin(int rate_hz, double gain, std::optional<double> right_rad) {
     const std::lock_guard lock(mutex_);
-    now_ = {.ticket = now_.ticket + 1, .rate_hz = rate_hz, .gain = gain, .samples = {}, .ended = false};
+    now_ = {.ticket = now_.ticket + 1,
+            .rate_hz = rate_hz,
+            .gain = gain,
+            .right_rad = right_rad,
+            .samples = {},
+            .ended = false};
     return now_.ticket;
 }
 
@@ -29,7 +34,8 @@ void VoiceChannel::end(Ticket ticket) {
 
 void VoiceChannel::stop() {
     const std::lock_guard lock(mutex_);
-    now_ = {.ticket = now_.ticket + 1, .rate_hz = now_.rate_hz, .gain = 0.0, .samples = {}, .ended = true};
+    now_ = {
+        .ticket = now_.ticket + 1, .rate_hz = now_.rate_hz, .gain = 0.0, .right_rad = {}, .samples = {}, .ended = true};
     finished_ = now_.ticket;
 }
 
@@ -40,8 +46,12 @@ bool VoiceChannel::playing() const {
 
 VoiceChannel::Update VoiceChannel::take() {
     const std::lock_guard lock(mutex_);
-    Update update{
-        .ticket = now_.ticket, .rate_hz = now_.rate_hz, .gain = now_.gain, .samples = {}, .ended = now_.ended};
+    Update update{.ticket = now_.ticket,
+                  .rate_hz = now_.rate_hz,
+                  .gain = now_.gain,
+                  .right_rad = now_.right_rad,
+                  .samples = {},
+                  .ended = now_.ended};
     update.samples.swap(now_.samples);
     return update;
 }

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,10 +15,11 @@ class VoiceChannel {
 public:
     using Ticket = std::uint64_t;  // identifies an utterance; later ones are larger
 
-    // For the voice. Samples may come in pieces while the first ones already sound; end() marks the last piece.
-    Ticket begin(int rate_hz, double gain);
-    bool append(Ticket ticket, std::span<const std::int16_t> samples);  // returns false if that utterance was cut
-    bool cut(Ticket ticket) const;                                      // by another utterance, or by stop()
+    // The voice's side. Samples may come in pieces while the first already sound; `end` says there are no more.
+    // right_rad: it comes from there, to the right of ahead; none: from the middle.
+    Ticket begin(int rate_hz, double gain, std::optional<double> right_rad = {});
+    bool append(Ticket ticket, std::span<const std::int16_t> samples);  // false when that utterance has been cut
+    bool cut(Ticket ticket) const;                                      // another one has begun, or stop()
     void end(Ticket ticket);
     void stop();
     bool playing() const;  // from begin() until the sink has played the last sample, or stop()
@@ -27,6 +29,7 @@ public:
         Ticket ticket = 0;
         int rate_hz = 0;
         double gain = 1.0;
+        std::optional<double> right_rad = {};
         std::vector<std::int16_t> samples;
         bool ended = false;
     };

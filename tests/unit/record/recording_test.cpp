@@ -285,6 +285,9 @@ TEST(RecordedInput, of_every_kind_is_read_as_it_was) {
     inputs.emplace_back(HandOffered{"Novint Falcon"});
     inputs.emplace_back(Placed{{1.0, 2.0, 1.0 / 3.0}, 0.5});
     inputs.emplace_back(Told{"Sound goes nowhere.", SpeechClass::Alarm});
+    SpeechTopics topics;
+    topics.add(SpeechTopic::Lesson);
+    inputs.emplace_back(LinesOwed{topics});
     inputs.emplace_back(FirstMinutesBegun{"the speech server", true});
     inputs.emplace_back(LessonLeft{});
     inputs.emplace_back(SetUpOver{});

@@ -1,0 +1,38 @@
+// Which lines a person has heard of a voice that takes its time: judged by what a recording sink kept, never by what
+// was printed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "audio-cues/sinks/recording_sinks.h"
+
+namespace handrail::test {
+
+// It was spoken and nothing cut it.
+inline bool in_full(const HeardSpeech& line, double now_s) { return line.voiced && !line.cut && line.end_s <= now_s; }
+
+// The last lines about these topics, if they were not heard in full; the line that tells the topic anew counts, so an
+// empty result means that all that still holds was heard.
+inline std::vector<std::string> unheard(const RecordingSpeech& voice, const std::vector<SpeechTopic>& topics,
+                                        double now_s) {
+    std::vector<std::string> missing;
+    for (const SpeechTopic topic : topics) {
+        const HeardSpeech* last = nullptr;
+        for (const HeardSpeech& line : voice.lines())
+            if (line.utterance.topic == topic) last = &line;
+        if (last && !in_full(*last, now_s)) missing.push_back(last->utterance.text);
+    }
+    return missing;
+}
+
+// Warnings that something cut.
+inline std::vector<std::string> cut_warnings(const RecordingSpeech& voice) {
+    std::vector<std::string> cut;
+    for (const HeardSpeech& line : voice.lines())
+        if (line.voiced && line.cut && line.utterance.speech_class == SpeechClass::Warning)
+            cut.push_back(line.utterance.text);
+    return cut;
+}
+
+}  // namespace handrail::test
