@@ -75,8 +75,13 @@ bool OpenALDevice::make_context(std::vector<ALCint> attributes) {
     attributes.insert(attributes.end(), {ALC_HRTF_SOFT, hrtf_ ? ALC_TRUE : ALC_FALSE});
     // OpenAL Soft 1.19 sets the device to the rate of the data set, and takes one of 44.1 kHz if none is named. Version
     // 1.24 has no set of this name: it resamples its only one to the rate of the device.
-    if (hrtf_)
-        if (const auto id = hrtf_named("default-48000")) attributes.insert(attributes.end(), {ALC_HRTF_ID_SOFT, *id});
+    if (hrtf_) {
+        const bool any = hrtf_set_ == "auto";
+        const auto named = any ? std::nullopt : hrtf_named(hrtf_set_);
+        has_wanted_hrtf_ = any || named.has_value();
+        if (const auto id = named ? named : hrtf_named("default-48000"))
+            attributes.insert(attributes.end(), {ALC_HRTF_ID_SOFT, *id});
+    }
     attributes.push_back(0);
     context_ = alcCreateContext(device_, attributes.data());
     if (context_ == nullptr || alcMakeContextCurrent(context_) == ALC_FALSE) return false;

@@ -31,8 +31,10 @@ private:
 
 class OpenALDevice {
 public:
-    // `wanted`: OpenAL's name of a playback device; empty: the default one. Without `hrtf`: plain stereo.
-    OpenALDevice(std::string wanted, bool hrtf) : wanted_(std::move(wanted)), hrtf_(hrtf) {}
+    // `wanted`: OpenAL's name of a playback device; empty: the default one. Without `hrtf` plain stereo. `hrtf_set`:
+    // part of the name of a set of filters, or "auto".
+    OpenALDevice(std::string wanted, bool hrtf, std::string hrtf_set)
+        : wanted_(std::move(wanted)), hrtf_(hrtf), hrtf_set_(std::move(hrtf_set)) {}
     ~OpenALDevice() { close(); }
     OpenALDevice(const OpenALDevice&) = delete;
     OpenALDevice& operator=(const OpenALDevice&) = delete;
@@ -49,6 +51,8 @@ public:
     ALCdevice* handle() const { return device_; }
     std::string name() const;
     bool hrtf_active() const;
+    // False: the set that was named is not there, so another one is used.
+    bool has_wanted_hrtf() const { return has_wanted_hrtf_; }
     bool connected() const;
     // Returns true if the playback device could be opened now; does not touch the one that is open.
     bool playback_is_there() const;
@@ -63,6 +67,8 @@ private:
 
     std::string wanted_;
     bool hrtf_;
+    std::string hrtf_set_;
+    bool has_wanted_hrtf_ = true;
     ALCdevice* device_ = nullptr;
     ALCcontext* context_ = nullptr;
     bool loopback_ = false;

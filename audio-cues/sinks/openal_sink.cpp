@@ -26,7 +26,7 @@ bool leads_by_sound(SoundKind kind) { return is_beacon(kind) || kind == SoundKin
 struct OpenALSink::Impl {
     Impl(const Options& asked, std::shared_ptr<VoiceChannel> channel)
         : options(asked),
-          device(asked.device, asked.hrtf),
+          device(asked.device, asked.hrtf, asked.hrtf_set),
           voices(hearing, room, kMostSounds),
           speech(std::move(channel)),
           mix(device, asked.on_render) {}
@@ -145,6 +145,8 @@ Result<std::unique_ptr<OpenALSink>> OpenALSink::open(std::shared_ptr<VoiceChanne
         impl->lost = true;  // one may be plugged in later
         impl->never_had = true;
     }
+    if (!impl->device.has_wanted_hrtf())
+        impl->news = phrase("sound_output.no_such_hrtf", {{"wanted", options.hrtf_set}});
     return std::unique_ptr<OpenALSink>(new OpenALSink(std::move(impl)));
 }
 
@@ -175,7 +177,7 @@ void OpenALSink::tick(double now_s) {
     s.watch_device();
     if (!s.device.is_open()) return;
     s.watch_dropouts();
-    s.speech.update(now_s);
+    s.speech.update(now_s, s.hearing.sound);
     s.voices.update(dt_s, s.speech.playing() || s.others_speak, kDuckingDb);
     if (s.device.is_loopback() && s.options.output == Output::Device) s.mix.discard_elapsed(now_s);
 }

@@ -26,13 +26,14 @@ public:
     };
     struct Options {
         Output output = Output::Device;
-        std::string device = {};  // OpenAL's name of a playback device; empty: the default one
-        int periods = 2;          // number of periods of 256 samples; the first sink of a process decides for all
-        bool hrtf = true;         // false: plain stereo, for loudspeakers
-        // Replaces the device's own report, so that a test can simulate unplugging.
-        std::function<bool()> still_connected = {};
-        // Gets each number of frames requested from the loopback device, for tests.
-        std::function<void(int)> on_render = {};
+        std::string device = {};        // OpenAL's name of a playback device; empty: the default one
+        int periods = 2;                // of 256 samples; the first sink of a process decides for all
+        bool hrtf = true;               // false: plain stereo, for loudspeakers
+        std::string hrtf_set = "auto";  // part of the name of a set of filters that OpenAL Soft finds
+        std::function<bool()> still_connected =
+            {};  // stands in for the device's own report, so that a test can pull the plug
+        std::function<void(int)> on_render =
+            {};  // told of each count of frames that the loopback device is asked for, so that a test can see them
     };
     // Most sounds at once, not counting the voice. If there are more, the least important gives way; among equals the
     // oldest, and among the world's own sounds the quietest.

@@ -1,0 +1,52 @@
+// Which filters for the ears are used, and where the voice comes from.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "audio-cues/sinks/openal_sink.h"
+#include "audio-cues/sinks/synth.h"
+#include "worlds/base/vec.h"
+
+namespace handrail {
+namespace filters_test {
+
+TEST(SetOfFilters, that_is_named_is_used_and_a_missing_one_is_reported) {
+    auto voice = std::make_shared<VoiceChannel>();
+    for (const auto& [name, there] :
+         {std::pair{"auto", true}, std::pair{"default", true}, std::pair{"nobody", false}}) {
+        auto sink = OpenALSink::open(voice, {.output = OpenALSink::Output::OnDemand, .hrtf_set = name});
+        ASSERT_TRUE(sink) << sink.error().sentence();
+        EXPECT_EQ((*sink)->news().has_value(), !there) << name;
+    }
+}
+
+TEST(VoiceFromItsPlace, is_louder_in_the_ear_on_that_side) {
+    for (const double side : {-1.0, 1.0}) {
+        auto voice = std::make_shared<VoiceChannel>();
+        auto sink = OpenALSink::open(voice, {.output = OpenALSink::Output::OnDemand});
+        ASSERT_TRUE(sink) << sink.error().sentence();
+        std::vector<std::int16_t> speech(9600);
+        for (std::size_t i = 0; i < speech.size(); ++i)
+            speech[i] = static_cast<std::int16_t>(i % 12 < 6 ? 9000 : -9000);
+        const auto ticket = voice->begin(kSampleRate_hz, 1.0, side * 0.5 * kPi);
+        voice->append(ticket, speech);
+        voice->end(ticket);
+        std::vector<float> both;
+        for (int i = 0; i < 30; ++i) {
+            (*sink)->tick(1.0 + i * 256.0 / kSampleRate_hz);
+            const auto mix = (*sink)->render(256);
+            both.insert(both.end(), mix.begin(), mix.end());
+        }
+        std::array<double, 2> all{};
+        for (std::size_t i = 0; i < both.size(); ++i)
+            all.at(i % 2) += static_cast<double>(both[i]) * static_cast<double>(both[i]);
+        const std::size_t near = side > 0.0 ? 1 : 0;
+        EXPECT_GE(all.at(near), 2.0 * all.at(1 - near));
+    }
+}
+
+}  // namespace filters_test
+}  // namespace handrail
