@@ -75,7 +75,8 @@ struct OpenALSink::Impl {
     bool make_sources() {
         alGetError();
         dropouts.reset();
-        alDistanceModel(AL_NONE);  // no OpenAL model, because distance_gain() decides
+        alListenerf(AL_GAIN, static_cast<float>(kHeadroom));
+        alDistanceModel(AL_NONE);  // distance_gain() has its own say
         const bool filters = voices.load_filters(device.handle());
         if (filters) room.make();
         voices.make_sources(filters);

@@ -38,7 +38,9 @@ public:
     // Most sounds at once, not counting the voice. If there are more, the least important gives way; among equals the
     // oldest, and among the world's own sounds the quietest.
     static constexpr int kMostSounds = 3;
-    static constexpr double kDuckingDb = -9.0;  // for all sounds but alarms, while the voice speaks
+    // Of everything, so that three sounds and the voice together stay below full scale.
+    static constexpr double kHeadroom = 0.5;
+    static constexpr double kDuckingDb = -9.0;  // sounds but danger, while the voice speaks
 
     // Sets ALSOFT_CONF while opening (256 samples x 2 periods) unless the person has set it, so call it before other
     // threads read the environment. Fails only if OpenAL has no loopback device.

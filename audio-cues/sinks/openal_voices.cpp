@@ -8,7 +8,9 @@
 #include <tuple>
 
 #include "audio-cues/plan/second_cue.h"
+#include "audio-cues/plan/sound_rank.h"
 #include "audio-cues/plan/sound_table.h"
+#include "audio-cues/sinks/loudness.h"
 
 namespace handrail {
 namespace {
@@ -36,10 +38,8 @@ int importance(SoundKind kind) {
         case SoundKind::Bump:
         case SoundKind::Contact:
             return 3;
-        case SoundKind::Alarm:
-            return 5;
         default:
-            return 4;  // earcons, because they answer a key
+            return rank_of(kind) == SoundRank::Danger ? 5 : 4;  // earcons answer a key
     }
 }
 
@@ -54,7 +54,7 @@ bool is_in_room(SoundKind kind) { return !is_earcon(kind) && kind != SoundKind::
 ALuint OpenALVoices::buffer_of(const SoundCue& cue) {
     ALuint& buffer = buffers_[sound_index(cue.kind, cue.material)];
     if (buffer == 0) {
-        const std::vector<float> samples = synthesise(cue.kind, cue.material);
+        const std::vector<float> samples = levelled_sound(cue.kind, cue.material);
         alGenBuffers(1, &buffer);
         alBufferData(buffer, AL_FORMAT_MONO_FLOAT32, samples.data(),
                      static_cast<ALsizei>(samples.size() * sizeof(float)), kSampleRate_hz);
@@ -131,7 +131,7 @@ void OpenALVoices::apply(SinkVoice& voice) const {
         second =
             second_cue({head_m.x, -head_m.z, head_m.y}, hearing_.now_s, hearing_.sound.behind, hearing_.sound.height);
     if (hearing_.sound.mono) head_m = {0.0, 0.0, -1.0};
-    const double ducked = voice.cue.kind == SoundKind::Alarm ? 1.0 : duck_;
+    const double ducked = rank_of(voice.cue.kind) == SoundRank::Danger ? 1.0 : duck_;
     const double swell = voice.cue.pulses_per_s > 0.0 && voice.pulse >= 0.5 ? kPulseLow : 1.0;
     const double gain = voice.ending ? 0.0
                                      : voice.cue.loudness * voice.level * ducked * near * swell * second.gain *

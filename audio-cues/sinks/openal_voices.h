@@ -65,7 +65,7 @@ public:
     void play(const SoundCue& cue);
     void set_loop(const SoundCue& cue);
     void stop_all();
-    // `spoken_over`: the voice speaks, so all sounds but alarms are quieter.
+    // `spoken_over`: the voice speaks, so all but danger is quieter.
     void update(double dt_s, bool spoken_over, double ducking_db);
     int playing() const;
 

@@ -356,7 +356,7 @@ std::vector<float> waymark(SoundKind kind, Noise& noise) {
         case SoundKind::Opening:
             return struck({{0.0, 300.0, 0.25}, {0.05, 450.0, 0.25}, {0.10, 675.0, 0.3}}, 0.5);
         case SoundKind::DropNear:
-            return struck({{0.0, 1900.0, 0.06}, {0.035, 1250.0, 0.07}}, 0.3);
+            return struck({{0.0, 1900.0, 0.1}, {0.035, 1250.0, 0.12}, {0.08, 1900.0, 0.12}}, 0.2);
         case SoundKind::StairsUp:
             return struck({{0.0, 523.0, 0.1}, {0.09, 659.0, 0.1}, {0.18, 784.0, 0.1}, {0.27, 1047.0, 0.25}}, 0.2);
         case SoundKind::StairsDown:

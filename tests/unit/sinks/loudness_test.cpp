@@ -1,0 +1,173 @@
+// How loud each sound is, measured by libebur128: the order of ranks, the table in docs, true peaks of mixes, and what
+// the beacon tells by both ears.
+#include "audio-cues/sinks/loudness.h"
+
+#include <ebur128.h>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+
+#include "audio-cues/plan/sound_rank.h"
+#include "audio-cues/plan/sound_table.h"
+#include "audio-cues/sinks/openal_sink.h"
+#include "audio-cues/sinks/synth.h"
+#include "tests/support/project_root.h"
+#include "tests/support/temporary_folder.h"
+#include "worlds/base/vec.h"
+
+namespace handrail {
+namespace loudness_test {
+
+struct Measured {
+    double lufs = -120.0;  // the loudest 400 ms
+    double true_peak_db = -120.0;
+};
+
+Measured measured(std::span<const float> frames, unsigned channels) {
+    ebur128_state* state = ebur128_init(channels, kSampleRate_hz, EBUR128_MODE_M | EBUR128_MODE_TRUE_PEAK);
+    if (state == nullptr) throw std::runtime_error("libebur128 gives no state");
+    Measured all;
+    // What is shorter than 400 ms is heard with silence around it.
+    std::vector<float> padded(frames.begin(), frames.end());
+    padded.resize(padded.size() + 19200 * channels);
+    constexpr std::size_t kPiece = 480;
+    for (std::size_t at = 0; at < padded.size() / channels; at += kPiece) {
+        const std::size_t count = std::min(kPiece, padded.size() / channels - at);
+        ebur128_add_frames_float(state, padded.data() + at * channels, count);
+        double lufs = -120.0;
+        if (ebur128_loudness_momentary(state, &lufs) == EBUR128_SUCCESS) all.lufs = std::max(all.lufs, lufs);
+    }
+    double highest = 1e-9;
+    for (unsigned channel = 0; channel < channels; ++channel) {
+        double peak = 0.0;
+        ebur128_true_peak(state, channel, &peak);
+        highest = std::max(highest, peak);
+    }
+    all.true_peak_db = 20.0 * std::log10(highest);
+    ebur128_destroy(&state);
+    return all;
+}
+
+// At the volumes of a new settings file.
+double lufs_of(SoundKind kind, SoundClass material) {
+    std::vector<float> samples = levelled_sound(kind, material);
+    const double volume = Settings::Sound{}.*info(kind).volume;
+    for (float& s : samples) s *= static_cast<float>(volume);
+    return measured(samples, 1).lufs;
+}
+
+struct Row {
+    double quietest = 0.0, loudest = -120.0;
+};
+
+std::map<SoundKind, Row> all_sounds() {
+    std::map<SoundKind, Row> rows;
+    for (const SoundInfo& sound : sound_table())
+        for (int m = 0; m < kSoundClasses; ++m) {
+            const double lufs = lufs_of(sound.kind, static_cast<SoundClass>(m));
+            Row& row = rows[sound.kind];
+            row.quietest = std::min(row.quietest, lufs);
+            row.loudest = std::max(row.loudest, lufs);
+            if (!varies_by_material(sound.kind)) break;
+        }
+    return rows;
+}
+
+std::string table_of(const std::map<SoundKind, Row>& rows) {
+    std::string text = "| Sound | Class | Loudness (LUFS) |\n|---|---|---|\n";
+    for (int rank = 0; rank < kSoundRanks; ++rank)
+        for (const auto& [kind, row] : rows)
+            if (rank_of(kind) == static_cast<SoundRank>(rank))
+                text += fmt::format("| {} | {} | {:.0f} |\n", info(kind).name, rank_name(rank_of(kind)), row.loudest);
+    return text;
+}
+
+TEST(Loudness, is_measured_as_libebur128_measures_it) {
+    for (const SoundKind kind : {SoundKind::Alarm, SoundKind::Bump, SoundKind::Rain, SoundKind::Click}) {
+        const std::vector<float> samples = synthesise(kind, SoundClass::Wood);
+        EXPECT_NEAR(momentary_lufs(samples), measured(samples, 1).lufs, 0.3) << info(kind).name;
+    }
+    EXPECT_EQ(momentary_lufs(std::vector<float>(4800)), -120.0);
+}
+
+TEST(Loudness, follows_the_order_of_importance_and_danger_stands_out_by_3_units) {
+    const std::map<SoundKind, Row> rows = all_sounds();
+    std::array<Row, kSoundRanks> ranks{};
+    for (const auto& [kind, row] : rows) {
+        Row& rank = ranks.at(static_cast<std::size_t>(rank_of(kind)));
+        rank.quietest = std::min(rank.quietest, row.loudest);
+        rank.loudest = std::max(rank.loudest, row.loudest);
+    }
+    for (std::size_t rank = 0; rank + 1 < ranks.size(); ++rank)
+        EXPECT_GE(ranks[rank].quietest, ranks[rank + 1].loudest + (rank == 0 ? 3.0 : 1.0))
+            << rank_name(static_cast<SoundRank>(rank)) << '\n'
+            << table_of(rows);
+}
+
+TEST(Loudness, of_every_sound_is_in_the_results) {
+    const std::filesystem::path file = test::project_root() / "docs" / "results" / "sound-and-speech.md";
+    const std::string begin = "<!-- loudness -->\n", end = "<!-- end -->";
+    std::string page = test::content_of(file);
+    const std::size_t from = page.find(begin), to = page.find(end);
+    ASSERT_TRUE(from != std::string::npos && to != std::string::npos && from < to);
+    const std::string shown = page.substr(from + begin.size(), to - from - begin.size()), now = table_of(all_sounds());
+    if (const char* write = std::getenv("HANDRAIL_WRITE_TRANSCRIPTS"); write && *write) {
+        std::ofstream(file) << page.replace(from + begin.size(), shown.size(), now);
+        GTEST_SKIP() << "written to " << file.filename();
+    }
+    EXPECT_EQ(shown, now) << "HANDRAIL_WRITE_TRANSCRIPTS=1 writes it anew; read what has changed";
+}
+
+// What both ears hear of these sounds, all at once, left and right in turn.
+std::vector<float> heard(const std::vector<SoundCue>& cues, double seconds = 0.6, int voice_hz = 0) {
+    auto voice = std::make_shared<VoiceChannel>();
+    auto sink = OpenALSink::open(voice, {.output = OpenALSink::Output::OnDemand});
+    if (!sink) throw std::runtime_error(sink.error().sentence());
+    if (voice_hz > 0) {
+        // As loud as a voice gets: full scale.
+        std::vector<std::int16_t> speech(22050);
+        for (std::size_t i = 0; i < speech.size(); ++i)
+            speech[i] =
+                static_cast<std::int16_t>(32000.0 * std::sin(2.0 * kPi * voice_hz * static_cast<double>(i) / 22050.0));
+        const auto ticket = voice->begin(22050, 1.0);
+        voice->append(ticket, speech);
+        voice->end(ticket);
+    }
+    std::vector<float> both;
+    double now_s = 1.0;
+    const auto run = [&](double until_s) {
+        for (; now_s < until_s; now_s += 256.0 / kSampleRate_hz) {
+            (*sink)->tick(now_s);
+            const auto mix = (*sink)->render(256);
+            both.insert(both.end(), mix.begin(), mix.end());
+        }
+    };
+    run(1.1);
+    for (const SoundCue& cue : cues) (*sink)->play(cue);
+    run(1.1 + seconds);
+    return both;
+}
+
+SoundCue cue_at(SoundKind kind, const Vec3& place_m, SoundClass material = SoundClass::Wood) {
+    return {
+        .kind = kind, .material = material, .position_m = place_m, .loudness = Settings::Sound{}.*info(kind).volume};
+}
+
+TEST(Loudness, true_peak_of_the_worst_mixes_stays_3_db_below_full_scale) {
+    for (const Vec3& place : {Vec3(0.0, 1.0, 0.0), Vec3(1.0, 0.0, 0.0), Vec3(-0.7, 0.7, 0.0)})
+        for (const int voice_hz : {0, 180}) {
+            const std::vector<float> mix = heard(
+                {cue_at(SoundKind::Alarm, place), cue_at(SoundKind::DropNear, place), cue_at(SoundKind::Bump, place)},
+                0.6, voice_hz);
+            const Measured all = measured(mix, 2);
+            std::cout << "    " << all.true_peak_db << " dB true peak, " << all.lufs << " LUFS\n";
+            EXPECT_LT(all.true_peak_db, -3.0) << "with a voice: " << voice_hz;
+        }
+}
+
+}  // namespace loudness_test
+}  // namespace handrail
