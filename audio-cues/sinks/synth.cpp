@@ -559,6 +559,29 @@ std::vector<float> world_loop(SoundKind kind, Noise& noise) {
     return out;
 }
 
+// A beacon is found by its breath: noise from 3 to 8 kHz, where the head shades the far ear, in the rhythm of its
+// pitch. It has most of the energy, since the head hardly shades the tone. Behind there is none, so what is behind is
+// dull.
+std::vector<float> beacon(SoundKind kind, Noise& noise) {
+    constexpr double kPitch_hz = 659.0, kBreath = 4.5;
+    if (kind == SoundKind::BeaconBehind) return synthesise_notes(std::array{Note{0.0, 0.12, 277.0, 1.0}});
+    const bool ahead = kind == SoundKind::BeaconAhead;
+    std::vector<float> out =
+        ahead ? synthesise_notes(std::array{Note{0.0, 0.09, kPitch_hz, 0.54}, Note{0.0, 0.12, 2.0 * kPitch_hz, 0.54},
+                                            Note{0.02, 0.14, 3.0 * kPitch_hz, 0.36}})
+              : synthesise_notes(std::array{Note{0.0, 0.09, kPitch_hz, 1.0}});
+    BandPass band(5200.0, 0.9), narrower(5200.0, 0.9);
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const double t = static_cast<double>(i), left = static_cast<double>(out.size() - 1 - i);
+        const double edge = 0.006 * kRate;
+        const double envelope = std::min({1.0, t / edge, left / edge});
+        const double rhythm = 0.5 + 0.5 * std::sin(2.0 * kPi * kPitch_hz * t / kRate);
+        out[i] += static_cast<float>(kBreath * envelope * rhythm * narrower(band(noise())));
+    }
+    finish(out, kPeak);
+    return out;
+}
+
 // Earcons differ in rhythm first and in pitch second, so that they survive a mild hearing loss.
 std::vector<float> earcon(SoundKind kind) {
     switch (kind) {
@@ -596,7 +619,7 @@ std::vector<float> earcon(SoundKind kind) {
             return synthesise_notes(std::array{Note{0.0, 0.035, 880.0, 0.9}});
         case SoundKind::Colder:
             return synthesise_notes(std::array{Note{0.0, 0.07, 311.0, 0.9}});
-        // Marks, landmarks and clues differ in the number of their notes; beacons in their brightness.
+        // Marks, landmarks and clues differ in the number of their notes.
         case SoundKind::Mark:
             return synthesise_notes(std::array{Note{0.0, 0.14, 740.0, 0.9}});
         case SoundKind::Landmark:
@@ -604,13 +627,6 @@ std::vector<float> earcon(SoundKind kind) {
                 std::array{Note{0.0, 0.07, 494.0, 0.8}, Note{0.09, 0.07, 622.0, 0.9}, Note{0.18, 0.16, 494.0, 0.8}});
         case SoundKind::Clue:
             return synthesise_notes(std::array{Note{0.0, 0.03, 988.0, 0.7}, Note{0.06, 0.03, 831.0, 0.7}});
-        case SoundKind::Beacon:
-            return synthesise_notes(std::array{Note{0.0, 0.09, 659.0, 1.0}});
-        case SoundKind::BeaconAhead:
-            return synthesise_notes(std::array{Note{0.0, 0.09, 659.0, 0.54}, Note{0.0, 0.12, 1318.0, 0.54},
-                                               Note{0.02, 0.14, 1976.0, 0.36}});
-        case SoundKind::BeaconBehind:
-            return synthesise_notes(std::array{Note{0.0, 0.12, 277.0, 1.0}});
         case SoundKind::Alarm:
             return synthesise_notes(std::array{Note{0.0, 0.11, 1047.0, 1.0}, Note{0.13, 0.11, 740.0, 1.0},
                                                Note{0.26, 0.11, 1047.0, 1.0}, Note{0.39, 0.16, 740.0, 1.0}});
@@ -660,6 +676,10 @@ std::vector<float> synthesise(SoundKind kind, SoundClass material) {
             return waymark(kind, noise);
         case SoundKind::Falls:
             return falls();
+        case SoundKind::Beacon:
+        case SoundKind::BeaconAhead:
+        case SoundKind::BeaconBehind:
+            return beacon(kind, noise);
         default:
             return is_world_sound(kind) ? world_loop(kind, noise) : earcon(kind);
     }

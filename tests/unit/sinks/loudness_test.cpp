@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -167,6 +168,40 @@ TEST(Loudness, true_peak_of_the_worst_mixes_stays_3_db_below_full_scale) {
             std::cout << "    " << all.true_peak_db << " dB true peak, " << all.lufs << " LUFS\n";
             EXPECT_LT(all.true_peak_db, -3.0) << "with a voice: " << voice_hz;
         }
+}
+
+// Energy of each ear between two pitches.
+std::array<double, 2> energies(const std::vector<float>& both, double from_hz, double to_hz) {
+    std::array<double, 2> sums{};
+    for (std::size_t ear = 0; ear < 2; ++ear)
+        for (double hz = from_hz; hz < to_hz; hz += 40.0) {
+            const std::complex<double> turn = std::polar(1.0, -2.0 * kPi * hz / kSampleRate_hz);
+            std::complex<double> phase = 1.0, sum = 0.0;
+            for (std::size_t i = ear; i < both.size(); i += 2, phase *= turn)
+                sum += static_cast<double>(both[i]) * phase;
+            sums.at(ear) += std::norm(sum);
+        }
+    return sums;
+}
+
+TEST(Beacon, at_the_side_differs_by_10_db_between_the_ears_and_reaches_up_to_8_khz) {
+    for (const double side : {-1.0, 1.0}) {
+        const std::vector<float> both = heard({cue_at(SoundKind::Beacon, {2.0 * side, 0.0, 0.0})}, 0.3);
+        const auto all = energies(both, 100.0, 16000.0), high = energies(both, 6000.0, 8000.0);
+        const std::size_t near = side > 0.0 ? 1 : 0;
+        const double level_db = 10.0 * std::log10(all.at(near) / all.at(1 - near));
+        std::cout << "    " << level_db << " dB between the ears\n";
+        EXPECT_GE(level_db, 10.0);
+        EXPECT_GE(10.0 * std::log10(high.at(near) / all.at(near)), -20.0);
+    }
+}
+
+TEST(Beacon, ahead_is_bright_and_behind_is_dull) {
+    const auto bright_db = [](SoundKind kind) {
+        const std::vector<float> both = heard({cue_at(kind, {0.0, 2.0, 0.0})}, 0.3);
+        return 10.0 * std::log10(energies(both, 1000.0, 16000.0)[0] / energies(both, 100.0, 16000.0)[0]);
+    };
+    EXPECT_GE(bright_db(SoundKind::BeaconAhead), bright_db(SoundKind::BeaconBehind) + 10.0);
 }
 
 }  // namespace loudness_test
