@@ -84,7 +84,7 @@ void Walking::steer(const Steering& steering) {
 
 void Walking::fall_silent() {
     halt();
-    tone_loudness_ = 0.0;
+    tone_.loudness = 0.0;
 }
 
 bool Walking::idle() const {
@@ -413,9 +413,9 @@ void Walking::tell_bump(const TraceHit& met, double way_rad, double now_s) {
 void Walking::tell_walls(double now_s) {
     double loudness = 0.0;
     Vec3 place = body_.feet_m();
-    if (glm::length(place - stood_.feet_m) > kStands_m || body_.heading_rad != stood_.heading_rad)
-        stood_ = {place, body_.heading_rad, now_s};
-    const bool stands = now_s - stood_.since_s > kToneStanding_s;
+    if (glm::length(place - tone_.feet_m) > kStands_m || body_.heading_rad != tone_.heading_rad)
+        tone_ = {tone_.loudness, place, body_.heading_rad, now_s};
+    const bool stands = now_s - tone_.since_s > kToneStanding_s;
     if (context_.settings.sound.wall_tone && !context_.hands.tuning.panic && !stands) {
         const double radius = body_.walker->size().radius_m;
         const auto wall = nearest_ahead(*context_.world.solids, body_.feet_m(), kLookHeight_m, body_.heading_rad,
@@ -425,8 +425,8 @@ void Walking::tell_walls(double now_s) {
             place = wall->point_m;
         }
     }
-    if (loudness == tone_loudness_) return;
-    tone_loudness_ = loudness;
+    if (loudness == tone_.loudness) return;
+    tone_.loudness = loudness;
     CueRequest tone;
     tone.kind = CueRequestKind::WallTone;
     tone.time_s = now_s;

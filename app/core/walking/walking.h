@@ -115,12 +115,13 @@ private:
     Paces paces_;
     double walked_s_ = -1e9;  // when the walker last moved
     double tilt_rad_ = 0.0;
-    double tone_loudness_ = 0.0;
-    struct Stood {
+    // The tone of walls, and where the body last came to stand.
+    struct Tone {
+        double loudness = 0.0;
         Vec3 feet_m{0.0};
         double heading_rad = 0.0, since_s = 0.0;
     };
-    Stood stood_;  // where the body last came to stand
+    Tone tone_;
     std::vector<Vec3> path_m_;
 };
 
