@@ -265,10 +265,14 @@ void EarWay::tell_leg(double now_s) {
 
 void EarWay::tell_leg_unasked(std::string words, bool anew, double now_s) {
     if (words.empty()) return;
+    context_.tell(SpeechTopic::Leg, std::move(words), now_s, {.anew = anew, .place_m = leg_place_m()});
+}
+
+// Where the leg that was told leads, a metre on.
+std::optional<Vec3> EarWay::leg_place_m() const {
     const auto heading_rad = word_.at_work() ? word_.heading_rad() : std::nullopt;
-    std::optional<Vec3> place_m;
-    if (heading_rad) place_m = context_.body.ears_m() + forward_of_heading(*heading_rad);
-    context_.tell(SpeechTopic::Leg, std::move(words), now_s, {.anew = anew, .place_m = place_m});
+    if (!heading_rad) return std::nullopt;
+    return context_.body.ears_m() + forward_of_heading(*heading_rad);
 }
 
 // How it goes on from here, since the line that told it was cut.
@@ -343,7 +347,8 @@ RouteFollower::Said EarWay::tick_words(double now_s) {
             return said;
         }
         // Legs that are still being planned are spoken when the plan is ready.
-        if (!rest_asked_) tell_leg_unasked(word_.leg(), false, now_s);
+        if (!rest_asked_)
+            context_.tell(SpeechTopic::Leg, word_.leg(), now_s, {.answers = true, .place_m = leg_place_m()});
         else if (!word_.rest().empty()) tell_rest(now_s);
     }
     tell_facing(now_s);

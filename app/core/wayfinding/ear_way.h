@@ -71,6 +71,7 @@ private:
     bool stands_at(const RoutePassage& passage) const;
     bool there(bool at_end) const;
     std::string on_words();
+    std::optional<Vec3> leg_place_m() const;
     void follow_silently(Route route, const std::string& goal);
     void tell(const std::string& words, double now_s);
     std::string leaf_in_way(const Vec3& to_m) const;
