@@ -31,6 +31,7 @@ enum class SpeechTopic : std::uint8_t {
     Summary,  // of a route that begins: made anew if it was cut
     Leg,      // of a route: as Place
     Lesson,   // what a lesson wants: as Summary
+    Praise,   // what a lesson says of the step that was done: as Summary
     Heading,  // which way you face: the newest replaces older ones
     Steps,    // how many steps you went: yields to everything and expires
 };

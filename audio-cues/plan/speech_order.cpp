@@ -14,7 +14,7 @@ bool replaces(SpeechTopic topic) {
 
 bool made_anew(SpeechTopic topic) {
     return topic == SpeechTopic::Place || topic == SpeechTopic::Summary || topic == SpeechTopic::Leg ||
-           topic == SpeechTopic::Lesson;
+           topic == SpeechTopic::Lesson || topic == SpeechTopic::Praise;
 }
 
 }  // namespace

@@ -57,7 +57,9 @@ bool LessonSession::act(Command command, double now_s) {
 void LessonSession::tell(const LessonReply& reply, double now_s) {
     if (reply.done && !reply.praise.empty()) context_.play(SoundKind::Arrived, now_s);
     const double later_s = reply.done && !reply.praise.empty() ? now_s + kAfterName_s : now_s;
-    if (!reply.praise.empty()) said_later_.push_back({reply.at_once ? now_s : later_s, reply.praise});
+    if (!reply.praise.empty())
+        said_later_.push_back({reply.at_once ? now_s : later_s, reply.praise, SpeechTopic::Praise});
+    praise_ = reply.praise;
     const bool nothing_to_set_up = reply.set_up && !owner_sets_up_;
     if (!reply.instruction.empty() && !nothing_to_set_up) said_later_.push_back({later_s, reply.instruction});
     if (in_first_minutes() && reply.done) keep_welcome(static_cast<int>(run_->at()), false);
@@ -80,7 +82,7 @@ void LessonSession::tell(const LessonReply& reply, double now_s) {
 void LessonSession::say_due(double now_s) {
     const auto due = std::stable_partition(said_later_.begin(), said_later_.end(),
                                            [&](const SaidLater& later) { return later.due_s <= now_s; });
-    for (auto it = said_later_.begin(); it != due; ++it) context_.tell(SpeechTopic::Lesson, it->text, now_s);
+    for (auto it = said_later_.begin(); it != due; ++it) context_.tell(it->topic, it->text, now_s);
     said_later_.erase(said_later_.begin(), due);
     if (!said_later_.empty()) return;
     const After after = std::exchange(after_, After::Nothing);
@@ -89,7 +91,11 @@ void LessonSession::say_due(double now_s) {
         context_.answer(phrase("lesson.over", {{"key", context_.keys.keys_of(Command::Lessons)}}), now_s);
 }
 
-void LessonSession::tell_anew(double now_s) {
+void LessonSession::tell_anew(SpeechTopic topic, double now_s) {
+    if (topic == SpeechTopic::Praise) {
+        if (run_ && !praise_.empty()) context_.tell(topic, praise_, now_s, {.anew = true});
+        return;
+    }
     if (run_ && said_later_.empty() && !(run_->goal() == LessonGoal::SetUp && !owner_sets_up_))
         context_.tell(SpeechTopic::Lesson, run_->instruction(), now_s, {.anew = true});
 }
@@ -169,6 +175,7 @@ void LessonSession::leave(double now_s) {
     const bool greet = greeting_waits(), first = in_first_minutes();
     run_.reset();
     said_later_.clear();
+    praise_.clear();
     after_ = After::Nothing;
     if (first) keep_welcome(0, true);
     std::string text = phrase(first ? "lesson.introduction_left" : "lesson.left");

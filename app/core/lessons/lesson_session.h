@@ -41,8 +41,8 @@ public:
     // Handles the list of lessons, and the first minutes from the beginning. Returns false for other commands.
     bool act(Command command, double now_s);
     void tick(double now_s);
-    // What this step wants once more, since the line with it was cut.
-    void tell_anew(double now_s);
+    // What this step wants, or what was said of the step before, once more, since the line with it was cut.
+    void tell_anew(SpeechTopic topic, double now_s);
     // What happened has been looked at, and nothing waits to be said.
     bool idle() const;
 
@@ -72,8 +72,10 @@ private:
     struct SaidLater {
         double due_s = 0.0;
         std::string text;
+        SpeechTopic topic = SpeechTopic::Lesson;
     };
     std::vector<SaidLater> said_later_;
+    std::string praise_;  // of the last step that was done
     enum class After { Nothing, Choose, Lessons } after_ = After::Nothing;
     std::string who_speaks_;
     bool owner_sets_up_ = false, set_up_over_ = true;

@@ -139,7 +139,8 @@ void Session::press(Command command, double now_s, int times) {
 
 // What was cut, from the state of this moment: what is no longer true is not said.
 void Session::say_anew(SpeechTopics topics, double now_s) {
-    if (topics.has(SpeechTopic::Lesson)) lesson_session_.tell_anew(now_s);
+    for (const SpeechTopic topic : {SpeechTopic::Praise, SpeechTopic::Lesson})
+        if (topics.has(topic)) lesson_session_.tell_anew(topic, now_s);
     if (!state_.world.scene) return;
     if (topics.has(SpeechTopic::Place) && !where_.rooms.tell_here_anew(now_s))
         state_.context.tell(SpeechTopic::Place, where_am_i(), now_s, {.anew = true, .answers = true});

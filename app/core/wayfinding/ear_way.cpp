@@ -246,9 +246,9 @@ Route EarWay::planned() const {
     return kept.length_m < kWorthTurningBack * anew.length_m ? kept : anew;
 }
 
-// Announces the words, or says that they will follow if they are still being planned.
-void EarWay::tell(const std::string& words, double now_s) {
-    if (!words.empty()) return context_.answer(words, now_s);
+// What is not there yet is told as soon as it is.
+void EarWay::tell(const std::string& words, SpeechTopic topic, double now_s) {
+    if (!words.empty()) return context_.tell(topic, words, now_s, {.answers = true, .place_m = leg_place_m()});
     if (word_.at_work()) return context_.answer(phrase("leg.looks"), now_s);
     if (!follower_.following()) return tell_on(now_s);
     // No legs lead on from here, so the route is announced as a whole, as for the hand.
@@ -260,7 +260,7 @@ void EarWay::tell(const std::string& words, double now_s) {
 void EarWay::tell_leg(double now_s) {
     rest_asked_ = false;
     if (!follower_.following() || !word_.at_work()) return tell_on(now_s);
-    tell(word_.leg(), now_s);
+    tell(word_.leg(), SpeechTopic::Leg, now_s);
 }
 
 void EarWay::tell_leg_unasked(std::string words, bool anew, double now_s) {
@@ -290,13 +290,13 @@ void EarWay::tell_anew(SpeechTopic topic, double now_s) {
 void EarWay::tell_next_leg(double now_s) {
     rest_asked_ = false;
     if (!follower_.following() || !word_.at_work()) return tell_on(now_s);
-    tell(word_.next_leg(), now_s);
+    tell(word_.next_leg(), SpeechTopic::Leg, now_s);
 }
 
 void EarWay::tell_rest(double now_s) {
     const std::vector<std::string> legs = rest_of_way();
     rest_asked_ = legs.empty();
-    tell(fmt::format("{}", fmt::join(legs, " ")), now_s);
+    tell(fmt::format("{}", fmt::join(legs, " ")), SpeechTopic::None, now_s);
 }
 
 std::vector<std::string> EarWay::rest_of_way() {

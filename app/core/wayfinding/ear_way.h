@@ -73,7 +73,7 @@ private:
     std::string on_words();
     std::optional<Vec3> leg_place_m() const;
     void follow_silently(Route route, const std::string& goal);
-    void tell(const std::string& words, double now_s);
+    void tell(const std::string& words, SpeechTopic topic, double now_s);
     std::string leaf_in_way(const Vec3& to_m) const;
     RouteFollower::Said tick_words(double now_s);
     void tell_facing(double now_s);
