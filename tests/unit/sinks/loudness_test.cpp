@@ -2,7 +2,6 @@
 // the beacon tells by both ears.
 #include "audio-cues/sinks/loudness.h"
 
-#include <ebur128.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -16,6 +15,7 @@
 #include "audio-cues/plan/sound_table.h"
 #include "audio-cues/sinks/openal_sink.h"
 #include "audio-cues/sinks/synth.h"
+#include "tests/support/loudness_meter.h"
 #include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/base/vec.h"
@@ -23,35 +23,8 @@
 namespace handrail {
 namespace loudness_test {
 
-struct Measured {
-    double lufs = -120.0;  // the loudest 400 ms
-    double true_peak_db = -120.0;
-};
-
-Measured measured(std::span<const float> frames, unsigned channels) {
-    ebur128_state* state = ebur128_init(channels, kSampleRate_hz, EBUR128_MODE_M | EBUR128_MODE_TRUE_PEAK);
-    if (state == nullptr) throw std::runtime_error("libebur128 gives no state");
-    Measured all;
-    // What is shorter than 400 ms is heard with silence around it.
-    std::vector<float> padded(frames.begin(), frames.end());
-    padded.resize(padded.size() + 19200 * channels);
-    constexpr std::size_t kPiece = 480;
-    for (std::size_t at = 0; at < padded.size() / channels; at += kPiece) {
-        const std::size_t count = std::min(kPiece, padded.size() / channels - at);
-        ebur128_add_frames_float(state, padded.data() + at * channels, count);
-        double lufs = -120.0;
-        if (ebur128_loudness_momentary(state, &lufs) == EBUR128_SUCCESS) all.lufs = std::max(all.lufs, lufs);
-    }
-    double highest = 1e-9;
-    for (unsigned channel = 0; channel < channels; ++channel) {
-        double peak = 0.0;
-        ebur128_true_peak(state, channel, &peak);
-        highest = std::max(highest, peak);
-    }
-    all.true_peak_db = 20.0 * std::log10(highest);
-    ebur128_destroy(&state);
-    return all;
-}
+using test::Measured;
+using test::measured;
 
 // At the volumes of a new settings file.
 double lufs_of(SoundKind kind, SoundClass material) {
@@ -83,7 +56,7 @@ std::string table_of(const std::map<SoundKind, Row>& rows) {
     for (int rank = 0; rank < kSoundRanks; ++rank)
         for (const auto& [kind, row] : rows)
             if (rank_of(kind) == static_cast<SoundRank>(rank))
-                text += fmt::format("| {} | {} | {:.0f} |\n", info(kind).name, rank_name(rank_of(kind)), row.loudest);
+                text += fmt::format("| {} | {} | {:.1f} |\n", info(kind).name, rank_name(rank_of(kind)), row.loudest);
     return text;
 }
 
@@ -111,9 +84,9 @@ TEST(Loudness, follows_the_order_of_importance_and_danger_stands_out_by_3_units)
 
 TEST(Loudness, of_every_sound_is_in_the_results) {
     const std::filesystem::path file = test::project_root() / "docs" / "results" / "sound-and-speech.md";
-    const std::string begin = "<!-- loudness -->\n", end = "<!-- end -->";
+    const std::string begin = "<!-- loudness -->\n", end = "\nMeasured ";
     std::string page = test::content_of(file);
-    const std::size_t from = page.find(begin), to = page.find(end);
+    const std::size_t from = page.find(begin), to = page.find(end, from);
     ASSERT_TRUE(from != std::string::npos && to != std::string::npos && from < to);
     const std::string shown = page.substr(from + begin.size(), to - from - begin.size()), now = table_of(all_sounds());
     if (const char* write = std::getenv("HANDRAIL_WRITE_TRANSCRIPTS"); write && *write) {
