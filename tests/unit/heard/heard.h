@@ -2,12 +2,16 @@
 // was printed.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <string>
 #include <vector>
 
 #include "audio-cues/sinks/recording_sinks.h"
 
 namespace handrail::test {
+
+inline constexpr double kAfterLastKey_s = 15.0;  // then what was heard is judged
 
 // It was spoken and nothing cut it.
 inline bool in_full(const HeardSpeech& line, double now_s) { return line.voiced && !line.cut && line.end_s <= now_s; }
@@ -24,6 +28,18 @@ inline std::vector<std::string> unheard(const RecordingSpeech& voice, const std:
         if (last && !in_full(*last, now_s)) missing.push_back(last->utterance.text);
     }
     return missing;
+}
+
+// Every line with its times, for whoever reads of a failure.
+inline std::string told(const RecordingSpeech& voice) {
+    std::string text;
+    for (const HeardSpeech& said : voice.lines())
+        text += fmt::format("{:7.2f} {:7.2f} {}{}\n", said.time_s, said.end_s,
+                            !said.voiced ? "written: "
+                            : said.cut   ? "cut: "
+                                         : "",
+                            said.utterance.text);
+    return text;
 }
 
 // Warnings that something cut.

@@ -1,0 +1,154 @@
+// Three recordings as a person with headphones would hear them: the first minutes, a walk through five doors with a
+// beacon, and a labyrinth. Each is transcribed by matching it with the voice's own rendering of each line.
+//   HANDRAIL_WRITE_RECORDINGS=FOLDER build/release/bin/unit_heard --gtest_filter='Recordings.*'
+// keeps the recordings with what was heard of each line.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+
+#include "tests/support/heard_legs.h"
+#include "tests/support/loudness_meter.h"
+#include "tests/support/scale.h"
+#include "tests/unit/heard/transcript.h"
+#include "tests/unit/heard/typist.h"
+#include "worlds/base/language.h"
+
+namespace handrail {
+namespace recordings_test {
+
+const std::vector<double> kPauses_s{2.0, 2.5, 2.0, 3.0, 2.0, 6.0, 2.0, 4.0};
+
+class Recorded : public test::Sounding, public test::Typing {
+public:
+    Recorded() : Typing(audio(), *this, kPauses_s, [this] { mix_ms(); }) {}
+};
+
+void put(std::ofstream& file, std::uint32_t value, int bytes) {
+    for (int i = 0; i < bytes; ++i) file.put(static_cast<char>(value >> (8 * i) & 0xFFU));
+}
+
+// 16 bits, two channels, 48 kHz.
+void write_wav(const std::filesystem::path& path, const std::vector<float>& both) {
+    std::ofstream file(path, std::ios::binary);
+    const auto size = static_cast<std::uint32_t>(2 * both.size());
+    file << "RIFF";
+    put(file, 36 + size, 4);
+    file << "WAVEfmt ";
+    for (const auto& [value, bytes] :
+         {std::pair{16U, 4}, {1U, 2}, {2U, 2}, {48000U, 4}, {192000U, 4}, {4U, 2}, {16U, 2}})
+        put(file, value, bytes);
+    file << "data";
+    put(file, size, 4);
+    for (const float s : both)
+        put(file, static_cast<std::uint16_t>(std::lround(32767.0F * std::clamp(s, -1.0F, 1.0F))), 2);
+    ASSERT_TRUE(file.flush().good()) << path;
+}
+
+// What matters was heard, and the mix keeps its distance from full scale.
+void judge(const Recorded& recorded, const std::string& name, int least) {
+    const std::vector<test::Transcribed> lines = test::transcribe(recorded);
+    const std::string transcript = test::text_of(lines);
+    const test::Judged judged = test::judge(lines);
+    const test::Measured all = test::measured(recorded.mix(), 2);
+    std::cout << fmt::format(
+        "    {}: {:.0f} s, {} lines, {} of them matter, {:.0f} % heard in full; true peak {:.1f} dB\n", name,
+        static_cast<double>(recorded.mix().size()) / 96000.0, lines.size(), judged.matter, 100.0 * judged.share(),
+        all.true_peak_db);
+    if (const char* folder = std::getenv("HANDRAIL_WRITE_RECORDINGS"); folder && *folder) {
+        write_wav(std::filesystem::path(folder) / (name + ".wav"), recorded.mix());
+        std::ofstream(std::filesystem::path(folder) / (name + ".txt")) << transcript;
+    }
+    EXPECT_GE(judged.matter, least) << transcript;
+    EXPECT_GE(judged.share(), 0.95) << transcript << ::testing::PrintToString(judged.missing);
+    EXPECT_LT(all.true_peak_db, -3.0);
+}
+
+class Recordings : public ::testing::Test {
+protected:
+    void SetUp() override {
+        if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "minutes of sound take too long to mix under a sanitizer";
+        ASSERT_TRUE(speak_language("en"));
+    }
+    Recorded recorded;
+};
+
+TEST_F(Recordings, of_the_first_minutes) {
+    recorded.enter("first_room.map");
+    recorded.app().apply(FirstMinutesBegun{"its own voice", false}, recorded.now_s());
+    recorded.listen();
+    recorded.key("Enter");
+    recorded.listen();
+    // Without waiting for the end of what is said, and then with.
+    const auto go = [&](Command command, int times) {
+        recorded.press(command, times);
+        recorded.listen();
+    };
+    go(Command::Forward, 9);
+    go(Command::TurnLeft, 4);
+    go(Command::Forward, 4);
+    go(Command::TurnRight, 8);
+    go(Command::Forward, 9);
+    for (const char* key : {"Home", "Down", "Up", "Enter"}) {
+        recorded.key(key);
+        recorded.listen();
+    }
+    go(Command::WhereAmI, 1);
+    recorded.finish();
+    judge(recorded, "first_minutes", 10);
+}
+
+TEST_F(Recordings, of_a_walk_through_five_doors_with_a_beacon) {
+    const test::LegForm form = test::english_legs();
+    recorded.enter("house.map");
+    recorded.press(Command::Exits);  // from here on the rooms are known
+    recorded.listen();
+    const auto last_leg = [&](std::size_t from) {
+        for (std::size_t i = recorded.lines().size(); i > from; --i)
+            if (const auto leg = test::understood(recorded.lines()[i - 1].utterance.text, form)) return leg;
+        return std::optional<test::HeardLeg>{};
+    };
+    for (const auto& [room, thing] : {std::pair{"Living room", "Sofa"}, {"Study", "Desk"}, {"Kitchen", "Kitchen"}}) {
+        recorded.type(fmt::format("find {}", thing));
+        recorded.key("Enter");  // by the beacon
+        recorded.type(fmt::format("routes {}", room));
+        std::size_t from = recorded.lines().size();
+        recorded.press(Command::RepeatLeg);
+        for (int legs = 0; legs < 12 && recorded.app().guide().leads(); ++legs) {
+            recorded.listen();
+            const auto leg = last_leg(from);
+            if (!leg) break;
+            recorded.press(leg->turn_notches > 0 ? Command::TurnRight : Command::TurnLeft, std::abs(leg->turn_notches));
+            recorded.press(Command::Forward, leg->steps + (leg->until == test::HeardLeg::Until::Counted ? 0 : 1));
+            if (leg->use) recorded.press(Command::Use);
+            from = recorded.lines().size();
+            recorded.press(Command::NextLeg);
+        }
+        recorded.listen();
+    }
+    recorded.finish();
+    std::vector<std::string> rooms;
+    for (const auto& entered : recorded.rooms) rooms.push_back(entered.name);
+    EXPECT_GE(rooms.size(), 6U) << ::testing::PrintToString(rooms);
+    judge(recorded, "five_doors", 20);
+}
+
+TEST_F(Recordings, of_a_labyrinth) {
+    recorded.enter("labyrinth1.map");
+    for (const Command command :
+         {Command::Labyrinth, Command::Use, Command::TurnRight, Command::TurnRight, Command::TurnRight,
+          Command::TurnRight, Command::TurnRight, Command::Forward, Command::Forward, Command::Forward}) {
+        recorded.press(command);
+        recorded.listen();
+    }
+    recorded.finish();
+    judge(recorded, "labyrinth", 5);
+}
+
+}  // namespace recordings_test
+}  // namespace handrail

@@ -1,0 +1,164 @@
+#include "tests/unit/heard/transcript.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace handrail::test {
+namespace {
+
+constexpr double kHz = 48000.0;
+// First at 4 kHz over 15 s, then at 16 kHz around the place that was found.
+constexpr std::size_t kCoarse = 12, kFine = 3;
+constexpr double kSearched_s = 15.0, kBeginning_s = 0.6, kPiece_s = 0.25;
+constexpr double kAlike = 0.5;        // correlation of a piece with the mix, sounds included
+constexpr double kSilence = 1e-3;     // of the energy of the line
+constexpr double kQuiet_db = -30.0;   // a piece that much below the loudest is a pause
+constexpr double kShareInFull = 0.9;  // a sound may cover a piece
+
+// Both ears in one, every `step` samples averaged.
+std::vector<float> thinned(std::span<const float> both, std::size_t step) {
+    std::vector<float> out(both.size() / 2 / step);
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        float sum = 0.0F;
+        for (std::size_t k = 2 * i * step; k < 2 * (i + 1) * step; ++k) sum += both[k];
+        out[i] = sum;
+    }
+    return out;
+}
+
+double energy(std::span<const float> samples) {
+    double sum = 0.0;
+    for (const float s : samples) sum += static_cast<double>(s) * static_cast<double>(s);
+    return sum;
+}
+
+// -1 to 1; 0 of silence.
+double likeness(std::span<const float> a, std::span<const float> b) {
+    double product = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) product += static_cast<double>(a[i]) * static_cast<double>(b[i]);
+    const double both = energy(a) * energy(b);
+    return both > 1e-12 ? product / std::sqrt(both) : 0.0;
+}
+
+// Where `line` begins in `mix`, between two places.
+struct Found {
+    std::size_t at = 0;
+    double likeness = -1.0;
+};
+Found find_in(std::span<const float> mix, std::span<const float> line, std::size_t from, std::size_t until) {
+    Found best;
+    if (line.empty() || from + line.size() > mix.size()) return best;
+    until = std::min(until, mix.size() - line.size());
+    const double of_line = energy(line);
+    double of_mix = energy(mix.subspan(from, line.size()));  // of the part under the line
+    for (std::size_t at = from; at < until; ++at) {
+        // Several sums at once, which the compiler may not make of one.
+        std::array<float, 8> sums{};
+        for (std::size_t i = 0; i + sums.size() <= line.size(); i += sums.size())
+            for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += line[i + k] * mix[at + i + k];
+        float product = 0.0F;
+        for (const float sum : sums) product += sum;
+        // In silence there is nothing but rounding.
+        const double here =
+            of_mix > kSilence * of_line ? static_cast<double>(product) / std::sqrt(of_line * of_mix) : -1.0;
+        if (here > best.likeness) best = {at, here};
+        const auto first = static_cast<double>(mix[at]), next = static_cast<double>(mix[at + line.size()]);
+        of_mix = std::max(0.0, of_mix + next * next - first * first);
+    }
+    return best;
+}
+
+std::size_t samples_in(double seconds, std::size_t step) {
+    return static_cast<std::size_t>(seconds * kHz / static_cast<double>(step));
+}
+
+void compare(Transcribed& row, std::span<const float> mix, std::span<const float> line, std::size_t at) {
+    const std::size_t piece = samples_in(kPiece_s, kFine);
+    std::vector<double> energies;
+    for (std::size_t i = 0; i + piece <= line.size(); i += piece) energies.push_back(energy(line.subspan(i, piece)));
+    if (energies.empty()) return;
+    const double least = *std::max_element(energies.begin(), energies.end()) * std::pow(10.0, 0.1 * kQuiet_db);
+    int pieces = 0, heard = 0;
+    bool last = false;
+    for (std::size_t i = 0; i < energies.size(); ++i) {
+        if (energies[i] < least || at + (i + 1) * piece > mix.size()) continue;
+        last = likeness(line.subspan(i * piece, piece), mix.subspan(at + i * piece, piece)) >= kAlike;
+        ++pieces;
+        heard += last ? 1 : 0;
+    }
+    row.share = pieces > 0 ? static_cast<double>(heard) / pieces : 0.0;
+    row.in_full = last && row.share >= kShareInFull;
+}
+
+}  // namespace
+
+std::vector<Transcribed> transcribe(const Sounding& sounding) {
+    const std::vector<float> coarse = thinned(sounding.mix(), kCoarse), fine = thinned(sounding.mix(), kFine);
+    std::vector<Transcribed> rows;
+    for (const PrintedLine& line : sounding.lines()) {
+        Transcribed row{.text = line.utterance.text,
+                        .speech_class = line.utterance.speech_class,
+                        .topic = line.utterance.topic,
+                        .voiced = line.voiced,
+                        .printed_s = static_cast<double>(line.begin_frame) / kHz};
+        if (line.voiced) {
+            const std::vector<float> alone = Sounding::alone(line);
+            const std::vector<float> roughly = thinned(alone, kCoarse), exactly = thinned(alone, kFine);
+            const std::size_t beginning = std::min(roughly.size(), samples_in(kBeginning_s, kCoarse));
+            const std::size_t from = line.begin_frame / kCoarse;
+            const Found near =
+                find_in(coarse, std::span(roughly).first(beginning), from, from + samples_in(kSearched_s, kCoarse));
+            if (near.likeness >= kAlike) {
+                const std::size_t about = near.at * kCoarse / kFine, margin = 2 * kCoarse / kFine;
+                const std::size_t first = std::min(exactly.size(), samples_in(kBeginning_s, kFine));
+                const Found found =
+                    find_in(fine, std::span(exactly).first(first), about - std::min(about, margin), about + margin);
+                row.heard_s = static_cast<double>(found.at * kFine) / kHz;
+                compare(row, fine, exactly, found.at);
+            }
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+Judged judge(const std::vector<Transcribed>& lines) {
+    Judged all;
+    // The line that is told last of each topic, and whether it was heard once.
+    struct Run {
+        std::string text;
+        bool heard = false;
+    };
+    std::map<SpeechTopic, Run> runs;
+    const auto end = [&](const Run& run) {
+        if (run.text.empty()) return;
+        ++all.matter;
+        if (!run.heard) all.missing.push_back(run.text);
+    };
+    for (const Transcribed& line : lines) {
+        if (!line.matters()) continue;
+        Run& run = runs[line.topic];
+        if (run.text != line.text) {
+            end(run);
+            run = {.text = line.text};
+        }
+        run.heard = run.heard || line.in_full;
+    }
+    for (const auto& [topic, run] : runs) end(run);
+    return all;
+}
+
+std::string text_of(const std::vector<Transcribed>& lines) {
+    std::string text;
+    for (const Transcribed& line : lines)
+        text += fmt::format("{:7.2f} s  {:>9}  {:3.0f} %  {} {}\n", line.printed_s,
+                            line.heard_s ? fmt::format("{:7.2f} s", *line.heard_s) : "not heard", 100.0 * line.share,
+                            line.matters() ? "*" : " ", line.text);
+    return text;
+}
+
+}  // namespace handrail::test
