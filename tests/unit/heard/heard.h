@@ -16,16 +16,15 @@ inline constexpr double kAfterLastKey_s = 15.0;  // then what was heard is judge
 // It was spoken and nothing cut it.
 inline bool in_full(const HeardSpeech& line, double now_s) { return line.voiced && !line.cut && line.end_s <= now_s; }
 
-// The last lines about these topics, if they were not heard in full; the line that tells the topic anew counts, so an
-// empty result means that all that still holds was heard.
-inline std::vector<std::string> unheard(const RecordingSpeech& voice, const std::vector<SpeechTopic>& topics,
-                                        double now_s) {
+// The last lines about these topics, if they were cut or only written; one that is still being said is heard. The line
+// that tells the topic anew counts, so an empty result means that all that still holds was heard.
+inline std::vector<std::string> unheard(const RecordingSpeech& voice, const std::vector<SpeechTopic>& topics) {
     std::vector<std::string> missing;
     for (const SpeechTopic topic : topics) {
         const HeardSpeech* last = nullptr;
         for (const HeardSpeech& line : voice.lines())
             if (line.utterance.topic == topic) last = &line;
-        if (last && !in_full(*last, now_s)) missing.push_back(last->utterance.text);
+        if (last && (!last->voiced || last->cut)) missing.push_back(last->utterance.text);
     }
     return missing;
 }

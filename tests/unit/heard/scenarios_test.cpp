@@ -53,23 +53,20 @@ void hear(const std::string& name, double words_per_minute) {
     ASSERT_TRUE(world) << world.error().sentence();
     RecordingAudio audio;
     RecordingSpeech voice{words_per_minute};
-    double now_s = 0.0;
     bool leads = false;
-    const auto log = run_scenario(scenario, std::make_shared<const Scene>(std::move(*world)), audio, voice,
-                                  {read_requested}, [&](HeadlessSession& session) {
-                                      now_s = session.now_s();
-                                      leads = session.app().guide().leads();
-                                  });
+    const auto log =
+        run_scenario(scenario, std::make_shared<const Scene>(std::move(*world)), audio, voice, {read_requested},
+                     [&](HeadlessSession& session) { leads = session.app().guide().leads(); });
     ASSERT_TRUE(log) << log.error().sentence();
     const std::string how = fmt::format("{}, {} words a minute:\n{}", name, words_per_minute, test::told(voice));
     // Whoever presses a stop key wants to hear none of it.
     if (stops(scenario)) return;
-    EXPECT_THAT(test::unheard(voice, {SpeechTopic::Place}, now_s), IsEmpty()) << how;
+    EXPECT_THAT(test::unheard(voice, {SpeechTopic::Place}), IsEmpty()) << how;
     if (how.find("What to do next") == std::string::npos) {  // the lesson goes on
-        EXPECT_THAT(test::unheard(voice, {SpeechTopic::Praise, SpeechTopic::Lesson}, now_s), IsEmpty()) << how;
+        EXPECT_THAT(test::unheard(voice, {SpeechTopic::Praise, SpeechTopic::Lesson}), IsEmpty()) << how;
     }
     if (leads) {
-        EXPECT_THAT(test::unheard(voice, {SpeechTopic::Summary, SpeechTopic::Leg}, now_s), IsEmpty()) << how;
+        EXPECT_THAT(test::unheard(voice, {SpeechTopic::Summary, SpeechTopic::Leg}), IsEmpty()) << how;
     }
     EXPECT_THAT(test::cut_warnings(voice), IsEmpty()) << how;
 }

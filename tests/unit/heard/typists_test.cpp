@@ -43,11 +43,9 @@ TEST_P(Paced, who_walks_through_the_house_hears_rooms_and_the_whole_of_a_route) 
     const double stay_s = GetParam().pause_s < 2.0 ? kAfterLastKey_s : 2.0 * GetParam().pause_s + 3.0;
     EXPECT_THAT(typist.rooms_not_heard(stay_s), IsEmpty()) << typist.all();
     EXPECT_FALSE(typist.rooms.empty());
-    EXPECT_THAT(test::unheard(typist.voice, {SpeechTopic::Place, SpeechTopic::Lesson}, typist.now_s()), IsEmpty())
-        << typist.all();
+    EXPECT_THAT(test::unheard(typist.voice, {SpeechTopic::Place, SpeechTopic::Lesson}), IsEmpty()) << typist.all();
     if (typist.app().guide().leads()) {
-        EXPECT_THAT(test::unheard(typist.voice, {SpeechTopic::Summary, SpeechTopic::Leg}, typist.now_s()), IsEmpty())
-            << typist.all();
+        EXPECT_THAT(test::unheard(typist.voice, {SpeechTopic::Summary, SpeechTopic::Leg}), IsEmpty()) << typist.all();
     }
     EXPECT_THAT(test::cut_warnings(typist.voice), IsEmpty()) << typist.all();
 }
@@ -59,8 +57,7 @@ TEST_P(Paced, who_asks_for_a_route_and_walks_on_at_once_hears_how_it_goes) {
     typist.press(Command::TurnRight, 4);
     typist.finish();
     ASSERT_TRUE(typist.app().guide().leads());
-    EXPECT_THAT(test::unheard(typist.voice, {SpeechTopic::Summary, SpeechTopic::Leg}, typist.now_s()), IsEmpty())
-        << typist.all();
+    EXPECT_THAT(test::unheard(typist.voice, {SpeechTopic::Summary, SpeechTopic::Leg}), IsEmpty()) << typist.all();
     EXPECT_THAT(typist.all(), ::testing::HasSubstr("steps in all"));
 }
 
@@ -72,8 +69,7 @@ TEST_P(Paced, who_walks_on_in_the_first_minutes_hears_what_the_next_step_wants) 
     typist.press(Command::TurnLeft, 4);
     typist.press(Command::Forward, 6);
     typist.finish();
-    EXPECT_THAT(test::unheard(typist.voice, {SpeechTopic::Praise, SpeechTopic::Lesson}, typist.now_s()), IsEmpty())
-        << typist.all();
+    EXPECT_THAT(test::unheard(typist.voice, {SpeechTopic::Praise, SpeechTopic::Lesson}), IsEmpty()) << typist.all();
     // Who presses faster than steps are taken does not come to the wall.
     if (GetParam().pause_s >= 2.0) {
         EXPECT_THAT(typist.all(), ::testing::HasSubstr("radiator"));
