@@ -1,5 +1,6 @@
 #include "tests/unit/heard/sounding.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <thread>
 
@@ -45,6 +46,14 @@ void Sounding::say(const Utterance& utterance) {
     PrintedLine line{.utterance = utterance, .begin_frame = mix_.size() / 2, .samples = synthesised(utterance)};
     bring(*heard_, utterance, line.samples);
     lines_.push_back(std::move(line));
+}
+
+void Sounding::stop() {
+    if (speaking()) {
+        const auto spoken = std::find_if(lines_.rbegin(), lines_.rend(), [](const auto& line) { return line.voiced; });
+        if (spoken != lines_.rend()) spoken->stopped = true;
+    }
+    heard_->stop();
 }
 
 void Sounding::write(const Utterance& utterance) {

@@ -15,7 +15,8 @@ namespace handrail::test {
 // A line that the session printed.
 struct PrintedLine {
     Utterance utterance;
-    bool voiced = true;  // false: only written
+    bool voiced = true;    // false: only written
+    bool stopped = false;  // a key cut it
     std::size_t begin_frame = 0;
     std::vector<std::int16_t> samples;  // as the voice made them, at voice_hz()
 };
@@ -32,7 +33,7 @@ public:
 
     void say(const Utterance& utterance) override;
     void write(const Utterance& utterance) override;
-    void stop() override { heard_->stop(); }
+    void stop() override;
     bool speaking() const override { return heard_->playing(); }
 
     // This line alone, as both ears hear it where nothing else sounds.

@@ -104,6 +104,7 @@ std::vector<Transcribed> transcribe(const Sounding& sounding) {
                         .speech_class = line.utterance.speech_class,
                         .topic = line.utterance.topic,
                         .voiced = line.voiced,
+                        .stopped = line.stopped,
                         .printed_s = static_cast<double>(line.begin_frame) / kHz};
         if (line.voiced) {
             const std::vector<float> alone = Sounding::alone(line);

@@ -14,17 +14,17 @@ struct Transcribed {
     std::string text;
     SpeechClass speech_class = SpeechClass::Answer;
     SpeechTopic topic = SpeechTopic::None;
-    bool voiced = true;
+    bool voiced = true, stopped = false;
     double printed_s = 0.0;
     std::optional<double> heard_s;  // where it begins in the mix; none: it was not found
     double share = 0.0;             // of its pieces with voice in them that are in the mix
     bool in_full = false;           // 90 % of the pieces and the last one
 
-    // All but names of what is touched, hints, headings and counts of steps, and but for what is only written: it was
-    // said a moment before, or is out of date.
+    // Danger, places, routes and lessons, and answers that the person did not cut with the next key. What is only
+    // written was said a moment before, or is out of date.
     bool matters() const {
-        return voiced && speech_class <= SpeechClass::Guidance && topic != SpeechTopic::Heading &&
-               topic != SpeechTopic::Steps;
+        if (!voiced || speech_class > SpeechClass::Guidance || topic == SpeechTopic::Heading) return false;
+        return topic != SpeechTopic::None || speech_class <= SpeechClass::Warning || !stopped;
     }
 };
 
