@@ -62,13 +62,23 @@ private:
     // The lines of a flight show its sides, which have no walls; a line around them would leave no space for them.
     bool is_flight(std::uint32_t room) const { return storey_.rooms[room].kind == RoomKind::Stairs; }
 
-    // The part of a border that no portal accounts for.
+    // Where a route leads to another storey, as at the low end of a ramp, a finger finds no wall.
+    bool leads_on(const RoomBorder& border, const Vec2& at) const {
+        return std::any_of(storey_.exits.begin(), storey_.exits.end(), [&](const StoreyExit& exit) {
+            const double reach = (0.5 * exit.width_m + kBesidePortal_m) * on_paper_.mm_per_m + kBesidePortal_mm;
+            return (exit.room == border.rooms[0] || exit.room == border.rooms[1]) &&
+                   glm::distance(on_paper_(exit.place_m), at) <= reach;
+        });
+    }
+
+    // The part of a border that nothing explains.
     WrongOpening leak_of(const RoomBorder& border) const {
         WrongOpening leak{border.rooms, Vec2(0.0), {}};
         if (is_flight(border.rooms[0]) || is_flight(border.rooms[1])) return leak;
         for (const std::size_t square : border.squares) {
             const Vec2 at = middle(square);
-            if (std::none_of(storey_.portals.begin(), storey_.portals.end(), [&](const StoreyPortal& portal) {
+            if (!leads_on(border, at) &&
+                std::none_of(storey_.portals.begin(), storey_.portals.end(), [&](const StoreyPortal& portal) {
                     return joins(portal, border) && glm::distance(on_paper_(portal.place_m), at) <= reach_mm(portal);
                 }))
                 leak.squares_mm.push_back(at);
@@ -89,6 +99,8 @@ private:
 RoomGrid rooms_on(const Ink& walls, const Storey& storey, const OnPaper& on_paper) {
     RoomGrid grid(walls.wide, walls.high);
     grid.blocked = walls.black;
+    const auto outside = static_cast<std::uint32_t>(storey.rooms.size());
+    std::vector<std::size_t> beyond;
     const StoreyFloor& floor = storey.floor;
     const auto cell_of = [&](int pixel, int axis) {
         const double at_m = on_paper.world(Vec2((pixel + 0.5) * kInkPixel_mm))[axis];
@@ -100,14 +112,20 @@ RoomGrid rooms_on(const Ink& walls, const Storey& storey, const OnPaper& on_pape
         const int row = cell_of(y, 1);
         for (int x = 0; x < grid.wide; ++x) {
             const int cell = column[static_cast<std::size_t>(x)];
-            std::uint32_t& room = grid.room[grid.at(x, y)];
-            if (x == 0 || y == 0 || x == grid.wide - 1 || y == grid.high - 1)
-                room = static_cast<std::uint32_t>(storey.rooms.size());
-            else if (cell >= 0 && row >= 0 && cell < floor.wide && row < floor.high)
-                room = floor.room[static_cast<std::size_t>(row) * static_cast<std::size_t>(floor.wide) +
-                                  static_cast<std::size_t>(cell)];
+            const std::size_t here = grid.at(x, y);
+            if (x == 0 || y == 0 || x == grid.wide - 1 || y == grid.high - 1) grid.room[here] = outside;
+            if (cell < 0 || row < 0 || cell >= floor.wide || row >= floor.high) continue;
+            const std::size_t square =
+                static_cast<std::size_t>(row) * static_cast<std::size_t>(floor.wide) + static_cast<std::size_t>(cell);
+            if (grid.room[here] != outside) grid.room[here] = floor.room[square];
+            if (floor.beyond.empty() || !floor.beyond[square] || grid.blocked[here]) continue;
+            grid.blocked[here] = 1;
+            beyond.push_back(here);
         }
     }
+    spread_rooms(grid);
+    if (beyond.empty()) return grid;
+    for (const std::size_t pixel : beyond) grid.blocked[pixel] = 0, grid.room[pixel] = outside;
     spread_rooms(grid);
     return grid;
 }

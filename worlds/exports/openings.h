@@ -1,5 +1,6 @@
-// Checks what a drawing of walls promises: two rooms are open to each other if the route graph has a way through, and
-// nowhere else. The sides of a flight of stairs are left open, because its lines show them. Pure functions; any thread.
+// What a drawing of walls promises: between two rooms it is open where the route graph has a way through, and nowhere
+// else. The sides of a flight of stairs are left open: its lines show them. So are routes to another storey. Pure
+// functions; any thread.
 #pragma once
 
 #include <array>

@@ -5,6 +5,7 @@
 
 #include "worlds/base/language.h"
 #include "worlds/exports/braille_page.h"
+#include "worlds/exports/floor_edges.h"
 #include "worlds/exports/names.h"
 #include "worlds/exports/openings.h"
 #include "worlds/exports/places.h"
@@ -89,6 +90,7 @@ public:
         }
         if (const Result<void> signs = raise_signs(); !signs) return tl::unexpected(signs.error());
         raise_base();
+        raise_edges();
         raise_things();
         auto triangles = plate_with(um(made_.wide_mm), um(made_.deep_mm), um(kPlate_mm), raised_);
         if (!triangles || !check_solid(*triangles).closed()) return fail(phrase("export.not_closed"));
@@ -143,6 +145,14 @@ private:
         places_.take(arrow->loop_mm);
         beside_things_.take(arrow->loop_mm);
         raise(arrow->loop_mm, kLow_mm);
+    }
+
+    void raise_edges() {
+        const EdgeInk ink = edge_lines(storey_, on_plate_, rooms_, places_, kLeastWall_mm, kFree_mm + 1.0);
+        for (const PlanBox& line : ink.lines) {
+            raise(corners_of(line), kLow_mm);
+            beside_things_.take(corners_of(line));
+        }
     }
 
     Result<void> raise_signs() {

@@ -9,6 +9,7 @@
 
 #include "worlds/base/language.h"
 #include "worlds/exports/braille_page.h"
+#include "worlds/exports/floor_edges.h"
 #include "worlds/exports/ink.h"
 #include "worlds/exports/names.h"
 #include "worlds/exports/openings.h"
@@ -56,6 +57,7 @@ public:
         draw_base();
         if (const Result<void> signs = draw_signs(); !signs) return tl::unexpected(signs.error());
         if (const Result<void> letters = draw_short_signs(); !letters) return tl::unexpected(letters.error());
+        draw_edges();
         draw_things();
         if (const Result<void> head = draw_frame(); !head) return tl::unexpected(head.error());
         made_.on_paper = on_paper_;
@@ -152,11 +154,7 @@ private:
         cut_to_sheet();
         hollow_ = hollow_out(walls_.ink, kHollowFrom_mm, kWallLine_mm, kHollowLong_mm);
         rooms_ = rooms_on(walls_within_part(), storey_, on_paper_);
-        const RoomGrid whole = made_.part ? rooms_on(walls_.ink, storey_, on_paper_) : rooms_;
-        for (const std::uint32_t room :
-             rooms_with_open_edges(whole, storey_, kLeastEdge_m * on_paper_.mm_per_m,
-                                   [&](const Vec2& mm) { return shown(on_paper_.world(mm)); }))
-            edges_.push_back(storey_.rooms[room].name);
+        whole_ = made_.part ? rooms_on(walls_.ink, storey_, on_paper_) : rooms_;
         rungs_ = stair_rungs(storey_, on_paper_, rooms_, Places(walls_.ink, kClear_mm, low_mm_, high_mm_), walls_.ink,
                              kThinLine_mm, kClear_mm, kLeastStair_mm);
         cut_to_sheet();
@@ -181,6 +179,17 @@ private:
         add(stairs_.of_others, rungs_.of_others);
     }
 
+    void draw_edges() {
+        const EdgeInk ink = edge_lines(storey_, on_paper_, whole_, places_, kThinLine_mm, kClear_mm + 0.2);
+        for (const PlanBox& line : ink.lines) draw({corners_of(line)});
+        for (const std::uint32_t room : ink.rooms) edges_.push_back(storey_.rooms[room].name);
+        for (const std::uint32_t room :
+             rooms_with_open_edges(whole_, storey_, kLeastEdge_m * on_paper_.mm_per_m,
+                                   [&](const Vec2& mm) { return shown(on_paper_.world(mm)); }))
+            if (std::find(ink.rooms.begin(), ink.rooms.end(), room) == ink.rooms.end())
+                undrawn_edges_.push_back(storey_.rooms[room].name);
+    }
+
     std::optional<BaseArrow> arrow_in(const Places& places) const {
         if (!storey_.base || !shown(storey_.base->place_m)) return std::nullopt;
         return arrow_of_base(*storey_.base, on_paper_, walls_.ink, places,
@@ -188,7 +197,11 @@ private:
     }
 
     void draw_base() {
-        if (!storey_.base || !shown(storey_.base->place_m)) return;
+        if (!storey_.base) return;
+        if (!shown(storey_.base->place_m)) {
+            if (!made_.part) base_ = phrase("export.base_outside");  // of several sheets another may show it
+            return;
+        }
         const auto arrow = arrow_in(places_);
         if (!arrow) {
             base_ = phrase("export.base_left_out");
@@ -481,7 +494,7 @@ private:
         }
         if (const std::vector<std::string> flights = undrawn_flights(); !flights.empty())
             said.push_back(phrase("export.stairs_left_out", {{"names", names_list(flights)}}));
-        if (!edges_.empty()) said.push_back(phrase("export.edges", {{"names", names_list(edges_)}}));
+        if (!undrawn_edges_.empty()) said.push_back(phrase("export.edges", {{"names", names_list(undrawn_edges_)}}));
         if (!base_.empty()) said.push_back(base_);
         keep_promises();
         if (!shrunk_.empty()) said.push_back(phrase("export.shrunk", {{"names", names_list(shrunk_)}}));
@@ -515,11 +528,13 @@ private:
     // Routes to other storeys, except flights with lines and drops.
     std::vector<std::string> exits() const {
         std::vector<std::string> names;
-        for (const StoreyExit& exit : storey_.exits)
-            if (shown(exit.place_m))
-                names.push_back(phrase("export.exit", {{"one", storey_.rooms[exit.room].name},
-                                                       {"other", exit.to},
-                                                       {"lift", exit.kind == PassageKind::Lift ? "yes" : "no"}}));
+        for (const StoreyExit& exit : storey_.exits) {
+            if (!shown(exit.place_m)) continue;
+            std::string name = phrase("export.exit", {{"one", storey_.rooms[exit.room].name},
+                                                      {"other", exit.to},
+                                                      {"lift", exit.kind == PassageKind::Lift ? "yes" : "no"}});
+            if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
+        }
         return names;
     }
 
@@ -587,6 +602,7 @@ private:
                 rooms.push_back(storey_.rooms[storey_.stairs_of_others[flight].room].name);
             add(phrase("export.key_stairs_of_others", {{"names", names_list(rooms)}}));
         }
+        if (!edges_.empty()) add(phrase("export.key_edges", {{"names", names_list(edges_)}}));
         if (const std::vector<std::string> names = exits(); !names.empty())
             add(phrase("export.key_exits", {{"names", names_list(names)}}));
         if (!storey_.hidden.empty()) add(phrase("export.key_hidden", {{"names", hidden_names(storey_)}}));
@@ -611,12 +627,13 @@ private:
             const RoomSign& sign = made_.signs[i];
             const std::string name = capitalised(sign.name);
             const std::vector<std::string>& doors = sign.doors_to.empty() ? sign.leads_to : sign.doors_to;
-            std::string line = sign.on_sheet          ? name + "."
-                               : is_known_by_lines(i) ? phrase("export.key_room_by_lines", {{"name", name}})
-                               : !doors.empty()
-                                   ? phrase("export.key_room_by_doors", {{"name", name}, {"names", names_list(doors)}})
-                               : storey_.rooms[i].shut ? phrase("export.key_room_shut", {{"name", name}})
-                                                       : phrase("export.key_room_unsigned", {{"name", name}});
+            std::string line =
+                sign.on_sheet && storey_.rooms[i].shut ? phrase("export.key_room_signed_shut", {{"name", name}})
+                : sign.on_sheet                        ? name + "."
+                : is_known_by_lines(i)                 ? phrase("export.key_room_by_lines", {{"name", name}})
+                : !doors.empty() ? phrase("export.key_room_by_doors", {{"name", name}, {"names", names_list(doors)}})
+                : storey_.rooms[i].shut ? phrase("export.key_room_shut", {{"name", name}})
+                                        : phrase("export.key_room_unsigned", {{"name", name}});
             if (i < wish_.plate_signs.size() && !wish_.plate_signs[i].empty() &&
                 !(sign.on_sheet && sign.sign == wish_.plate_signs[i]))
                 line += " " + phrase("export.key_room_on_plate", {{"sign", wish_.plate_signs[i]}});
@@ -645,9 +662,10 @@ private:
     Places beside_things_;  // the same, without the space of objects
     int hollow_ = 0;
     MendedOpenings mended_;
-    std::vector<std::string> edges_;  // rooms whose floor ends without a wall
+    std::vector<std::string> edges_, undrawn_edges_;  // rooms that end in the open, by whether lines show it
     RoomGrid rooms_;
-    StairInk stairs_, rungs_;  // stairs_ contains all lines in the end; rungs_ those that reach into walls
+    RoomGrid whole_;           // without the borders of one of several sheets
+    StairInk stairs_, rungs_;  // in the end all of them; those that reach into walls
     bool base_drawn_ = false;
     std::uint32_t base_room_ = kNothing;
     std::string base_;

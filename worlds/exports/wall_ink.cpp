@@ -304,16 +304,24 @@ std::optional<Vec2> place_of_sign(const Storey& storey, std::size_t room, const 
     const auto is_mine = [&](const Vec2& p) {
         return p.x >= low.x && p.y >= low.y && p.x <= high.x && p.y <= high.y && room_on(rooms, p) == room;
     };
+    // On a floor without walls that is narrower than the sign, the sign reaches over its edges.
+    const auto is_mine_or_beyond = [&](const Vec2& p) {
+        return is_mine(p) || room_on(rooms, p) == storey.rooms.size();
+    };
+    bool reaches_over = false;
     const auto in_room = [&](const Vec2& p) {
         if (!is_mine(p)) return false;
         const std::array<Vec2, 4> corners = box_at(p).corners_m();
-        return std::all_of(corners.begin(), corners.end(), is_mine) &&
+        return (std::all_of(corners.begin(), corners.end(), is_mine) ||
+                (reaches_over && std::all_of(corners.begin(), corners.end(), is_mine_or_beyond))) &&
                !in_doorway(storey, on_paper, box_at(p), mine.outside ? kBeforeHouse_mm : kBeforeDoor_mm) &&
                !is_near_any(box_at(p), others, kBetweenSigns_mm);
     };
     const Vec2 middle = on_paper(mine.middle_m);
     std::optional<Vec2> place = beside_things.nearest_fit(middle, reach, box_at, in_room);
     if (!place) place = places.nearest_fit(middle, reach, box_at, in_room);
+    reaches_over = !storey.floor.beyond.empty();
+    if (!place && reaches_over) place = places.nearest_fit(middle, reach, box_at, in_room);
     return place;
 }
 

@@ -68,4 +68,29 @@ double narrowest_m(const PlanOutline& outline) {
     return least;
 }
 
+std::optional<SquaredWall> squared_wall(const PlanOutline& outline) {
+    constexpr double kThin_m = 0.05, kThick_m = 1.0;
+    constexpr double kLeastSlant = 0.4, kMostSlant = 0.92;  // cosines: a mitre is about half of a right angle
+    if (outline.size() != 4) return std::nullopt;
+    for (std::size_t i = 0; i < 4; ++i) {
+        // The end from a to b, between two sides that run the same way.
+        const Vec2 &before = outline[(i + 3) % 4], &a = outline[i], &b = outline[(i + 1) % 4],
+                   &behind = outline[(i + 2) % 4];
+        const double end = glm::distance(a, b), side_a = glm::distance(a, before), side_b = glm::distance(b, behind);
+        if (end < 1e-6 || side_a < 1e-6 || side_b < 1e-6) continue;
+        const Vec2 way = (a - before) / side_a;
+        const double thick = std::abs(cross_of(way, b - a)), slant = glm::dot(way, b - a) / end;
+        if (std::abs(cross_of(way, (b - behind) / side_b)) > 1e-3 || glm::dot(way, b - behind) <= 0.0) continue;
+        if (thick < kThin_m || thick > kThick_m || std::min(side_a, side_b) < thick) continue;
+        if (std::abs(slant) < kLeastSlant || std::abs(slant) > kMostSlant) continue;
+        SquaredWall made{outline, {}};
+        const bool a_is_short = slant > 0.0;
+        Vec2& moved = made.outline[a_is_short ? i : (i + 1) % 4];
+        made.added = {a, b, moved + way * std::abs(glm::dot(way, b - a))};
+        moved = made.added[2];
+        return made;
+    }
+    return std::nullopt;
+}
+
 }  // namespace handrail

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "worlds/plan/plan_cut.h"
@@ -24,7 +25,13 @@ PlanBox box_around(const PlanOutline& hull);
 bool within_loop(const std::vector<Vec2>& loop, const Vec2& at);
 // True if a place is inside a convex outline or on its border.
 bool within(const PlanOutline& outline, const Vec2& at);
-// The least thickness of a convex outline.
+// A wall with a mitred end, made square there; the corner that was added between the others, if `outline` is one.
+struct SquaredWall {
+    PlanOutline outline;
+    std::array<Vec2, 3> added;
+};
+std::optional<SquaredWall> squared_wall(const PlanOutline& outline);
+// How thin a convex outline is where it is thinnest.
 double narrowest_m(const PlanOutline& outline);
 
 }  // namespace handrail

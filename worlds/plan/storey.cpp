@@ -6,17 +6,18 @@
 
 #include "worlds/base/language.h"
 #include "worlds/navigation/room_outlines.h"
-#include "worlds/plan/room_borders.h"
+#include "worlds/plan/storey_grid.h"
 #include "worlds/scene/outer_ground.h"
 #include "worlds/scene/stated_building.h"
 
 namespace handrail {
 namespace {
 
-constexpr double kAround_m = 0.6;       // how far beyond the rooms the plan extends
-constexpr double kSillFrom_m = 0.3;     // above the floor: a person steps over parts that end lower
-constexpr double kWindowDeep_m = 0.45;  // greatest thickness of a part that closes a window
-constexpr double kUnderHead_m = 0.05;   // a part that reaches this far below the top of a body stops it
+constexpr double kAround_m = 0.6;       // of what stands round the rooms comes along
+constexpr double kBaseNear_m = 5.0;     // so near to the rooms the base is shown, too
+constexpr double kSillFrom_m = 0.3;     // above the floor: what ends lower is stepped over
+constexpr double kWindowDeep_m = 0.45;  // at most, of what closes a window
+constexpr double kUnderHead_m = 0.05;   // what reaches so far below the top of a body stops it
 constexpr double kThingFrom_m = 0.25, kLeastThing_m = 0.05;
 // A pane of glass that closes a front, or a partition between walls: greatest thickness, least length and height.
 constexpr double kPartitionThin_m = 0.2;
@@ -26,10 +27,8 @@ constexpr double kLongestTread_m = 1.5;  // longest tread of a wide solid step; 
 constexpr int kBesideSteps = 8;          // number of 5 cm steps that a gap may be away from the place where rooms meet
 constexpr double kWidestGap_m = 4.0;     // between the jambs; a wider opening is not a gap in a wall
 
-// Size of the squares on which openings between rooms are searched, and the greatest number of them side by side.
-constexpr double kSquare_m = 0.05, kMostSquares = 2000.0;
-constexpr double kBesidePortal_m = 0.5;  // how far an opening may extend beyond the portal's width
-constexpr double kStandsIn_m = 0.15;     // how much of an opening a thing must block to close it
+constexpr double kBesidePortal_m = 0.5;  // an opening reaches so far beyond the portal's width
+constexpr double kStandsIn_m = 0.15;     // of an opening that a thing closes
 constexpr double kFloorNearPortal_m = 2.0;
 // Floors kFloorsApart_m apart in height count as above each other. A room with kLeastHidden_m2 of hidden floor goes on
 // the second plan, which shows kAroundUpper_m around its rooms.
@@ -103,7 +102,7 @@ public:
         if (!made_.rooms.empty()) drop_ledges();
         take_gaps();
         if (!made_.rooms.empty()) open_portals();
-        take_base();
+        find_beyond(made_);
         return std::move(made_);
     }
 
@@ -182,13 +181,17 @@ private:
                 high = glm::max(high, room.max_m);
             }
         if (area <= 0.0) return made_.rooms.clear();
+        take_base();
+        if (made_.base && glm::all(glm::greaterThan(made_.base->place_m, low - Vec2(kBaseNear_m))) &&
+            glm::all(glm::lessThan(made_.base->place_m, high + Vec2(kBaseNear_m)))) {
+            low = glm::min(low, made_.base->place_m);
+            high = glm::max(high, made_.base->place_m);
+        }
         made_.floor_m = floor / area;
         if (scene_.stated) made_.name = stated_storey_name(*scene_.stated, made_.floor_m);
         const double margin = space_.body.radius_m + (made_.upper ? kAroundUpper_m : kAround_m);
         made_.min_m = low - Vec2(margin);
         made_.max_m = high + Vec2(margin);
-        const Vec2 size = made_.max_m - made_.min_m;
-        square_m_ = std::max(kSquare_m, std::max(size.x, size.y) / kMostSquares);
         take_floor();
         find_hidden();
         put_middles_on_floor();
@@ -390,11 +393,27 @@ private:
             if (solid.role != SolidRole::Solid || !is_structure(scene_, solid.feature)) continue;
             PlanOutline outline = stopping(solid.shape);
             if (outline.empty()) continue;
-            (climbed(solid.shape, outline) ? climbed_m_ : made_.walls_m).push_back(std::move(outline));
+            (climbed(solid.shape, outline) ? climbed_m_ : made_.walls_m).push_back(with_square_ends(outline));
         }
         for (const MeshTriangle& triangle : scene_.triangles)
             if (is_structure(scene_, triangle.feature))
                 if (auto sheet = cut(triangle)) made_.sheets_m.push_back(*sheet);
+    }
+
+    // A mitred end may meet a wall that has none: then a notch would be left in the corner.
+    PlanOutline with_square_ends(PlanOutline outline) const {
+        for (std::size_t ends = 0; ends < 2; ++ends) {
+            const auto squared = squared_wall(outline);
+            if (!squared) break;
+            const std::vector<Vec2> added(squared->added.begin(), squared->added.end());
+            const Vec2 low = glm::min(glm::min(added[0], added[1]), added[2]);
+            const Vec2 high = glm::max(glm::max(added[0], added[1]), added[2]);
+            for (double y = low.y; y <= high.y; y += 0.5 * made_.floor.cell_m)
+                for (double x = low.x; x <= high.x; x += 0.5 * made_.floor.cell_m)
+                    if (within_loop(added, {x, y}) && floor_at(made_, {x, y}) != kNothing) return outline;
+            outline = squared->outline;
+        }
+        return outline;
     }
 
     std::optional<std::array<Vec2, 2>> cut(const MeshTriangle& triangle) const {
@@ -528,7 +547,6 @@ private:
 
     // Leaves out balconies: they belong to the ground outside, which is on another storey, so they are no exits.
     void take_exits(const std::map<std::uint32_t, std::uint32_t>& mine) {
-        std::set<std::pair<std::uint32_t, std::uint32_t>> known;
         for (const Portal& portal : graph_.portals)
             for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
                 const auto here = mine.find(portal.rooms[side]);
@@ -536,11 +554,13 @@ private:
                 if (here == mine.end() || mine.contains(there) || graph_.rooms[there].level == level_ ||
                     portal.one_way || portal.kind == PassageKind::Drop || portal.kind == PassageKind::Teleporter ||
                     made_.rooms[here->second].outside || on_outer_ground(there) || !is_seen(portal) ||
-                    graph_.rooms[there].kind == RoomKind::Stairs ||
-                    made_.rooms[here->second].kind == RoomKind::Stairs || !known.insert({here->second, there}).second)
+                    graph_.rooms[there].kind == RoomKind::Stairs || made_.rooms[here->second].kind == RoomKind::Stairs)
                     continue;
-                made_.exits.push_back(
-                    {portal.kind, here->second, graph_.rooms[there].name, {portal.place_m.x, portal.place_m.y}});
+                made_.exits.push_back({portal.kind,
+                                       here->second,
+                                       graph_.rooms[there].name,
+                                       {portal.place_m.x, portal.place_m.y},
+                                       portal.width_m});
             }
     }
 
@@ -581,49 +601,9 @@ private:
         return made_.upper || std::find(made_.hidden.begin(), made_.hidden.end(), place) != made_.hidden.end();
     }
 
-    // The walls on a grid, and for each square the room whose floor is there.
-    RoomGrid grid_of_walls() const {
-        const Vec2 size = made_.max_m - made_.min_m;
-        RoomGrid grid(static_cast<int>(std::ceil(size.x / square_m_)), static_cast<int>(std::ceil(size.y / square_m_)));
-        for (int y = 0; y < grid.high; ++y)
-            for (int x = 0; x < grid.wide; ++x) {
-                const bool rim = x == 0 || y == 0 || x == grid.wide - 1 || y == grid.high - 1;
-                std::uint32_t& room = grid.room[grid.at(x, y)] = floor_at(made_, middle_of_square(x, y));
-                if (rim && room == kNothing) room = outside();
-            }
-        for (const PlanOutline& wall : made_.walls_m) block(grid, wall);
-        for (const auto& sheet : made_.sheets_m) block_line(grid, sheet[0], sheet[1]);
-        return grid;
-    }
-    // The area beyond all rooms counts as one more room.
+    // What is beyond all rooms counts as one more.
     std::uint32_t outside() const { return static_cast<std::uint32_t>(made_.rooms.size()); }
-    Vec2 middle_of_square(int x, int y) const { return made_.min_m + Vec2(x + 0.5, y + 0.5) * square_m_; }
-    Vec2 middle_of_square(const RoomGrid& grid, std::size_t square) const {
-        return middle_of_square(static_cast<int>(square % static_cast<std::size_t>(grid.wide)),
-                                static_cast<int>(square / static_cast<std::size_t>(grid.wide)));
-    }
-
-    void block_line(RoomGrid& grid, const Vec2& from, const Vec2& to) const {
-        const int steps = std::max(1, static_cast<int>(std::ceil(2.0 * glm::distance(from, to) / square_m_)));
-        for (int i = 0; i <= steps; ++i) {
-            const Vec2 at = (from + (to - from) * (static_cast<double>(i) / steps) - made_.min_m) / square_m_;
-            const int x = static_cast<int>(std::floor(at.x)), y = static_cast<int>(std::floor(at.y));
-            if (grid.holds(x, y)) grid.blocked[grid.at(x, y)] = 1;
-        }
-    }
-
-    void block(RoomGrid& grid, const PlanOutline& outline) const {
-        Vec2 low(std::numeric_limits<double>::infinity()), high(-low);
-        for (std::size_t i = 0; i < outline.size(); ++i) {
-            block_line(grid, outline[i], outline[(i + 1) % outline.size()]);
-            low = glm::min(low, outline[i]);
-            high = glm::max(high, outline[i]);
-        }
-        const auto square = [&](double m) { return static_cast<int>(std::floor(m / square_m_)); };
-        for (int y = std::max(0, square(low.y - made_.min_m.y)); y <= square(high.y - made_.min_m.y); ++y)
-            for (int x = std::max(0, square(low.x - made_.min_m.x)); x <= square(high.x - made_.min_m.x); ++x)
-                if (grid.holds(x, y) && within(outline, middle_of_square(x, y))) grid.blocked[grid.at(x, y)] = 1;
-    }
+    StoreyGrid squares() const { return StoreyGrid::of(made_); }
 
     bool at_portal(const RoomBorder& border, const Vec2& at) const {
         return std::any_of(made_.portals.begin(), made_.portals.end(), [&](const StoreyPortal& portal) {
@@ -640,7 +620,7 @@ private:
 
     // Turns barriers between two rooms into walls, unless the route graph leads through there.
     void close_rooms() {
-        RoomGrid walls = grid_of_walls();
+        RoomGrid walls = squares().walls();
         for (bool more = true; more;) {
             RoomGrid grid = walls;
             spread_rooms(grid);
@@ -648,13 +628,13 @@ private:
             for (const RoomBorder& border : borders_of(grid)) {
                 if (is_flight(border.rooms[0]) || is_flight(border.rooms[1])) continue;
                 for (const std::size_t square : border.squares)
-                    if (const Vec2 at = middle_of_square(grid, square); !at_portal(border, at)) open.push_back(at);
+                    if (const Vec2 at = squares().middle(grid, square); !at_portal(border, at)) open.push_back(at);
             }
             more = false;
             for (Barrier& barrier : barriers_)
                 if (!barrier.wall && stands_in(barrier, open)) {
                     more = barrier.wall = true;
-                    for (const PlanOutline& outline : barrier.outlines_m) block(walls, outline);
+                    for (const PlanOutline& outline : barrier.outlines_m) squares().block(walls, outline);
                 }
         }
         for (Barrier& barrier : barriers_) {
@@ -666,15 +646,17 @@ private:
         }
     }
 
-    // Drops ledges outside a window: nothing leads to them, and their labels would be outside the building.
+    // A ledge outside a window or a roof over a door, which nothing leads to, is no room of the plan, and its sign
+    // would stand outside.
     void drop_ledges() {
-        RoomGrid grid = grid_of_walls();
+        RoomGrid grid = squares().walls();
         spread_rooms(grid);
         std::vector<std::uint32_t> kept(made_.rooms.size(), 0);
         for (const RoomBorder& border : borders_of(grid))
             if (border.rooms[1] == outside()) {
                 const StoreyRoom& room = made_.rooms[border.rooms[0]];
-                if (room.shut && room.kind == RoomKind::Niche) kept[border.rooms[0]] = kNothing;
+                const bool named = !known_as(graph_.rooms[room.room]).empty();
+                if (room.shut && (room.kind == RoomKind::Niche || !named)) kept[border.rooms[0]] = kNothing;
             }
         drop_rooms(std::move(kept));
     }
@@ -690,7 +672,7 @@ private:
             const std::array<Vec2, 4> corners = around.corners_m();
             steps.emplace_back(corners.begin(), corners.end());
         }
-        RoomGrid grid = grid_of_walls();
+        RoomGrid grid = squares().walls();
         spread_rooms(grid);
         std::vector<std::uint32_t> kept(made_.rooms.size(), 0);
         for (const RoomBorder& border : borders_of(grid)) {
@@ -698,7 +680,7 @@ private:
             const bool shut[2] = {made_.rooms[border.rooms[0]].shut, made_.rooms[border.rooms[1]].shut};
             if (shut[0] != shut[1] &&
                 std::any_of(border.squares.begin(), border.squares.end(),
-                            [&](std::size_t square) { return inside_any(steps, middle_of_square(grid, square)); }))
+                            [&](std::size_t square) { return inside_any(steps, squares().middle(grid, square)); }))
                 kept[border.rooms[shut[0] ? 0 : 1]] = kNothing;
         }
         drop_rooms(std::move(kept));
@@ -728,12 +710,13 @@ private:
             for (const Vec2& at : open)
                 if (at.x >= low.x && at.y >= low.y && at.x <= high.x && at.y <= high.y && within(outline, at)) ++in;
         }
-        return static_cast<double>(in) * square_m_ >= 2.0 * kStandsIn_m;  // a border has squares on both sides
+        // A border has squares on both its sides.
+        return static_cast<double>(in) * squares().square_m() >= 2.0 * kStandsIn_m;
     }
 
     // Opens walls of the cut where the graph leads through, as at the edge of a raised floor.
     void open_portals() {
-        RoomGrid grid = grid_of_walls();
+        RoomGrid grid = squares().walls();
         const RoomGrid floors = grid;
         spread_rooms(grid);
         const std::vector<RoomBorder> borders = borders_of(grid);
@@ -743,7 +726,7 @@ private:
                 return std::any_of(border.squares.begin(), border.squares.end(), [&](std::size_t square) {
                     return border.rooms[0] == std::min(portal.rooms[0], portal.rooms[1]) &&
                            border.rooms[1] == std::max(portal.rooms[0], portal.rooms[1]) &&
-                           glm::distance(middle_of_square(grid, square), portal.place_m) <=
+                           glm::distance(squares().middle(grid, square), portal.place_m) <=
                                0.5 * portal.width_m + kBesidePortal_m;
                 });
             });
@@ -763,13 +746,13 @@ private:
     std::optional<Vec2> nearest_floor(const RoomGrid& grid, std::uint32_t room, const Vec2& place) const {
         std::optional<Vec2> nearest;
         double least = kFloorNearPortal_m;
-        const int reach = static_cast<int>(least / square_m_);
-        const Vec2 from = (place - made_.min_m) / square_m_;
+        const int reach = static_cast<int>(least / squares().square_m());
+        const Vec2 from = (place - made_.min_m) / squares().square_m();
         for (int y = static_cast<int>(from.y) - reach; y <= static_cast<int>(from.y) + reach; ++y)
             for (int x = static_cast<int>(from.x) - reach; x <= static_cast<int>(from.x) + reach; ++x) {
                 if (!grid.holds(x, y) || grid.room[grid.at(x, y)] != room) continue;
-                const double far = glm::distance(middle_of_square(x, y), place);
-                if (far < least) least = far, nearest = middle_of_square(x, y);
+                const double far = glm::distance(squares().middle(x, y), place);
+                if (far < least) least = far, nearest = squares().middle(x, y);
             }
         return nearest;
     }
@@ -877,7 +860,6 @@ private:
     std::set<std::uint32_t> trodden_, moving_;  // sets of features
     std::vector<PlanOutline> climbed_m_;        // outlines that would be walls, if people did not walk up them
     std::vector<Barrier> barriers_;
-    double square_m_ = kSquare_m;
     Storey made_;
 };
 

@@ -66,6 +66,7 @@ struct StoreyExit {
     std::uint32_t room = 0;  // index into Storey::rooms
     std::string to;          // the other room, in the spoken language
     Vec2 place_m{0.0};
+    double width_m = 0.0;
 };
 
 struct StoreyBase {
@@ -76,8 +77,11 @@ struct StoreyBase {
 // Which room's floor is where, in square cells.
 struct StoreyFloor {
     double cell_m = 0.2;
-    int wide = 0, high = 0;           // number of cells, from Storey::min_m on
-    std::vector<std::uint32_t> room;  // row by row: an index into Storey::rooms, or kNothing where no body can stand
+    int wide = 0, high = 0;           // from Storey::min_m on
+    std::vector<std::uint32_t> room;  // row by row; the place in Storey::rooms, kNothing where no body can stand
+    // Of the same squares: 1 beyond all floors, where no wall lies between there and the rim of the plan. Empty: it is
+    // not known.
+    std::vector<std::uint8_t> beyond;
 };
 
 struct Storey {

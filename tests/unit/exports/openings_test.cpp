@@ -60,7 +60,16 @@ TEST(Openings, at_the_sides_of_a_flight_are_left_to_its_lines) {
     EXPECT_TRUE(check_openings(drawn.walls.ink, open, drawn.on_paper).leaking.empty());
 }
 
-// Openings too small to be drawn at 1 to 200 appear on a sheet of a larger scale.
+TEST(Openings, to_another_storey_have_no_bar) {
+    Storey open = two_rooms();
+    open.walls_m.pop_back();
+    const Drawn drawn(open);
+    ASSERT_FALSE(check_openings(drawn.walls.ink, open, drawn.on_paper).leaking.empty());
+    open.exits.push_back({PassageKind::Opening, 0, "Cellar", {6.1, 3.2}, 1.5});
+    EXPECT_TRUE(check_openings(drawn.walls.ink, open, drawn.on_paper).leaking.empty());
+}
+
+// What is too small to be drawn at 1 to 200 comes out on a sheet of a larger scale.
 bool is_right_at_a_larger_scale(const Storey& storey, const std::array<std::uint32_t, 2>& rooms, const Vec2& at) {
     constexpr double kAround_m = 8.0, kLooked_m = 4.0, kLarge_mm = 20.0;
     Drawn drawn(storey, glm::max(storey.min_m, at - Vec2(kAround_m)), glm::min(storey.max_m, at + Vec2(kAround_m)),

@@ -649,7 +649,7 @@ TEST(SwellSheet, says_which_floors_end_without_a_wall) {
     storey.walls_m.erase(storey.walls_m.begin() + 1);  // removes the north wall
     const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
     ASSERT_TRUE(sheet);
-    EXPECT_TRUE(says(*sheet, "Floors that end without a wall are not outlined in: Kitchen; Room 12."))
+    EXPECT_TRUE(says(*sheet, "Floors that end without a wall, but have no lines there: Kitchen; Room 12."))
         << sheet->plan.text;
     const Result<SwellSheet> walled = swell_sheet(two_rooms(), {kA4, BrailleTable::EnUebG1});
     ASSERT_TRUE(walled);

@@ -1,0 +1,101 @@
+// Floors that end without a wall: rows of short lines show where, signs stand on the floor, and nothing is drawn in
+// what is beyond.
+#include "worlds/exports/floor_edges.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/exports/plans.h"
+#include "worlds/exports/openings.h"
+#include "worlds/exports/storey_stl.h"
+#include "worlds/exports/swell_sheet.h"
+#include "worlds/plan/storey_grid.h"
+
+namespace handrail::test {
+namespace floor_edges_test {
+
+bool says(const SwellSheet& sheet, const std::string& text) { return sheet.plan.text.find(text) != std::string::npos; }
+
+// Two platforms, 8 m apart, with nothing around them.
+Storey two_platforms() {
+    Storey storey = two_rooms();
+    storey.max_m = {20.0, 4.7};
+    storey.walls_m.clear();
+    storey.gaps.clear();
+    storey.portals.clear();
+    storey.things.clear();
+    StoreyRoom& second = storey.rooms[1];
+    second.loops_m = {{{14.0, 0.25}, {19.0, 0.25}, {19.0, 3.75}, {14.0, 3.75}}};
+    second.min_m = {14.0, 0.25};
+    second.max_m = {19.0, 3.75};
+    second.middle_m = {16.5, 2.0};
+    lay_floor(storey);
+    find_beyond(storey);
+    return storey;
+}
+
+// How many of the sheet's short lines are near a line of the world.
+int lines_along(const SwellSheet& sheet, const Vec2& from_m, const Vec2& to_m) {
+    int lines = 0;
+    for (const SheetShape& shape : sheet.plan.shapes) {
+        if (shape.part == kWallPart || shape.loops_mm.size() != 1 || shape.loops_mm[0].size() != 4) continue;
+        Vec2 middle(0.0);
+        for (const Vec2& p : shape.loops_mm[0]) middle += 0.25 * p;
+        const Vec2 at = sheet.on_paper.world(middle), low = glm::min(from_m, to_m), high = glm::max(from_m, to_m);
+        constexpr double kNear_m = 0.5;
+        if (at.x > low.x - kNear_m && at.y > low.y - kNear_m && at.x < high.x + kNear_m && at.y < high.y + kNear_m)
+            ++lines;
+    }
+    return lines;
+}
+
+TEST(FloorEdges, are_rows_of_short_lines_where_no_wall_is) {
+    Storey storey = two_rooms();
+    storey.things.clear();
+    storey.walls_m.erase(storey.walls_m.begin() + 1);  // the north wall
+    find_beyond(storey);
+    const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
+    ASSERT_TRUE(sheet);
+    const double long_mm = glm::distance(sheet->on_paper({0.0, 4.0}), sheet->on_paper({9.2, 4.0}));
+    EXPECT_GE(lines_along(*sheet, {0.0, 4.1}, {9.2, 4.1}), static_cast<int>(0.7 * long_mm / 7.5));
+    EXPECT_EQ(lines_along(*sheet, {0.5, 0.0}, {8.7, 0.0}), 0) << "a wall is there";
+    EXPECT_TRUE(says(*sheet, "edges, where a floor ends without a wall: Kitchen; Room 12.")) << sheet->plan.text;
+    EXPECT_FALSE(says(*sheet, "have no lines there")) << sheet->plan.text;
+    EXPECT_TRUE(check_gaps(sheet->plan, kLeastGap_mm).narrow_mm.empty());
+    EXPECT_TRUE(sheet->broken.empty());
+}
+
+TEST(FloorEdges, have_no_line_where_a_route_leads_to_another_storey) {
+    Storey storey = two_platforms();
+    storey.exits.push_back({PassageKind::Opening, 0, "Hall", {3.0, 4.0}, 2.0});
+    const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
+    ASSERT_TRUE(sheet);
+    EXPECT_EQ(lines_along(*sheet, {2.3, 4.0}, {3.7, 4.0}), 0);
+    EXPECT_GT(lines_along(*sheet, {0.3, 0.0}, {5.7, 0.0}), 3);
+}
+
+TEST(FloorEdges, part_floors_with_nothing_between_without_a_wall) {
+    const Storey storey = two_platforms();
+    const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
+    ASSERT_TRUE(sheet);
+    EXPECT_FALSE(says(*sheet, "Drawn closed")) << sheet->plan.text;
+    for (const SheetShape& shape : sheet->plan.shapes)
+        if (shape.part == kWallPart) {
+            EXPECT_TRUE(shape.loops_mm.empty());
+        }
+    for (const RoomSign& sign : sheet->signs) {
+        ASSERT_TRUE(sign.on_sheet) << sign.name;
+        EXPECT_NE(floor_at(storey, sheet->on_paper.world(sign.at_mm)), kNothing) << sign.name;
+    }
+}
+
+TEST(FloorEdges, are_raised_on_the_plate) {
+    Storey storey = two_platforms();
+    const Result<StoreyPlate> plate = storey_plate(storey, BrailleTable::EnUebG1);
+    storey.floor.beyond.clear();
+    const Result<StoreyPlate> without = storey_plate(storey, BrailleTable::EnUebG1);
+    ASSERT_TRUE(plate && without);
+    EXPECT_GT(plate->triangles.size(), without->triangles.size() + 20 * 10);
+}
+
+}  // namespace floor_edges_test
+}  // namespace handrail::test

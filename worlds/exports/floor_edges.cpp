@@ -1,0 +1,118 @@
+#include "worlds/exports/floor_edges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "worlds/navigation/walk_space.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kEdgeStep_mm = 0.5;   // between places along an edge at which a line is tried
+constexpr double kEdgeAside_mm = 0.4;  // to either side of an edge, what is there is looked at
+constexpr double kBesideExit_m = 0.6;  // an exit reaches so far beyond its width
+
+// A closed line by how far it is along it.
+class AlongLoop {
+public:
+    explicit AlongLoop(const std::vector<Vec2>& loop) : loop_(loop), from_(1, 0.0) {
+        for (std::size_t i = 0; i < loop.size(); ++i)
+            from_.push_back(from_.back() + glm::distance(loop[i], loop[(i + 1) % loop.size()]));
+    }
+    double length() const { return from_.back(); }
+    Vec2 at(double far) const {
+        const auto next = std::upper_bound(from_.begin(), from_.end() - 1, far);
+        const auto i = static_cast<std::size_t>(next - from_.begin()) - 1;
+        const double side = from_[i + 1] - from_[i];
+        const double t = side > 0.0 ? (far - from_[i]) / side : 0.0;
+        return loop_[i] + (loop_[(i + 1) % loop_.size()] - loop_[i]) * t;
+    }
+
+private:
+    const std::vector<Vec2>& loop_;
+    std::vector<double> from_;  // of each corner, and of the first one again
+};
+
+class FloorEnds {
+public:
+    FloorEnds(const Storey& storey, const OnPaper& on_paper, const RoomGrid& rooms)
+        : storey_(storey), on_paper_(on_paper), rooms_(rooms) {}
+
+    // The room whose floor ends along that line; nothing if no floor ends there.
+    std::optional<std::uint32_t> ends_along(const Vec2& from, const Vec2& to) const {
+        const Vec2 along = (to - from) / glm::distance(from, to), across(-along.y, along.x);
+        std::optional<std::uint32_t> room;
+        for (const Vec2& at : {from, 0.5 * (from + to), to}) {
+            const std::uint32_t left = room_at(at + across * kEdgeAside_mm),
+                                right = room_at(at - across * kEdgeAside_mm);
+            const auto beyond = static_cast<std::uint32_t>(storey_.rooms.size());
+            if ((left == beyond) == (right == beyond)) return std::nullopt;
+            room = left == beyond ? right : left;
+            if (*room == kNothing || leads_on(at) || !on_storey(at)) return std::nullopt;
+            const StoreyRoom& mine = storey_.rooms[*room];
+            if (mine.outside || mine.elsewhere || mine.kind == RoomKind::Stairs) return std::nullopt;
+        }
+        return room;
+    }
+
+private:
+    std::uint32_t room_at(const Vec2& mm) const {
+        const int x = static_cast<int>(std::floor(mm.x / kInkPixel_mm)),
+                  y = static_cast<int>(std::floor(mm.y / kInkPixel_mm));
+        return rooms_.holds(x, y) ? rooms_.room[rooms_.at(x, y)] : kNothing;
+    }
+    // Next to the storey, a finger's nearest room is no floor.
+    bool on_storey(const Vec2& mm) const {
+        const Vec2 at = on_paper_.world(mm);
+        return at.x > storey_.min_m.x && at.y > storey_.min_m.y && at.x < storey_.max_m.x && at.y < storey_.max_m.y;
+    }
+    bool leads_on(const Vec2& mm) const {
+        const Vec2 at = on_paper_.world(mm);
+        return std::any_of(storey_.exits.begin(), storey_.exits.end(), [&](const StoreyExit& exit) {
+            return glm::distance(exit.place_m, at) < 0.5 * exit.width_m + kBesideExit_m;
+        });
+    }
+
+    const Storey& storey_;
+    const OnPaper& on_paper_;
+    const RoomGrid& rooms_;
+};
+
+}  // namespace
+
+EdgeInk edge_lines(const Storey& storey, const OnPaper& on_paper, const RoomGrid& rooms, Places& places, double line_mm,
+                   double clear_mm) {
+    EdgeInk made;
+    if (storey.floor.beyond.empty()) return made;
+    Ink floors;
+    floors.wide = rooms.wide, floors.high = rooms.high;
+    floors.black.reserve(rooms.room.size());
+    for (const std::uint32_t room : rooms.room) floors.black.push_back(room < storey.rooms.size() ? 1 : 0);
+    const FloorEnds edges(storey, on_paper, rooms);
+    std::set<std::uint32_t> drawn;
+    for (const std::vector<Vec2>& loop : traced_mm(floors)) {
+        const AlongLoop along(loop);
+        for (double far = 0.0; far + kEdgeLine_mm <= along.length();) {
+            const Vec2 from = along.at(far), to = along.at(far + kEdgeLine_mm);
+            const double length = glm::distance(from, to);
+            constexpr double kBent = 0.9;  // no line across a corner
+            const PlanBox line{
+                0.5 * (from + to), length > 0.0 ? (to - from) / length : Vec2(1.0, 0.0), {0.5 * length, 0.5 * line_mm}};
+            const auto room = length > kBent * kEdgeLine_mm ? edges.ends_along(from, to) : std::nullopt;
+            if (!room || !places.fits(line)) {
+                far += kEdgeStep_mm;
+                continue;
+            }
+            places.take(corners_of(line));
+            made.lines.push_back(line);
+            drawn.insert(*room);
+            far += kEdgeLine_mm + clear_mm;
+        }
+    }
+    made.rooms.assign(drawn.begin(), drawn.end());
+    return made;
+}
+
+}  // namespace handrail

@@ -1,0 +1,126 @@
+#include "worlds/plan/storey_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "worlds/navigation/walk_space.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kSquare_m = 0.05, kMostSquares = 2000.0;  // of the longer side
+constexpr double kCrack_m = 0.1;                           // narrower cracks between walls lead nowhere
+constexpr double kBesideFloor_m = 0.45;  // from the middle of a square of floor; a body's radius and a little
+constexpr double kRoundPortal_m = 0.5;
+
+// Calls `each(x, y)` for the squares of a grid whose middles are so near to a place.
+template <class Each>
+void for_disc(int wide, int high, const Vec2& at, double radius, Each each) {
+    const auto first = [](double from) { return std::max(0, static_cast<int>(std::floor(from))); };
+    for (int y = first(at.y - radius); y < high && y <= at.y + radius; ++y)
+        for (int x = first(at.x - radius); x < wide && x <= at.x + radius; ++x)
+            if (glm::distance(Vec2(x + 0.5, y + 0.5), at) <= radius) each(x, y);
+}
+
+}  // namespace
+
+StoreyGrid StoreyGrid::of(const Storey& storey) {
+    const Vec2 size = storey.max_m - storey.min_m;
+    return {storey, std::max(kSquare_m, std::max(size.x, size.y) / kMostSquares)};
+}
+
+RoomGrid StoreyGrid::walls() const {
+    const Vec2 size = storey_->max_m - storey_->min_m;
+    RoomGrid grid(static_cast<int>(std::ceil(size.x / square_m_)), static_cast<int>(std::ceil(size.y / square_m_)));
+    const auto outside = static_cast<std::uint32_t>(storey_->rooms.size());
+    for (int y = 0; y < grid.high; ++y)
+        for (int x = 0; x < grid.wide; ++x) {
+            const bool rim = x == 0 || y == 0 || x == grid.wide - 1 || y == grid.high - 1;
+            std::uint32_t& room = grid.room[grid.at(x, y)] = floor_at(*storey_, middle(x, y));
+            if (rim && room == kNothing) room = outside;
+        }
+    for (const PlanOutline& wall : storey_->walls_m) block(grid, wall);
+    for (const auto& sheet : storey_->sheets_m) block_line(grid, sheet[0], sheet[1]);
+    return grid;
+}
+
+void StoreyGrid::block_line(RoomGrid& grid, const Vec2& from, const Vec2& to) const {
+    const int steps = std::max(1, static_cast<int>(std::ceil(2.0 * glm::distance(from, to) / square_m_)));
+    for (int i = 0; i <= steps; ++i) {
+        const Vec2 at = (from + (to - from) * (static_cast<double>(i) / steps) - storey_->min_m) / square_m_;
+        const int x = static_cast<int>(std::floor(at.x)), y = static_cast<int>(std::floor(at.y));
+        if (grid.holds(x, y)) grid.blocked[grid.at(x, y)] = 1;
+    }
+}
+
+void StoreyGrid::block(RoomGrid& grid, const PlanOutline& outline) const {
+    Vec2 low(std::numeric_limits<double>::infinity()), high(-low);
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        block_line(grid, outline[i], outline[(i + 1) % outline.size()]);
+        low = glm::min(low, outline[i]);
+        high = glm::max(high, outline[i]);
+    }
+    const auto square = [&](double m) { return static_cast<int>(std::floor(m / square_m_)); };
+    for (int y = std::max(0, square(low.y - storey_->min_m.y)); y <= square(high.y - storey_->min_m.y); ++y)
+        for (int x = std::max(0, square(low.x - storey_->min_m.x)); x <= square(high.x - storey_->min_m.x); ++x)
+            if (grid.holds(x, y) && within(outline, middle(x, y))) grid.blocked[grid.at(x, y)] = 1;
+}
+
+void find_beyond(Storey& storey) {
+    StoreyFloor& floor = storey.floor;
+    floor.beyond.assign(floor.room.size(), 0);
+    if (floor.room.empty()) return;
+    const auto cell = [&](int x, int y) {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(floor.wide) + static_cast<std::size_t>(x);
+    };
+    std::vector<std::uint8_t> near_floor(floor.room.size(), 0);
+    const auto lay = [&](const Vec2& at_m, double radius_m) {
+        for_disc(floor.wide, floor.high, (at_m - storey.min_m) / floor.cell_m, radius_m / floor.cell_m,
+                 [&](int x, int y) { near_floor[cell(x, y)] = 1; });
+    };
+    const auto lay_middle = [&](int x, int y) {
+        lay(storey.min_m + (Vec2(x, y) + Vec2(0.5)) * floor.cell_m, kBesideFloor_m);
+    };
+    for (int y = 0; y < floor.high; ++y)
+        for (int x = 0; x < floor.wide; ++x) {
+            const bool flight = std::any_of(
+                storey.stairs_of_others.begin(), storey.stairs_of_others.end(), [&](const StoreyStairs& stairs) {
+                    return std::any_of(stairs.loops_m.begin(), stairs.loops_m.end(), [&](const auto& loop) {
+                        return within_loop(loop, storey.min_m + (Vec2(x, y) + Vec2(0.5)) * floor.cell_m);
+                    });
+                });
+            if (floor.room[cell(x, y)] != kNothing || flight) lay_middle(x, y);
+        }
+    for (const StoreyPortal& portal : storey.portals) lay(portal.place_m, 0.5 * portal.width_m + kRoundPortal_m);
+
+    // What is reached from the rim, over no wall and no floor.
+    const StoreyGrid squares = StoreyGrid::of(storey);
+    RoomGrid grid = squares.walls();
+    const std::vector<std::uint8_t> walls = grid.blocked;
+    const double crack = kCrack_m / squares.square_m();
+    for (int y = 0; y < grid.high; ++y)
+        for (int x = 0; x < grid.wide; ++x)
+            if (walls[grid.at(x, y)])
+                for_disc(grid.wide, grid.high, Vec2(x + 0.5, y + 0.5), crack,
+                         [&](int i, int j) { grid.blocked[grid.at(i, j)] = 1; });
+    const auto cell_of = [&](std::size_t square) {
+        const Vec2 at = (squares.middle(grid, square) - storey.min_m) / floor.cell_m;
+        return cell(std::min(static_cast<int>(at.x), floor.wide - 1), std::min(static_cast<int>(at.y), floor.high - 1));
+    };
+    for (std::size_t i = 0; i < grid.room.size(); ++i) {
+        const int x = static_cast<int>(i % static_cast<std::size_t>(grid.wide));
+        const int y = static_cast<int>(i / static_cast<std::size_t>(grid.wide));
+        const bool rim = x == 0 || y == 0 || x == grid.wide - 1 || y == grid.high - 1;
+        if (near_floor[cell_of(i)]) grid.blocked[i] = 1;
+        grid.room[i] = rim ? 0 : kNothing;
+    }
+    spread_rooms(grid);
+    for (std::size_t i = 0; i < grid.room.size(); ++i)
+        if (grid.room[i] != kNothing) floor.beyond[cell_of(i)] = 1;
+    // A square may have a room on the other side of a thin wall.
+    for (std::size_t i = 0; i < walls.size(); ++i)
+        if (walls[i]) floor.beyond[cell_of(i)] = 0;
+}
+
+}  // namespace handrail
