@@ -191,28 +191,34 @@ bool black_at(const Ink& ink, const Vec2& mm) {
     return ink.holds(x, y) && ink.black[ink.at(x, y)];
 }
 
-// If a line has no space between walls, extends it into them. Returns false if it is then too short, or too near to
-// something before or behind it.
+// Makes a line that has no room between walls reach into them, and keeps an end that reaches none away from what is
+// there; false if the line is too short then, or too near to something before or behind it.
 bool reaches_walls(PlanBox& line, const Ink& walls, double clear_mm, double least_mm) {
     if (black_at(walls, line.middle_m)) return false;
+    constexpr double kIntoWall_mm = 0.3;
+    constexpr double kBesideWall_mm = 0.8;  // the walls that it reaches into may slant
     const double half = line.half_m.x;
+    const Vec2 across(-line.along.y, line.along.x);
+    const auto is_clear = [&](const Vec2& way, double far) {
+        for (double aside = -line.half_m.y - clear_mm; aside <= line.half_m.y + clear_mm; aside += kInkPixel_mm)
+            if (black_at(walls, line.middle_m + way * far + across * aside)) return false;
+        return true;
+    };
     std::array<double, 2> end{};
     for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
         const Vec2 way = side == 0 ? line.along : -line.along;
-        double free = 0.0;
+        double free = 0.0, clear = 0.0;
         while (free <= half + clear_mm && !black_at(walls, line.middle_m + way * free)) free += kInkPixel_mm;
-        constexpr double kIntoWall_mm = 0.3;
-        end[side] = free <= half + clear_mm ? free + kIntoWall_mm : half;
+        const bool into_wall = free <= half + clear_mm;
+        const double most = into_wall ? free - kBesideWall_mm : half + clear_mm;
+        while (clear <= most && is_clear(way, clear)) clear += kInkPixel_mm;
+        if (clear > most) end[side] = into_wall ? free + kIntoWall_mm : half;
+        else if (into_wall) return false;
+        else end[side] = clear - clear_mm - kInkPixel_mm;
     }
     line.middle_m += line.along * (0.5 * (end[0] - end[1]));
     line.half_m.x = 0.5 * (end[0] + end[1]);
-    if (2.0 * line.half_m.x < least_mm) return false;
-    const Vec2 across(-line.along.y, line.along.x);
-    constexpr double kBesideWall_mm = 0.8;  // the walls at its ends may be slanted
-    for (double aside = -line.half_m.y - clear_mm; aside <= line.half_m.y + clear_mm; aside += kInkPixel_mm)
-        for (double at = -line.half_m.x + kBesideWall_mm; at <= line.half_m.x - kBesideWall_mm; at += kInkPixel_mm)
-            if (black_at(walls, line.middle_m + line.along * at + across * aside)) return false;
-    return true;
+    return 2.0 * line.half_m.x >= least_mm;
 }
 
 bool contains(const std::vector<std::uint32_t>& places, std::uint32_t place) {

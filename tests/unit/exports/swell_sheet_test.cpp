@@ -616,6 +616,28 @@ TEST(SwellSheet, draws_the_stairs_between_narrow_walls_from_wall_to_wall) {
     is_fit_for_fingers(storey, *sheet, "narrow stairs");
 }
 
+TEST(SwellSheet, keeps_stairs_that_reach_into_a_wall_away_from_what_is_at_their_other_end) {
+    if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for our house";
+    // No wall is at the east side, and a piece of wall ends next to it, between two lines.
+    Storey storey = two_rooms();
+    storey.rooms[1].kind = RoomKind::Stairs;
+    for (Vec2& p : storey.walls_m[3]) p.x += 6.0;
+    for (const std::size_t long_wall : {std::size_t{0}, std::size_t{1}})
+        for (Vec2& p : storey.walls_m[long_wall])
+            if (p.x > 9.0) p.x += 6.0;
+    storey.max_m = {90.0, 30.0};
+    int with_lines = 0;
+    for (const double y : {0.9, 1.3, 1.7, 2.1, 2.5}) {
+        storey.walls_m.resize(6);
+        storey.walls_m.push_back({{9.4, y}, {9.6, y}, {9.6, 4.0}, {9.4, 4.0}});
+        const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
+        ASSERT_TRUE(sheet && sheet->one_to == 350.0);
+        EXPECT_TRUE(check_gaps(sheet->plan, kLeastGap_mm).narrow_mm.empty()) << y;
+        with_lines += says(*sheet, "Thin parallel lines are stairs.") ? 1 : 0;
+    }
+    EXPECT_GT(with_lines, 0);
+}
+
 TEST(SwellSheet, says_which_stairs_have_no_lines) {
     Storey storey = two_rooms();
     storey.stairs_of_others.push_back({0, {{{1.0, 1.0}, {2.0, 1.0}, {2.0, 3.0}, {1.0, 3.0}}}});
