@@ -40,6 +40,15 @@ std::string shortened(std::string name) {
     return name;
 }
 
+std::size_t longest_word(const BrailleCells& cells) {
+    std::size_t longest = 0, length = 0;
+    for (const auto cell : cells) {
+        length = cell == 0 ? 0 : length + 1;
+        longest = std::max(longest, length);
+    }
+    return longest;
+}
+
 }  // namespace
 
 std::string sheet_title(const Storey& storey, std::optional<int> sheet) {
@@ -58,6 +67,13 @@ Result<std::vector<BrailleCells>> title_lines(const Storey& storey, std::optiona
         std::vector<BrailleCells> lines = braille_lines(*cells, width, 0);
         if (lines.size() > kTitleLines && !name.empty()) continue;
         lines.resize(std::min(lines.size(), kTitleLines));
+        // No single word is left for the last line: all lines are about as long.
+        const std::size_t least = std::max<std::size_t>(2, longest_word(*cells));
+        for (std::size_t narrower = width; lines.size() > 1 && --narrower >= least;) {
+            std::vector<BrailleCells> even = braille_lines(*cells, narrower, 0);
+            if (even.size() > lines.size()) break;
+            lines = std::move(even);
+        }
         return lines;
     }
 }

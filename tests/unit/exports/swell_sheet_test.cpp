@@ -13,6 +13,7 @@
 #include "tests/unit/exports/plans.h"
 #include "worlds/exports/ink.h"
 #include "worlds/exports/openings.h"
+#include "worlds/exports/sheet_title.h"
 
 namespace handrail::test {
 namespace swell_sheet_test {
@@ -195,6 +196,30 @@ TEST(SwellSheet, wraps_its_title_and_keeps_as_much_of_a_long_name_as_two_lines_h
     EXPECT_EQ(head("House with a garden", upright), brf_for("House with a garden, storey 1 of 1"));
     EXPECT_EQ(head("AGRIP Tutorial 05: Pickups, Ramps and Switches", upright),
               brf_for("AGRIP Tutorial 05..., storey 1 of 1"));
+}
+
+TEST(SwellSheet, leaves_no_single_word_for_the_second_line_of_its_title) {
+    Storey storey = two_rooms();
+    storey.name = "Level 1";
+    for (const char* world : {"Duplex Apartment", "A building of two wings and a yard"}) {
+        storey.world = world;
+        const Result<std::vector<BrailleCells>> lines =
+            title_lines(storey, std::nullopt, BrailleTable::EnUebG1, kA4.short_mm);
+        ASSERT_TRUE(lines);
+        ASSERT_EQ(lines->size(), 2U);
+        EXPECT_GT(std::count((*lines)[1].begin(), (*lines)[1].end(), 0), 0) << world;
+    }
+}
+
+TEST(SwellSheet, says_that_the_base_is_outside_and_which_room_has_no_route) {
+    Storey storey = two_rooms();
+    storey.base = StoreyBase{{40.0, 2.0}, 0.0};
+    storey.rooms[1].shut = true;
+    const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
+    ASSERT_TRUE(sheet);
+    EXPECT_NE(sheet->plan.text.find("The base is outside this plan."), std::string::npos) << sheet->plan.text;
+    EXPECT_NE(sheet->plan.text.find("Room 12. No route leads there."), std::string::npos) << sheet->plan.text;
+    EXPECT_NE(sheet->plan.text.find("Kitchen. Drawn there"), std::string::npos) << sheet->plan.text;
 }
 
 TEST(SwellSheet, calls_its_storey_what_the_file_and_the_names_of_rooms_call_it) {
