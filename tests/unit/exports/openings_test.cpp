@@ -135,7 +135,7 @@ struct OfPlan : testing::TestWithParam<const char*> {};
 TEST_P(OfPlan, are_where_the_route_graph_has_them) { are_those_of_the_graph(GetParam()); }
 INSTANTIATE_TEST_SUITE_P(Openings, OfPlan, testing::Values("minimal.imdf.zip", "delft-station.osm"));
 
-// Takes minutes. frankfurt-hauptwache.osm is too large for a route graph.
+// Takes minutes.
 struct OfManyWorlds : testing::TestWithParam<const char*> {};
 TEST_P(OfManyWorlds, are_where_the_route_graph_has_them) {
     if (!std::getenv("HANDRAIL_ALL_ROUTES")) GTEST_SKIP() << "takes minutes; HANDRAIL_ALL_ROUTES=1 tries it";
@@ -146,7 +146,7 @@ INSTANTIATE_TEST_SUITE_P(Openings, OfManyWorlds,
                                          "agtut05.map", "quake-start.map", "quake-dm3.map", "quake-e1m1.map",
                                          "wall-door-column-ifc4x3.ifc", "room.glb", "apb-tu-dresden.osm",
                                          "aachen-university.osm", "addenbrookes.imdf.zip", "cologne-central.osm",
-                                         "london-waterloo.osm.pbf"));
+                                         "london-waterloo.osm.pbf", "frankfurt-hauptwache.osm"));
 
 }  // namespace openings_test
 }  // namespace handrail::test
