@@ -66,23 +66,7 @@ struct StoreyPlans {
     std::optional<Storey> upper;
 };
 
-// Lists remedies for a sheet that cannot meet its guarantees. Each was either tried or helps on any storey.
-std::vector<std::string> helps(const StoreyPlans& plans, const SheetWish& wish, const ExportArguments& arguments) {
-    const Storey& storey = plans.storey;
-    std::vector<std::string> said;
-    if (!arguments.sheets && !plans.upper && wish.paper.long_mm < kA3.long_mm) {
-        SheetWish larger = wish;
-        larger.paper = kA3;
-        const Result<SwellSheet> sheet = swell_sheet(storey, larger);
-        if (sheet && sheet->broken.empty()) said.push_back(phrase("export.help_a3"));
-    }
-    if (!arguments.sheets && !arguments.around) said.push_back(phrase("export.help_sheets"));
-    if (!arguments.around) said.push_back(phrase("export.help_around"));
-    if (!arguments.coarse) said.push_back(phrase("export.help_coarse"));
-    return said;
-}
-
-// Returns only the sheets that show the middle of a room with this name.
+// Of several sheets those that show the middle of a room of that name.
 Result<std::vector<SwellSheet>> sheets_around(const std::string& name, const StoreyPlans& plans,
                                               const SheetWish& wish) {
     std::vector<std::string> names;
@@ -111,25 +95,49 @@ Result<std::vector<SwellSheet>> sheets_around(const std::string& name, const Sto
 Result<std::vector<SwellSheet>> sheets_of(const StoreyPlans& plans, const SheetWish& wish,
                                           const ExportArguments& arguments) {
     if (arguments.around) return sheets_around(*arguments.around, plans, wish);
-    if (arguments.sheets) {
-        Result<std::vector<SwellSheet>> sheets = swell_sheets(plans.storey, wish);
-        if (!sheets || !plans.upper) return sheets;
-        SheetWish without_plate = wish;
-        without_plate.plate_signs.clear();  // the plate already shows the lower floors
-        Result<std::vector<SwellSheet>> more = swell_sheets(*plans.upper, without_plate);
-        if (!more) return more;
-        std::move(more->begin(), more->end(), std::back_inserter(*sheets));
-        return sheets;
+    if (!arguments.sheets) {
+        Result<SwellSheet> one = swell_sheet(plans.storey, wish);
+        if (!one) return tl::unexpected(one.error());
+        return std::vector<SwellSheet>{std::move(*one)};
     }
-    Result<SwellSheet> one = swell_sheet(plans.storey, wish);
-    if (!one) {
-        Error error = one.error();
-        ExportArguments coarse = arguments;
-        coarse.coarse = true;  // a coarse plan would not be smaller, so do not suggest it
-        for (const std::string& help : helps(plans, wish, coarse)) error.message += "\n" + help;
-        return tl::unexpected(std::move(error));
+    Result<std::vector<SwellSheet>> sheets = swell_sheets(plans.storey, wish);
+    if (!sheets || !plans.upper) return sheets;
+    SheetWish without_plate = wish;
+    without_plate.plate_signs.clear();  // the plate shows the lower floors
+    Result<std::vector<SwellSheet>> more = swell_sheets(*plans.upper, without_plate);
+    if (!more) return more;
+    std::move(more->begin(), more->end(), std::back_inserter(*sheets));
+    return sheets;
+}
+
+// One sheet shows no rooms that are above others.
+bool hides_rooms(const StoreyPlans& plans, const ExportArguments& arguments) {
+    return plans.upper && !arguments.sheets && !arguments.around;
+}
+
+bool keep_promises(const StoreyPlans& plans, const SheetWish& wish, const ExportArguments& arguments) {
+    if (hides_rooms(plans, arguments)) return false;
+    const Result<std::vector<SwellSheet>> sheets = sheets_of(plans, wish, arguments);
+    return sheets &&
+           std::all_of(sheets->begin(), sheets->end(), [](const SwellSheet& sheet) { return sheet.broken.empty(); });
+}
+
+// What helps where sheets do not keep their promises: other paper and a coarser plan are tried first.
+std::vector<std::string> helps(const StoreyPlans& plans, const SheetWish& wish, const ExportArguments& arguments) {
+    std::vector<std::string> said;
+    if (!arguments.sheets && wish.paper.long_mm < kA3.long_mm) {
+        SheetWish larger = wish;
+        larger.paper = kA3;
+        if (keep_promises(plans, larger, arguments)) said.push_back(phrase("export.help_a3"));
     }
-    return std::vector<SwellSheet>{std::move(*one)};
+    if (!arguments.sheets && !arguments.around) said.push_back(phrase("export.help_sheets"));
+    if (!arguments.around) said.push_back(phrase("export.help_around"));
+    if (!wish.coarse) {
+        SheetWish coarse = wish;
+        coarse.coarse = true;
+        if (keep_promises(plans, coarse, arguments)) said.push_back(phrase("export.help_coarse"));
+    }
+    return said;
 }
 
 struct ToldOfSheets {
@@ -153,7 +161,12 @@ void add_svg(const fs::path& path, const std::string& which, const SwellSheet& s
 Result<ToldOfSheets> add_swell(const fs::path& path, const StoreyPlans& plans, const SheetWish& wish,
                                const ExportArguments& arguments, std::vector<MadeFile>& files) {
     const Result<std::vector<SwellSheet>> sheets = sheets_of(plans, wish, arguments);
-    if (!sheets) return tl::unexpected(sheets.error());
+    if (!sheets) {
+        Error error = sheets.error();
+        if (!arguments.sheets && !arguments.around)
+            for (const std::string& help : helps(plans, wish, arguments)) error.message += "\n" + help;
+        return tl::unexpected(std::move(error));
+    }
     std::vector<SheetPage> pages;
     if (arguments.strip) {
         Result<SheetPage> made = calibration_strip(wish.paper, wish.table);
@@ -189,7 +202,7 @@ Result<ToldOfSheets> add_swell(const fs::path& path, const StoreyPlans& plans, c
             {beside(path, "strip"), svg_of(pages.front(), spoken_language()),
              phrase("export.wrote", {{"file", beside(path, "strip").string()}, {"title", pages.front().title}}),
              false});
-    if (plans.upper && !arguments.sheets && !arguments.around) {
+    if (hides_rooms(plans, arguments)) {
         told.simplified.push_back(phrase("export.hidden", {{"names", hidden_names(plans.storey)}}));
         told.broken = true;
     }
@@ -197,6 +210,7 @@ Result<ToldOfSheets> add_swell(const fs::path& path, const StoreyPlans& plans, c
     if (told.broken) {
         told.simplified.push_back(phrase("export.promise_broken"));
         const std::vector<std::string> what = helps(plans, wish, arguments);
+        if (!what.empty()) told.simplified.push_back(phrase("export.helps"));
         told.simplified.insert(told.simplified.end(), what.begin(), what.end());
     }
     return told;

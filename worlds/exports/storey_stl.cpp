@@ -208,9 +208,9 @@ private:
                 phrase("export.no_sign", {{"count", unsigned_rooms.size()}, {"names", names_list(unsigned_rooms)}}));
         if (walls_.wider > 0)
             made_.simplified.push_back(phrase("export.doors_wider", {{"count", walls_.wider}, {"mm", kDoor_mm}}));
-        if (!walls_.narrow_doors.empty())
+        if (!walls_.narrow_gaps.empty())
             made_.simplified.push_back(
-                phrase("export.doors_narrow", {{"names", names_list(walls_.narrow_doors)}, {"mm", kDoor_mm}}));
+                phrase("export.doors_narrow", {{"names", gap_names(storey_, walls_.narrow_gaps)}, {"mm", kDoor_mm}}));
     }
 
     const Storey& storey_;

@@ -543,7 +543,27 @@ private:
                       {{"one", storey_.rooms[rooms[0]].name}, {"other", storey_.rooms[rooms[1]].name}});
     }
 
-    // Checks on the finished sheet what every sheet promises.
+    // A coarse plan leaves the doors of small rooms as narrow as their walls do.
+    void list_narrow_doors() {
+        std::vector<std::size_t> broken, small;
+        for (const std::size_t place : walls_.narrow_gaps) {
+            const StoreyGap& gap = storey_.gaps[place];
+            if (!shown(gap.place_m)) continue;
+            const bool of_small = std::any_of(gap.rooms.begin(), gap.rooms.end(), [&](std::uint32_t room) {
+                return room != kNothing && is_left_to_key(room);
+            });
+            (of_small ? small : broken).push_back(place);
+        }
+        const auto add = [&](const std::vector<std::size_t>& gaps, std::vector<std::string>& said) {
+            if (!gaps.empty())
+                said.push_back(
+                    phrase("export.doors_narrow", {{"names", gap_names(storey_, gaps)}, {"mm", kLeastSymbol_mm}}));
+        };
+        add(broken, made_.broken);
+        add(small, made_.simplified);
+    }
+
+    // What a sheet promises, looked at on the sheet that came out.
     void keep_promises() {
         std::vector<std::string> unsigned_rooms;
         for (std::size_t i = 0; i < made_.signs.size(); ++i)
@@ -552,9 +572,7 @@ private:
         if (!unsigned_rooms.empty() && !made_.part)
             made_.broken.push_back(
                 phrase("export.no_sign", {{"count", unsigned_rooms.size()}, {"names", names_list(unsigned_rooms)}}));
-        if (!walls_.narrow_doors.empty())
-            made_.broken.push_back(
-                phrase("export.doors_narrow", {{"names", names_list(walls_.narrow_doors)}, {"mm", kLeastSymbol_mm}}));
+        list_narrow_doors();
         if (const GapCheck gaps = check_gaps(made_.plan, kLeastGap_mm); !gaps.narrow_mm.empty())
             made_.broken.push_back(phrase("export.too_near"));
         std::vector<std::string> lacking, leaking;

@@ -31,9 +31,9 @@ inline constexpr double kBrailleDot_mm = 1.5, kBraillePitch_mm = 2.5, kBrailleCe
 struct SheetWish {
     PaperSize paper = kA4;
     BrailleTable table = BrailleTable::EnUebG1;
-    bool coarse = false;  // no objects, and no signs for rooms under kCoarseRoom_m2, which only the key names
-    // Signs on the plate that this key belongs to, by index in Storey::rooms; may be empty.
-    std::vector<std::string> plate_signs = {};
+    // No things, and no signs of rooms under kCoarseRoom_m2, whose doors may stay narrow: the key alone names those.
+    bool coarse = false;
+    std::vector<std::string> plate_signs = {};  // of a plate whose key this is, by place in Storey::rooms; may be empty
 };
 inline constexpr double kCoarseRoom_m2 = 6.0;
 

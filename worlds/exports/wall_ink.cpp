@@ -4,6 +4,7 @@
 #include <array>
 
 #include "worlds/base/language.h"
+#include "worlds/exports/names.h"
 #include "worlds/navigation/walk_space.h"
 
 namespace handrail {
@@ -19,7 +20,7 @@ public:
     WallInk make(double width_mm, double height_mm) {
         made_.ink = Ink(width_mm, height_mm);
         draw();
-        for (const StoreyGap& gap : storey_.gaps) open_gap(gap);
+        for (std::size_t gap = 0; gap < storey_.gaps.size(); ++gap) open_gap(gap);
         made_.joined = join_near(made_.ink, look_.clear_mm);
         leave_out_pieces();
         return std::move(made_);
@@ -66,8 +67,9 @@ private:
         return deepest;
     }
 
-    // Opens a door gap. It must be wide enough for a finger, and no thickened line may block it.
-    void open_gap(const StoreyGap& gap) {
+    // A door must stay as wide as a finger needs, and no line that was made thicker may stand in it.
+    void open_gap(std::size_t place) {
+        const StoreyGap& gap = storey_.gaps[place];
         const Vec2 middle = on_paper_(gap.place_m), along = gap.along, across(-along.y, along.x);
         const double width = gap.width_m * on_paper_.mm_per_m;
         double low = -0.5 * width, high = 0.5 * width;
@@ -79,7 +81,7 @@ private:
             if (can_before) low -= can_behind ? 0.5 * more : more;
             if (can_behind) high += can_before ? 0.5 * more : more;
             if (can_before || can_behind) ++made_.wider;
-            else made_.narrow_doors.push_back(gap.name.empty() ? phrase("export.opening") : gap.name);
+            else made_.narrow_gaps.push_back(place);
         }
         // If the gap is wide, a thickened wall that ends at a jamb may stay as it is.
         if (width > look_.door_mm + look_.line_mm) low += 0.5 * look_.line_mm, high -= 0.5 * look_.line_mm;
@@ -115,6 +117,13 @@ PlanBox OnPaper::operator()(PlanBox box_m) const {
     box_m.middle_m = (*this)(box_m.middle_m);
     box_m.half_m *= mm_per_m;
     return box_m;
+}
+
+std::string gap_names(const Storey& storey, const std::vector<std::size_t>& gaps) {
+    std::vector<std::string> names;
+    for (const std::size_t gap : gaps)
+        names.push_back(storey.gaps[gap].name.empty() ? phrase("export.opening") : storey.gaps[gap].name);
+    return names_list(names);
 }
 
 std::size_t join_near(Ink& walls, double clear_mm) {

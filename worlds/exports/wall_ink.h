@@ -35,9 +35,11 @@ struct WallLook {
 struct WallInk {
     Ink ink;
     int thicker = 0, wider = 0, pieces_left_out = 0;
-    std::size_t joined = 0;                 // number of places
-    std::vector<std::string> narrow_doors;  // doors between walls that leave no space to widen them
+    std::size_t joined = 0;                // places
+    std::vector<std::size_t> narrow_gaps;  // places in Storey::gaps, between walls that leave no room to widen them
 };
+// The names of gaps, as a sentence lists them.
+std::string gap_names(const Storey& storey, const std::vector<std::size_t>& gaps);
 WallInk ink_of_walls(const Storey& storey, const OnPaper& on_paper, double width_mm, double height_mm,
                      const WallLook& look);
 

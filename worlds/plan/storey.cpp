@@ -739,7 +739,8 @@ private:
                                   0.5 * (*a + *b),
                                   {through.y, -through.x},
                                   std::clamp(portal.width_m, 0.6, 1.2),
-                                  0.5 * glm::distance(*a, *b)});
+                                  0.5 * glm::distance(*a, *b),
+                                  portal.rooms});
         }
     }
 
@@ -815,6 +816,8 @@ private:
     }
 
     void take_gaps() {
+        std::map<std::uint32_t, std::uint32_t> mine;
+        for (std::uint32_t i = 0; i < made_.rooms.size(); ++i) mine[made_.rooms[i].room] = i;
         for (const Portal& portal : graph_.portals) {
             const bool here =
                 graph_.rooms[portal.rooms[0]].level == level_ || graph_.rooms[portal.rooms[1]].level == level_;
@@ -824,6 +827,8 @@ private:
             if (std::abs(portal.place_m.z - made_.floor_m) > 1.5 || inside_any(made_.walls_m, place)) continue;
             StoreyGap gap;
             gap.kind = portal.kind;
+            for (const std::size_t side : {std::size_t{0}, std::size_t{1}})
+                if (const auto room = mine.find(portal.rooms[side]); room != mine.end()) gap.rooms[side] = room->second;
             if (const Feature* feature = scene_.find(portal.feature)) gap.name = spoken_name(*feature);
             double least = kWidestGap_m;
             const std::vector<Vec2> ways = square_ways(place);

@@ -43,7 +43,8 @@ struct StoreyGap {
     Vec2 place_m{0.0};
     Vec2 along{1.0, 0.0};  // direction from jamb to jamb
     double width_m = 0.0;
-    double deep_m = 0.0;  // this much is free on either side of `place_m`; 0: as deep as the wall
+    double deep_m = 0.0;  // on either side of its place this much is free too; 0: as deep as the wall is
+    std::array<std::uint32_t, 2> rooms{kNothing, kNothing};  // places in Storey::rooms; kNothing: of another storey
 };
 
 // A portal between two rooms of the storey, from RoomGraph::portals.

@@ -103,6 +103,21 @@ TEST(ExportCommand, ends_with_status_1_and_offers_help_where_a_sheet_does_not_ke
     EXPECT_EQ(coarse.status, 0) << "it was offered: " << coarse.out;
 }
 
+TEST(ExportCommand, offers_no_coarser_plan_that_does_not_help) {
+    const TemporaryFolder folder;
+    // The rooms need signs on a coarse plan, too, and are too narrow for them and for wide doors.
+    const std::filesystem::path world = folder.path() / "stores.rooms";
+    std::ofstream(world) << "Storey: Ground, 3 metres high.\n"
+                            "Hall, 60 by 40 metres. Door outside in the middle of the south wall.\n"
+                            "Store one, 1.5 by 12 metres, north of Hall. Door to Hall.\n"
+                            "Store two, 1.5 by 12 metres, north of Hall, 10 metres further east. Door to Hall.\n";
+    const Outcome done = run({world.string(), "--swell", (folder.path() / "plan.svg").string()});
+    EXPECT_EQ(done.status, 1);
+    EXPECT_THAT(done.out, testing::HasSubstr("--around"));
+    EXPECT_THAT(done.out, testing::Not(testing::HasSubstr("--coarse")));
+    EXPECT_EQ(run({world.string(), "--swell", (folder.path() / "coarse.svg").string(), "--coarse"}).status, 1);
+}
+
 TEST(ExportCommand, offers_several_sheets_for_what_is_too_large_for_one) {
     const TemporaryFolder folder;
     const std::filesystem::path world = folder.path() / "field.rooms", plan = folder.path() / "plan.svg";
