@@ -85,17 +85,30 @@ std::optional<Vec2> Places::nearest_fit(const Vec2& from_mm, double reach_mm,
     const int reach = static_cast<int>(reach_mm / kStep_mm);
     std::optional<Vec2> best;
     double least = reach_mm;
-    for (int ring = 0; ring <= reach && ring * kStep_mm <= least; ++ring)  // square rings, from the inside out
-        for (int i = -ring; i <= ring; ++i)
-            for (int j = -ring; j <= ring; j += std::abs(i) == ring ? 1 : std::max(1, 2 * ring)) {
-                const Vec2 off = Vec2(i, j) * kStep_mm;
-                const double far = glm::length(off);
-                // The cheap tests come first: for a hall larger than the page, most places are off the page.
-                if (far >= least || !is_free(from_mm + off) || !allowed(from_mm + off) || !fits(box_at(from_mm + off)))
-                    continue;
-                least = far;
-                best = from_mm + off;
+    // A hall can be far larger than the page, so only places on the page are tried.
+    const auto first = [&](int axis) {
+        return static_cast<int>(std::floor(std::max(-reach_mm, low_mm_[axis] - from_mm[axis]) / kStep_mm));
+    };
+    const auto last = [&](int axis) {
+        return static_cast<int>(std::ceil(std::min(reach_mm, high_mm_[axis] - from_mm[axis]) / kStep_mm));
+    };
+    const int first_i = first(0), last_i = last(0), first_j = first(1), last_j = last(1);
+    const auto take_nearer = [&](int i, int j) {
+        const Vec2 off = Vec2(i, j) * kStep_mm;
+        const double far = glm::length(off);
+        if (far >= least || !is_free(from_mm + off) || !allowed(from_mm + off) || !fits(box_at(from_mm + off))) return;
+        least = far;
+        best = from_mm + off;
+    };
+    for (int ring = 0; ring <= reach && ring * kStep_mm <= least; ++ring)  // squares, from within
+        for (int i = std::max(-ring, first_i); i <= std::min(ring, last_i); ++i) {
+            if (std::abs(i) == ring) {
+                for (int j = std::max(-ring, first_j); j <= std::min(ring, last_j); ++j) take_nearer(i, j);
+                continue;
             }
+            if (-ring >= first_j && -ring <= last_j) take_nearer(i, -ring);
+            if (ring <= last_j && ring >= first_j) take_nearer(i, ring);
+        }
     return best;
 }
 

@@ -335,7 +335,8 @@ std::optional<Vec2> place_of_sign(const Storey& storey, std::size_t room, const 
     const Vec2 middle = on_paper(mine.middle_m);
     std::optional<Vec2> place = beside_things.nearest_fit(middle, reach, box_at, in_room);
     if (!place) place = places.nearest_fit(middle, reach, box_at, in_room);
-    reaches_over = !storey.floor.beyond.empty();
+    const std::vector<std::uint8_t>& beyond = storey.floor.beyond;
+    reaches_over = std::find(beyond.begin(), beyond.end(), 1) != beyond.end();
     if (!place && reaches_over) place = places.nearest_fit(middle, reach, box_at, in_room);
     return place;
 }
