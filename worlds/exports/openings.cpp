@@ -113,8 +113,11 @@ RoomGrid rooms_on(const Ink& walls, const Storey& storey, const OnPaper& on_pape
         for (int x = 0; x < grid.wide; ++x) {
             const int cell = column[static_cast<std::size_t>(x)];
             const std::size_t here = grid.at(x, y);
-            if (x == 0 || y == 0 || x == grid.wide - 1 || y == grid.high - 1) grid.room[here] = outside;
-            if (cell < 0 || row < 0 || cell >= floor.wide || row >= floor.high) continue;
+            const bool rim = x == 0 || y == 0 || x == grid.wide - 1 || y == grid.high - 1;
+            const bool on_storey = cell >= 0 && row >= 0 && cell < floor.wide && row < floor.high;
+            // The rim of one of several sheets can be in the middle of a room.
+            if (rim && (!on_storey || floor.beyond.empty())) grid.room[here] = outside;
+            if (!on_storey) continue;
             const std::size_t square =
                 static_cast<std::size_t>(row) * static_cast<std::size_t>(floor.wide) + static_cast<std::size_t>(cell);
             if (grid.room[here] != outside) grid.room[here] = floor.room[square];

@@ -151,10 +151,11 @@ private:
         const WallLook look{kWallLine_mm, kClear_mm, kLeastSymbol_mm + 0.2, kLeastPiece_mm};
         walls_ = ink_of_walls(storey_, on_paper_, made_.plan.width_mm, made_.plan.height_mm, look);
         mended_ = mend_openings(walls_.ink, storey_, on_paper_, look);
+        if (made_.part) whole_ = rooms_on(walls_.ink, storey_, on_paper_);
         cut_to_sheet();
         hollow_ = hollow_out(walls_.ink, kHollowFrom_mm, kWallLine_mm, kHollowLong_mm);
         rooms_ = rooms_on(walls_within_part(), storey_, on_paper_);
-        whole_ = made_.part ? rooms_on(walls_.ink, storey_, on_paper_) : rooms_;
+        if (!made_.part) whole_ = rooms_;
         rungs_ = stair_rungs(storey_, on_paper_, rooms_, Places(walls_.ink, kClear_mm, low_mm_, high_mm_), walls_.ink,
                              kThinLine_mm, kClear_mm, kLeastStair_mm);
         cut_to_sheet();
@@ -576,7 +577,7 @@ private:
         if (const GapCheck gaps = check_gaps(made_.plan, kLeastGap_mm); !gaps.narrow_mm.empty())
             made_.broken.push_back(phrase("export.too_near"));
         std::vector<std::string> lacking, leaking;
-        const OpeningCheck openings = check_openings(rooms_, storey_, on_paper_);
+        const OpeningCheck openings = check_openings(whole_, storey_, on_paper_);
         for (const WrongOpening& wrong : openings.lacking)
             if (shown(on_paper_.world(wrong.at_mm))) lacking.push_back(both(wrong.rooms));
         for (const WrongOpening& wrong : openings.leaking)
@@ -682,7 +683,7 @@ private:
     MendedOpenings mended_;
     std::vector<std::string> edges_, undrawn_edges_;  // rooms that end in the open, by whether lines show it
     RoomGrid rooms_;
-    RoomGrid whole_;           // without the borders of one of several sheets
+    RoomGrid whole_;           // as rooms_, but one of several sheets does not end them
     StairInk stairs_, rungs_;  // in the end all of them; those that reach into walls
     bool base_drawn_ = false;
     std::uint32_t base_room_ = kNothing;

@@ -88,6 +88,26 @@ TEST(FloorEdges, part_floors_with_nothing_between_without_a_wall) {
     }
 }
 
+TEST(FloorEdges, are_not_within_walls_on_one_of_several_sheets) {
+    // A pit in the kitchen goes on beyond the sheet, where the sheet has no walls.
+    Storey storey = two_rooms();
+    storey.things.clear();
+    storey.rooms[0].loops_m = {{{0.25, 0.25}, {2.0, 0.25}, {2.0, 3.75}, {0.25, 3.75}}};
+    storey.rooms[0].max_m.x = 2.0;
+    storey.rooms[0].middle_m.x = 1.1;
+    lay_floor(storey);
+    find_beyond(storey);
+    SheetPart part;
+    part.min_m = storey.min_m;
+    part.max_m = {4.0, 4.7};
+    part.one_to = 50.0;
+    std::vector<std::string> letters;
+    const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1}, part, letters);
+    ASSERT_TRUE(sheet);
+    EXPECT_EQ(lines_along(*sheet, {2.0, 1.0}, {2.0, 3.0}), 0);
+    for (const KeyLine& line : sheet->key_lines) EXPECT_EQ(line.text.find("edges"), std::string::npos) << line.text;
+}
+
 TEST(FloorEdges, are_raised_on_the_plate) {
     Storey storey = two_platforms();
     const Result<StoreyPlate> plate = storey_plate(storey, BrailleTable::EnUebG1);

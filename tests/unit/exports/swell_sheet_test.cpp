@@ -663,6 +663,41 @@ TEST(SwellSheet, keeps_stairs_that_reach_into_a_wall_away_from_what_is_at_their_
     EXPECT_GT(with_lines, 0);
 }
 
+TEST(SwellSheet, of_several_joins_no_rooms_by_ending_in_a_third) {
+    // Kitchen and Room 12 both lead to the south end of a hall, whose floor is on another sheet.
+    Storey storey = two_rooms();
+    storey.things.clear();
+    storey.gaps.clear();
+    storey.base.reset();
+    storey.max_m = {6.7, 8.7};
+    const auto box = [](double x0, double y0, double x1, double y1) {
+        return std::vector<Vec2>{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+    };
+    storey.walls_m = {box(-0.2, -0.2, 6.4, 0.0), box(-0.2, 8.0, 6.4, 8.2), box(-0.2, 0.0, 0.0, 8.0),
+                      box(6.2, 0.0, 6.4, 8.0),   box(2.0, 0.0, 4.2, 2.0),  box(0.0, 3.2, 2.2, 3.4),
+                      box(4.0, 3.2, 6.2, 3.4)};
+    storey.rooms[0].loops_m = {box(0.25, 0.25, 1.75, 2.95)};
+    storey.rooms[1].loops_m = {box(4.45, 0.25, 5.95, 2.95)};
+    storey.rooms.push_back(storey.rooms[0]);
+    storey.rooms[2].name = "Hall";
+    storey.rooms[2].loops_m = {box(0.25, 3.65, 5.95, 7.75)};
+    for (StoreyRoom& room : storey.rooms) {
+        room.min_m = room.loops_m[0][0];
+        room.max_m = room.loops_m[0][2];
+        room.middle_m = 0.5 * (room.min_m + room.max_m);
+    }
+    storey.portals = {{PassageKind::Opening, {0, 2}, {2.1, 2.6}, 1.0}, {PassageKind::Opening, {1, 2}, {4.1, 2.6}, 1.0}};
+    lay_floor(storey);
+    SheetPart part;
+    part.min_m = storey.min_m;
+    part.max_m = {6.7, 3.2};
+    part.one_to = 50.0;
+    std::vector<std::string> letters;
+    const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1}, part, letters);
+    ASSERT_TRUE(sheet);
+    EXPECT_THAT(sheet->broken, testing::IsEmpty());
+}
+
 TEST(SwellSheet, says_which_stairs_have_no_lines) {
     Storey storey = two_rooms();
     storey.stairs_of_others.push_back({0, {{{1.0, 1.0}, {2.0, 1.0}, {2.0, 3.0}, {1.0, 3.0}}}});
