@@ -102,6 +102,7 @@ public:
         if (!made_.rooms.empty()) drop_ledges();
         take_gaps();
         if (!made_.rooms.empty()) open_portals();
+        drop_far_walls(made_);
         find_beyond(made_);
         return std::move(made_);
     }

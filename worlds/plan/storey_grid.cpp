@@ -13,6 +13,7 @@ constexpr double kSquare_m = 0.05, kMostSquares = 2000.0;  // of the longer side
 constexpr double kCrack_m = 0.1;                           // narrower cracks between walls lead nowhere
 constexpr double kBesideFloor_m = 0.45;  // from the middle of a square of floor; a body's radius and a little
 constexpr double kRoundPortal_m = 0.5;
+constexpr double kWallNear_m = 2.0;  // from floor to wall, with furniture or a machine between them
 
 // Calls `each(x, y)` for the squares of a grid whose middles are so near to a place.
 template <class Each>
@@ -65,6 +66,50 @@ void StoreyGrid::block(RoomGrid& grid, const PlanOutline& outline) const {
     for (int y = std::max(0, square(low.y - storey_->min_m.y)); y <= square(high.y - storey_->min_m.y); ++y)
         for (int x = std::max(0, square(low.x - storey_->min_m.x)); x <= square(high.x - storey_->min_m.x); ++x)
             if (grid.holds(x, y) && within(outline, middle(x, y))) grid.blocked[grid.at(x, y)] = 1;
+}
+
+void drop_far_walls(Storey& storey) {
+    const StoreyFloor& floor = storey.floor;
+    const auto cell = [&](int x, int y) {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(floor.wide) + static_cast<std::size_t>(x);
+    };
+    const auto is_floor = [&](int x, int y) {
+        return x >= 0 && y >= 0 && x < floor.wide && y < floor.high && floor.room[cell(x, y)] != kNothing;
+    };
+    std::vector<std::uint8_t> near_floor(floor.room.size(), 0);
+    const auto lay = [&](const Vec2& at_m) {
+        for_disc(floor.wide, floor.high, (at_m - storey.min_m) / floor.cell_m, kWallNear_m / floor.cell_m,
+                 [&](int x, int y) { near_floor[cell(x, y)] = 1; });
+    };
+    for (int y = 0; y < floor.high; ++y)
+        for (int x = 0; x < floor.wide; ++x) {
+            if (!is_floor(x, y)) continue;
+            near_floor[cell(x, y)] = 1;
+            if (!is_floor(x - 1, y) || !is_floor(x + 1, y) || !is_floor(x, y - 1) || !is_floor(x, y + 1))
+                lay(storey.min_m + (Vec2(x, y) + Vec2(0.5)) * floor.cell_m);
+        }
+    for (const StoreyStairs& stairs : storey.stairs_of_others)
+        for (const std::vector<Vec2>& loop : stairs.loops_m)
+            for (const Vec2& at : loop) lay(at);
+    const auto is_near = [&](const Vec2& from, const Vec2& to) {
+        const int steps = std::max(1, static_cast<int>(std::ceil(glm::distance(from, to) / floor.cell_m)));
+        for (int i = 0; i <= steps; ++i) {
+            const Vec2 at = (from + (to - from) * (static_cast<double>(i) / steps) - storey.min_m) / floor.cell_m;
+            const int x = std::clamp(static_cast<int>(std::floor(at.x)), 0, floor.wide - 1);
+            const int y = std::clamp(static_cast<int>(std::floor(at.y)), 0, floor.high - 1);
+            if (near_floor[cell(x, y)]) return true;
+        }
+        return false;
+    };
+    const auto is_far = [&](const PlanOutline& wall) {
+        for (std::size_t i = 0; i < wall.size(); ++i)
+            if (is_near(wall[i], wall[(i + 1) % wall.size()])) return false;
+        return true;
+    };
+    if (floor.room.empty()) return;
+    std::erase_if(storey.walls_m, is_far);
+    std::erase_if(storey.windows_m, is_far);
+    std::erase_if(storey.sheets_m, [&](const auto& sheet) { return !is_near(sheet[0], sheet[1]); });
 }
 
 void find_beyond(Storey& storey) {

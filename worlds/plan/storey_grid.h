@@ -31,6 +31,10 @@ private:
     double square_m_;
 };
 
+// Leaves out walls that no floor of the storey is near, as those of a room on another storey: they would end in the
+// middle of nothing.
+void drop_far_walls(Storey& storey);
+
 // Fills StoreyFloor::beyond by the storey's floor, walls and portals.
 void find_beyond(Storey& storey);
 

@@ -108,6 +108,21 @@ TEST(FloorEdges, are_not_within_walls_on_one_of_several_sheets) {
     for (const KeyLine& line : sheet->key_lines) EXPECT_EQ(line.text.find("edges"), std::string::npos) << line.text;
 }
 
+TEST(FarWalls, are_not_in_the_plan) {
+    Storey storey = two_rooms();
+    const std::size_t own = storey.walls_m.size();
+    storey.max_m = {30.0, 4.7};
+    storey.walls_m.push_back({{9.4, 4.0}, {20.0, 4.0}, {20.0, 4.2}, {9.4, 4.2}});
+    storey.walls_m.push_back({{20.0, 0.0}, {20.2, 0.0}, {20.2, 4.0}, {20.0, 4.0}});
+    storey.sheets_m.push_back({Vec2(14.0, 1.0), Vec2(14.0, 3.0)});
+    storey.sheets_m.push_back({Vec2(10.0, 1.0), Vec2(14.0, 1.0)});
+    lay_floor(storey);
+    drop_far_walls(storey);
+    EXPECT_EQ(storey.walls_m.size(), own + 1) << "the far end of one of them is near no floor, but the wall is";
+    ASSERT_EQ(storey.sheets_m.size(), 1U);
+    EXPECT_EQ(storey.sheets_m[0][0].x, 10.0);
+}
+
 TEST(FloorEdges, are_raised_on_the_plate) {
     Storey storey = two_platforms();
     const Result<StoreyPlate> plate = storey_plate(storey, BrailleTable::EnUebG1);
